@@ -1,0 +1,28 @@
+# Every foreign library, each found once and named PkgConfig::X or as an imported target.
+# tools/install-deps installs them on Debian and Ubuntu.
+find_package(PkgConfig REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS C)
+find_package(Threads REQUIRED)
+
+pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml)
+pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
+pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
+pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
+pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)
+pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
+pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
+
+list(APPEND CMAKE_MODULE_PATH /usr/share/cmake/geographiclib)
+find_package(GeographicLib REQUIRED)
+
+find_package(embree 3 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 4 REQUIRED)
+endif()
+
+find_package(SUNDIALS REQUIRED COMPONENTS cvodes kinsol nvecserial sunmatrixsparse sunlinsolklu)
+
+if(UMBRA_TETGEN)
+  find_path(TETGEN_INCLUDE_DIR tetgen.h REQUIRED)
+  find_library(TETGEN_LIBRARY NAMES tet tetgen REQUIRED)
+endif()

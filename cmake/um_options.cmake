@@ -1,0 +1,30 @@
+# Language standard, warnings, sanitizers: one interface target that every module links.
+set(CMAKE_C_STANDARD 17)
+set(CMAKE_C_STANDARD_REQUIRED ON)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release or RelWithDebInfo" FORCE)
+endif()
+
+add_library(um_options INTERFACE)
+target_include_directories(um_options INTERFACE "${CMAKE_SOURCE_DIR}")
+# POSIX.1-2008 for fork, mkstemp and clocks; no fused multiply-add, so that results do not depend on
+# how the compiler contracts expressions.
+target_compile_definitions(um_options INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)
+target_compile_options(um_options INTERFACE -ffp-contract=off -fno-math-errno)
+target_compile_options(um_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
+  $<$<COMPILE_LANGUAGE:C>:-Wconversion>
+  $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
+if(UMBRA_WERROR)
+  target_compile_options(um_options INTERFACE -Werror)
+endif()
+if(UMBRA_SANITIZE)
+  target_compile_options(um_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(um_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,30 @@
+/* Physical constants, SI, once. */
+#ifndef UMBRA_CORE_CONSTANTS_H
+#define UMBRA_CORE_CONSTANTS_H
+
+#define UM_PI     3.14159265358979323846
+#define UM_DEG    (UM_PI / 180.0)    /* [rad] per degree */
+#define UM_ARCSEC (UM_PI / 648000.0) /* [rad] per arc second */
+
+#define UM_PLANCK           6.62607015e-34        /* h [J s], SI 2019 exact */
+#define UM_LIGHT_SPEED      299792458.0           /* c [m/s], SI exact */
+#define UM_BOLTZMANN        1.380649e-23          /* k [J/K], SI 2019 exact */
+#define UM_STEFAN_BOLTZMANN 5.670374419e-8        /* sigma [W/m^2/K^4], CODATA 2018 */
+#define UM_RADIATION_C1L    1.191042972397188e-16 /* 2 h c^2 [W m^2 / sr], from the exact constants \
+                                                   */
+#define UM_RADIATION_C2 1.438776877503933e-2      /* h c / k [m K], from the exact constants */
+
+#define UM_SOLAR_IRRADIANCE  1361.0         /* at 1 au [W/m^2], Kopp & Lean 2011 */
+#define UM_SOLAR_RADIUS      695700.0e3     /* nominal [m], IAU 2015 B3 */
+#define UM_SOLAR_TEMPERATURE 5772.0         /* effective [K], IAU 2015 B3 */
+#define UM_AU                149597870700.0 /* [m], IAU 2012 B2 */
+
+#define UM_EARTH_RADIUS     6378137.0             /* WGS-84 a [m] */
+#define UM_EARTH_FLATTENING (1.0 / 298.257223563) /* WGS-84 f */
+#define UM_EARTH_GM         3.986004418e14        /* [m^3/s^2], WGS-84 */
+#define UM_EARTH_ROTATION   7.29211514670698e-5   /* [rad/s], IERS, LOD = 0 */
+
+#define UM_SPACE_TEMPERATURE 2.7    /* deep space [K], Fixsen 2009 rounded */
+#define UM_AB_ZERO_JY        3631.0 /* AB zero point [Jy], Oke & Gunn 1983 */
+
+#endif

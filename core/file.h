@@ -1,0 +1,37 @@
+/* Files and folders that appear whole or not at all. */
+#ifndef UMBRA_CORE_FILE_H
+#define UMBRA_CORE_FILE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "core/context.h"
+
+/* Whole file as bytes with a NUL behind them; the caller frees. Refuses folders and files over
+ * `limit` bytes. UM_ERR_IO "path: reason". */
+enum um_status um_core_file_read(struct um_context *context, const char *path, size_t limit,
+                                 char **out, size_t *length);
+/* "dir of base_file / relative", or a copy when `relative` is absolute; the caller frees. */
+enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,
+                                    const char *relative, char **out);
+/* True for a file name that cannot lead out of a folder: no '/', not "", "." or "..". */
+bool um_core_path_is_plain(const char *name);
+
+/* An output folder in the making: written beside `path` under a temporary name, renamed at commit.
+ * begin fails with UM_ERR_IO when `path` exists and is not an Umbra folder (no ".umbra" marker
+ * file) unless `force`; nothing is touched then. abort removes what was written. */
+struct um_core_folder;
+enum um_status um_core_folder_begin(struct um_context *context, const char *path, bool force,
+                                    struct um_core_folder **out);
+/* Path of the temporary folder; borrowed. */
+const char *um_core_folder_path(const struct um_core_folder *folder);
+/* Open a plain file name inside for writing; the caller closes with um_core_file_close. */
+enum um_status um_core_folder_open(struct um_context *context, struct um_core_folder *folder,
+                                   const char *name, FILE **out);
+/* fclose with its errors (disk full) turned into UM_ERR_IO; sets *file to NULL. */
+enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file);
+enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder);
+/* Accepts NULL, sets NULL. */
+void um_core_folder_abort(struct um_core_folder **folder);
+
+#endif

@@ -1,0 +1,125 @@
+/* Black-body radiation.
+ *
+ *   B_lambda = c1L / lambda^5 / (exp(C2 / (lambda T)) - 1)
+ *   F(0 -> lambda T) = 15/pi^4 sum_m exp(-m z) (z^3/m + 3 z^2/m^2 + 6 z/m^3 + 6/m^4), z =
+ * C2/(lambda T) (Chang & Rhee 1984) for small z the complement by the power series of x^3/(e^x - 1)
+ * (Bernoulli numbers). */
+#include "core/planck.h"
+
+#include <math.h>
+
+#include "core/constants.h"
+
+double um_core_planck_radiance(double wavelength, double temperature)
+{
+  if (!(temperature > 0.0)) return 0.0;
+  double z = UM_RADIATION_C2 / (wavelength * temperature);
+  double l2 = wavelength * wavelength;
+  return UM_RADIATION_C1L / (l2 * l2 * wavelength) / expm1(z);
+}
+
+/* int_z^inf x^3/(e^x - 1) dx for z >= 1; the m-th term falls like exp(-m z). */
+static double debye_tail(double z)
+{
+  double sum = 0.0;
+  for (int m = 1; m < 64; m++) {
+    double i = 1.0 / m;
+    double term = exp(-m * z) * i * (z * z * z + i * (3.0 * z * z + i * (6.0 * z + 6.0 * i)));
+    sum += term;
+    if (term < 1e-17 * sum) break;
+  }
+  return sum;
+}
+
+/* int_0^z x^3/(e^x - 1) dx for z < 2 : z^3 (1/3 - z/8 + z^2/60 - z^4/5040 + ...), the terms
+ * B_2k z^2k / ((2k + 3) (2k)!), which converge for z < 2 pi. */
+static double debye_head(double z)
+{
+  static const double bernoulli[] = {1.0 / 6.0,         -1.0 / 30.0,      1.0 / 42.0,
+                                     -1.0 / 30.0,       5.0 / 66.0,       -691.0 / 2730.0,
+                                     7.0 / 6.0,         -3617.0 / 510.0,  43867.0 / 798.0,
+                                     -174611.0 / 330.0, 854513.0 / 138.0, -236364091.0 / 2730.0};
+  double sum = 1.0 / 3.0 - z / 8.0;
+  double power = 1.0, factorial = 1.0;
+  for (int k = 1; k <= 12; k++) {
+    power *= z * z;
+    factorial *= (2.0 * k - 1.0) * (2.0 * k);
+    sum += bernoulli[k - 1] * power / ((2.0 * k + 3.0) * factorial);
+  }
+  return z * z * z * sum;
+}
+
+double um_core_planck_fraction(double lambda_t)
+{
+  if (!(lambda_t > 0.0)) return 0.0;
+  const double total = UM_PI * UM_PI * UM_PI * UM_PI / 15.0;
+  double z = UM_RADIATION_C2 / lambda_t;
+  return z < 1.5 ? 1.0 - debye_head(z) / total : debye_tail(z) / total;
+}
+
+/* int_z1^z2 x^3/(e^x - 1) dx, z1 < z2, without the cancellation of fractions near 1. */
+static double debye_between(double z1, double z2)
+{
+  if (z2 < 1.5) return debye_head(z2) - debye_head(z1);
+  if (z1 >= 1.5) return debye_tail(z1) - debye_tail(z2);
+  return UM_PI * UM_PI * UM_PI * UM_PI / 15.0 - debye_head(z1) - debye_tail(z2);
+}
+
+double um_core_planck_band(double from, double to, double temperature)
+{
+  if (!(temperature > 0.0)) return 0.0;
+  double t4 = temperature * temperature * temperature * temperature;
+  double z1 = UM_RADIATION_C2 / (to * temperature), z2 = UM_RADIATION_C2 / (from * temperature);
+  /* L = c1L (T/C2)^4 int x^3/(e^x - 1) dx */
+  double c2 = UM_RADIATION_C2;
+  return UM_RADIATION_C1L * t4 / (c2 * c2 * c2 * c2) * debye_between(z1, z2);
+}
+
+double um_core_planck_band_slope(double from, double to, double temperature)
+{
+  if (!(temperature > 0.0)) return 0.0;
+  /* L = c T^4 D(z1, z2), z = C2/(lambda T), dz/dT = -z/T, d/dz of the tail is -x^3/(e^x - 1):
+   * dL/dT = 4 L/T + c T^3 (g(z1) - g(z2)), g(z) = z^4/(e^z - 1) */
+  double z1 = UM_RADIATION_C2 / (to * temperature), z2 = UM_RADIATION_C2 / (from * temperature);
+  double g1 = z1 * z1 * z1 * z1 / expm1(z1), g2 = z2 * z2 * z2 * z2 / expm1(z2);
+  double c2 = UM_RADIATION_C2, t3 = temperature * temperature * temperature;
+  return 4.0 * um_core_planck_band(from, to, temperature) / temperature +
+         UM_RADIATION_C1L * t3 / (c2 * c2 * c2 * c2) * (g1 - g2);
+}
+
+/* int_z^inf x^2/(e^x - 1) dx = sum_m exp(-m z) (z^2/m + 2 z/m^2 + 2/m^3) */
+static double photon_tail(double z)
+{
+  double sum = 0.0;
+  for (int m = 1; m < 100000; m++) {
+    double i = 1.0 / m;
+    double term = exp(-m * z) * i * (z * z + i * (2.0 * z + 2.0 * i));
+    sum += term;
+    if (term < 1e-16 * sum) break;
+  }
+  return sum;
+}
+
+double um_core_planck_band_photons(double from, double to, double temperature)
+{
+  if (!(temperature > 0.0)) return 0.0;
+  double z1 = UM_RADIATION_C2 / (to * temperature), z2 = UM_RADIATION_C2 / (from * temperature);
+  double s = temperature / UM_RADIATION_C2;
+  return 2.0 * UM_LIGHT_SPEED * s * s * s * (photon_tail(z1) - photon_tail(z2));
+}
+
+double um_core_planck_band_temperature(double from, double to, double radiance)
+{
+  double low = 1.0, high = 20000.0;
+  if (!(radiance > um_core_planck_band(from, to, low)) ||
+      !(radiance <= um_core_planck_band(from, to, high)))
+    return NAN;
+  for (int i = 0; i < 200 && high - low > 1e-12 * high; i++) {
+    double middle = 0.5 * (low + high);
+    if (um_core_planck_band(from, to, middle) < radiance)
+      low = middle;
+    else
+      high = middle;
+  }
+  return 0.5 * (low + high);
+}

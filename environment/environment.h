@@ -1,0 +1,114 @@
+/* The one Sun and the one Earth of both halves: solar spectrum, shadow, albedo and Earth IR. */
+#ifndef UMBRA_ENVIRONMENT_ENVIRONMENT_H
+#define UMBRA_ENVIRONMENT_ENVIRONMENT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/context.h"
+#include "core/vec.h"
+
+enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
+enum um_environment_shadow {
+  UM_SHADOW_NONE,
+  UM_SHADOW_CYLINDER,
+  UM_SHADOW_SPHERE,
+  UM_SHADOW_OBLATE
+};
+enum um_environment_disc { UM_DISC_POINT, UM_DISC_UNIFORM, UM_DISC_LIMB_DARKENED };
+
+/* Plain configuration; copy and change freely (effects do). Set defaults first. */
+struct um_environment {
+  double solar_irradiance; /* [W/m^2] at 1 au */
+  enum um_environment_spectrum spectrum;
+  double solar_temperature;      /* [K] of the black body */
+  double albedo;                 /* [1] Lambert, uniform */
+  double outgoing_longwave;      /* OLR [W/m^2], uniform, Lambert */
+  double brightness_temperature; /* [K] of the Earth in the LWIR window */
+  double earth_radius;           /* [m] of the sphere that loads and reflects */
+  enum um_environment_shadow shadow;
+  double
+      shadow_radius; /* [m] CYLINDER and SPHERE; equatorial radius of OBLATE (WGS-84 flattening) */
+  enum um_environment_disc disc;
+  double limb_darkening;     /* u of 1 - u (1 - mu) */
+  bool albedo_on, planet_on; /* heat loads */
+  bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
+  bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */
+};
+void um_environment_defaults(struct um_environment *out);
+
+/* Solar irradiance [W/m^2] at a distance [m] from the Sun. */
+double um_environment_solar_irradiance(const struct um_environment *environment, double distance);
+/* Solar spectral irradiance at 1 au [W/m^2/m] at a wavelength [m], the spectrum scaled so that its
+ * integral is solar_irradiance; and its exact integral over a band [W/m^2]. */
+double um_environment_solar_spectrum(const struct um_environment *environment, double wavelength);
+double um_environment_solar_band(const struct um_environment *environment, double from, double to);
+
+/* Sunlit fraction of the solar disc, 0..1 (limb-darkened: of its flux), at a GCRS point r [m]:
+ * sun = unit vector to the Sun from the point, distance [m]; pole = Earth's pole in GCRS (OBLATE).
+ * Exactly 0 in the umbra and exactly 1 in full sunlight. Montenbruck & Gill 2000 3.4.2 for the
+ * sphere and uniform disc; ray tests against the ellipsoid, in slices of the disc, for OBLATE. */
+double um_environment_sunlit_fraction(const struct um_environment *environment, struct um_vec3 r,
+                                      struct um_vec3 sun, double distance, struct um_vec3 pole);
+/* Signed measure of the same geometry, smooth through an eclipse edge: apparent angle [rad] of the
+ * centre of the Sun above the limb; penumbra begins and ends at +- the Sun's angular radius. For
+ * root finding. */
+double um_environment_limb_angle(const struct um_environment *environment, struct um_vec3 r,
+                                 struct um_vec3 sun, double distance, struct um_vec3 pole);
+
+enum um_environment_event_kind {
+  UM_EVENT_PENUMBRA_ENTRY, /* fraction falls below 1 */
+  UM_EVENT_HALF_ENTRY,     /* fraction 1/2, falling (centre of the disc on the limb) */
+  UM_EVENT_UMBRA_ENTRY,    /* fraction reaches 0 */
+  UM_EVENT_UMBRA_EXIT,     /* fraction rises above 0 */
+  UM_EVENT_HALF_EXIT,
+  UM_EVENT_PENUMBRA_EXIT /* fraction reaches 1 */
+};
+struct um_environment_event {
+  double t_tai;
+  enum um_environment_event_kind kind;
+};
+/* Geometry at a time, for the event search: r [m], Sun unit vector and distance [m], pole. */
+typedef enum um_status (*um_environment_geometry)(void *self, double t_tai, struct um_vec3 *r,
+                                                  struct um_vec3 *sun, double *distance,
+                                                  struct um_vec3 *pole);
+/* All eclipse events in [from, to], ascending, each to 1 ms; scan step `step` [s] (<= 60 suggested;
+ * grazing eclipses shorter than it are caught by a minimum search). The caller frees *out. */
+enum um_status um_environment_events_find(struct um_context *context,
+                                          const struct um_environment *environment,
+                                          um_environment_geometry geometry, void *self, double from,
+                                          double to, double step, struct um_environment_event **out,
+                                          size_t *count);
+
+/* What the Earth sends to plates at one place. Unobstructed, per plate normal. */
+struct um_environment_earth_flux {
+  double albedo;      /* reflected sunlight [W/m^2] */
+  double planet;      /* emitted, all wavelengths [W/m^2] */
+  double view_factor; /* plate-Earth view factor [1] */
+};
+/* r [m], unit sun, distance [m] to the Sun, unit normals[n], all in one frame centred on the Earth
+ * (GCRS). Albedo integrates a S max(cos SZA, 0) over the visible cap (Earth-central half-angle
+ * acos(R/r)); it acts in eclipse too. View factors are exact (Howell; Juul 1979). Switches
+ * albedo_on/planet_on do NOT act here: the caller applies them. Accuracy 1e-4 of the maximum;
+ * test: environment/earth. out[n]. */
+void um_environment_earth_flux(const struct um_environment *environment, struct um_vec3 r,
+                               struct um_vec3 sun, double distance, const struct um_vec3 *normals,
+                               size_t n, struct um_environment_earth_flux *out);
+/* The same cap as directions, for what a plate cannot see because the satellite is in the way:
+ * ndir unit directions from the satellite with solid-angle weights [sr], reflected solar radiance
+ * and emitted radiance [W/m^2/sr]. capacity >= UM_EARTH_CAP_POINTS. Returns the number. */
+#define UM_EARTH_CAP_POINTS 128
+struct um_environment_cap_point {
+  struct um_vec3 direction;
+  double solid_angle;     /* [sr] */
+  double albedo_radiance; /* [W/m^2/sr] */
+  double planet_radiance; /* [W/m^2/sr] */
+};
+size_t um_environment_earth_cap(const struct um_environment *environment, struct um_vec3 r,
+                                struct um_vec3 sun, double distance,
+                                struct um_environment_cap_point *out);
+/* Closed-form plate-Earth view factor; h_ratio = r/R >= 1, tilt of the normal from nadir [rad]. */
+double um_environment_plate_view_factor(double h_ratio, double tilt);
+double um_environment_sphere_view_factor(double h_ratio);
+
+#endif

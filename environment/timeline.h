@@ -1,0 +1,19 @@
+/* One instant of the scene, in GCRS: what orbit and environment say together. */
+#ifndef UMBRA_ENVIRONMENT_TIMELINE_H
+#define UMBRA_ENVIRONMENT_TIMELINE_H
+
+#include "core/vec.h"
+
+struct um_environment_sample {
+  double t_tai;               /* satellite time [s] */
+  struct um_vec3 r, v;        /* satellite, GCRS [m], [m/s] */
+  struct um_vec3 sun;         /* apparent unit vector, satellite to Sun, GCRS */
+  double sun_distance;        /* [m] */
+  struct um_vec3 pole;        /* Earth's pole, unit, GCRS */
+  double sunlit_fraction;     /* [1] */
+  struct um_quat q;           /* GCRS to body */
+  struct um_vec3 to_observer; /* unit, GCRS; zero when nobody looks at this instant */
+  double range;               /* [m]; NaN when nobody looks */
+};
+
+#endif

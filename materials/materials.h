@@ -1,0 +1,110 @@
+/* One material record serves both halves: what the renderer reflects, the thermal solver absorbs.
+ */
+#ifndef UMBRA_MATERIALS_MATERIALS_H
+#define UMBRA_MATERIALS_MATERIALS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/context.h"
+
+struct um_materials_record;  /* opaque, immutable after loading */
+struct um_materials_library; /* named records */
+
+/* Changes that effects make to a record's optics; all null values leave it bit-identical. */
+struct um_materials_adjustment {
+  double absorptance_shift; /* added to solar absorptance; diffuse reflectance below 2.5 um falls
+                               alike; null 0 */
+  double emittance_scale;   /* of emittance and spectral emissivity above 2.5 um; null 1 */
+  double band_emissivity_scale; /* of spectral emissivity above 2.5 um alone (not of the total);
+                                   null 1 */
+  double roughness_scale;       /* of the Beckmann alpha; null 1 */
+  double specular_scale;        /* of F; null 1 */
+  double diffuse_scale;         /* of the diffuse reflectance below 2.5 um, optics only; null 1 */
+};
+extern const struct um_materials_adjustment um_materials_no_adjustment;
+
+/* Library: read every *.yaml of a folder (the product's own), then files of the scenario, which may
+ * add or replace names. UM_ERR_INPUT with file and line. */
+enum um_status um_materials_library_create(struct um_context *context,
+                                           struct um_materials_library **out);
+void um_materials_library_destroy(struct um_materials_library **library);
+enum um_status um_materials_library_read_folder(struct um_context *context,
+                                                struct um_materials_library *library,
+                                                const char *folder);
+enum um_status um_materials_library_read_file(struct um_context *context,
+                                              struct um_materials_library *library,
+                                              const char *path, const char *const *overrides,
+                                              size_t noverride);
+/* The product's own folder: $UMBRA_DATA/materials, else beside the executable's build or install.
+ */
+size_t um_materials_library_count(const struct um_materials_library *library);
+const struct um_materials_record *
+um_materials_library_at(const struct um_materials_library *library, size_t index);
+/* NULL when there is none. */
+const struct um_materials_record *
+um_materials_library_find(const struct um_materials_library *library, const char *name);
+/* One line naming the nearest names, for messages; writes into out. */
+void um_materials_library_suggest(const struct um_materials_library *library, const char *name,
+                                  char *out, size_t size);
+
+const char *um_materials_name(const struct um_materials_record *record);
+const char *um_materials_summary(const struct um_materials_record *record);
+const char *um_materials_citation(const struct um_materials_record *record);
+bool um_materials_is_grey(const struct um_materials_record *record);
+
+/* --- optics; wavelength [m], cosines of angles from the normal; adjustment NULL for none -------
+ * f_r(i, o, lambda) = rho_d(lambda)/pi + F(cos_h, lambda) D(h) G(i, o) / (4 cos_i cos_o)
+ * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes). */
+double um_materials_diffuse_reflectance(const struct um_materials_record *record,
+                                        const struct um_materials_adjustment *adjustment,
+                                        double wavelength);
+/* F(cos_h): Fresnel or constant specular reflectance of the lobe; 0 for a record without a lobe. */
+double um_materials_specular_reflectance(const struct um_materials_record *record,
+                                         const struct um_materials_adjustment *adjustment,
+                                         double wavelength, double cos_h);
+bool um_materials_has_lobe(const struct um_materials_record *record);
+/* Beckmann alpha [1], = sqrt(2) Rq/tau where the record gives Rq and tau. */
+double um_materials_roughness(const struct um_materials_record *record,
+                              const struct um_materials_adjustment *adjustment);
+/* Directional spectral emissivity, Kirchhoff: 1 - rho_d - F-lobe's directional albedo (>= 0);
+ * grey records: their band emissivity where a band covers the wavelength, else emittance. */
+double um_materials_emissivity(const struct um_materials_record *record,
+                               const struct um_materials_adjustment *adjustment, double wavelength,
+                               double cos_o);
+/* True when the emissivity does not depend on cos_o. */
+bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record);
+/* Hemispherical-hemispherical reflectance at a wavelength = 1 - hemispherical emissivity. */
+double um_materials_hemispherical_reflectance(const struct um_materials_record *record,
+                                              const struct um_materials_adjustment *adjustment,
+                                              double wavelength);
+
+/* --- integrals for the thermal half --------------------------------------------------------- */
+/* Solar absorptance at normal incidence, over E490; explicit for a grey record. */
+double um_materials_solar_absorptance(const struct um_materials_record *record,
+                                      const struct um_materials_adjustment *adjustment);
+/* Hemispherical total emittance at a temperature [K]; explicit for a grey record. */
+double um_materials_emittance(const struct um_materials_record *record,
+                              const struct um_materials_adjustment *adjustment, double temperature);
+/* Normal total emittance at a temperature [K]. */
+double um_materials_normal_emittance(const struct um_materials_record *record,
+                                     const struct um_materials_adjustment *adjustment,
+                                     double temperature);
+/* Catalogue values that the record quotes, NaN where none: value and its stated uncertainty. */
+struct um_materials_catalogue {
+  double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance;
+  const char *source;
+};
+struct um_materials_catalogue um_materials_catalogue(const struct um_materials_record *record);
+
+/* Bulk properties; NaN where the record has none. */
+struct um_materials_bulk {
+  double density;             /* [kg/m^3] */
+  double specific_heat;       /* [J/kg/K] */
+  double conductivity;        /* [W/m/K] */
+  double thickness;           /* [m] of the sheet, film or cell as built, where it has one */
+  double areal_heat_capacity; /* [J/m^2/K], explicit or density * specific_heat * thickness */
+};
+struct um_materials_bulk um_materials_bulk(const struct um_materials_record *record);
+
+#endif

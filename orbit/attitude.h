@@ -1,0 +1,63 @@
+/* Attitude laws: quaternion GCRS -> body, passive, scalar first. */
+#ifndef UMBRA_ORBIT_ATTITUDE_H
+#define UMBRA_ORBIT_ATTITUDE_H
+
+#include "core/context.h"
+#include "core/vec.h"
+
+/* What a law may look at, all GCRS. */
+struct um_orbit_attitude_input {
+  double t_tai;
+  struct um_vec3 r, v;     /* [m], [m/s] */
+  struct um_vec3 sun;      /* unit, from the satellite */
+  struct um_vec3 observer; /* unit, from the satellite; zero when there is none */
+};
+
+enum um_orbit_attitude_kind {
+  UM_ATTITUDE_FIXED,  /* q constant in GCRS */
+  UM_ATTITUDE_LVLH,   /* z to the geocentre, y against the orbit normal, x completing; then roll,
+                         pitch, yaw: body = Rx(roll) Ry(pitch) Rz(yaw) applied to LVLH (3-2-1) */
+  UM_ATTITUDE_SUN,    /* axis_body points at the Sun; second axis: the body axis `clock_body` is as
+                         near the orbit normal as possible */
+  UM_ATTITUDE_TARGET, /* the same toward the observer */
+  UM_ATTITUDE_SPIN,   /* axis_body is along the inertial axis, turning at 2 pi / period */
+  UM_ATTITUDE_TABLE   /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
+};
+
+enum um_orbit_axis_frame { UM_AXIS_GCRS, UM_AXIS_LVLH, UM_AXIS_BODY };
+
+struct um_orbit_attitude_law {
+  enum um_orbit_attitude_kind kind;
+  double from_tai;           /* the law holds from here on (-inf: always) */
+  struct um_quat q;          /* FIXED: GCRS to body. SPIN with axis in the BODY frame: GCRS to
+                                body at at_tai */
+  double roll, pitch, yaw;   /* LVLH [rad] */
+  struct um_vec3 axis_body;  /* SUN, TARGET, SPIN: unit */
+  struct um_vec3 clock_body; /* SUN, TARGET: unit, not parallel to axis_body */
+  enum um_orbit_axis_frame axis_frame; /* SPIN */
+  struct um_vec3 axis;    /* SPIN: unit axis in that frame. In GCRS: inertial. In LVLH: the
+                             axis co-rotates with the orbital frame at every instant. */
+  double period;          /* SPIN [s]; > 0 right-handed about +axis; negative turns back */
+  double phase;           /* SPIN [rad]: turn at at_tai; phase 0: with e = axis (in GCRS
+                             resp. LVLH axes) the body is the smallest rotation of that
+                             frame that brings axis_body onto the axis */
+  double at_tai;          /* SPIN: reference time */
+  const char *table_path; /* TABLE */
+  double max_gap;         /* TABLE [s]; <= 0: ten times the median step */
+};
+
+struct um_orbit_attitude;
+
+/* laws[n] in order of from_tai (the first is valid from the beginning); copied; tables are read.
+ * UM_ERR_INPUT for zero axes, zero period, parallel clock, table faults with file and line. */
+enum um_status um_orbit_attitude_create(struct um_context *context,
+                                        const struct um_orbit_attitude_law *laws, size_t n,
+                                        struct um_orbit_attitude **out);
+void um_orbit_attitude_destroy(struct um_orbit_attitude **attitude);
+enum um_status um_orbit_attitude_at(struct um_context *context,
+                                    const struct um_orbit_attitude *attitude,
+                                    const struct um_orbit_attitude_input *input, struct um_quat *q);
+/* Largest rate of turn [rad/s] expected of the laws (orbital rate included), for choosing steps. */
+double um_orbit_attitude_rate(const struct um_orbit_attitude *attitude, double orbital_rate);
+
+#endif

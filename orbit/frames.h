@@ -1,0 +1,44 @@
+/* TEME, PEF, ITRF and GCRS by ERFA (IAU 2006/2000A; TEME by GMST82, no equation of the equinoxes).
+ */
+#ifndef UMBRA_ORBIT_FRAMES_H
+#define UMBRA_ORBIT_FRAMES_H
+
+#include "core/context.h"
+#include "core/vec.h"
+
+/* Earth orientation: constant values, or a table from an IERS finals2000A file. */
+struct um_orbit_earth_orientation {
+  double ut1_utc;                 /* [s] */
+  double xp, yp;                  /* pole [rad] */
+  struct um_orbit_finals *finals; /* NULL: the constants above hold; owned by whoever read it */
+};
+
+/* Read an IERS finals2000A.all/daily file (fixed columns). UM_ERR_IO, UM_ERR_INPUT with the line.
+ */
+enum um_status um_orbit_finals_read(struct um_context *context, const char *path,
+                                    struct um_orbit_finals **out);
+void um_orbit_finals_destroy(struct um_orbit_finals **finals);
+/* Values at a time: constants, or linear in the table (UT1-UTC across a leap second by UT1-TAI).
+ * UM_ERR_INPUT outside the table. */
+enum um_status um_orbit_earth_orientation_at(struct um_context *context,
+                                             const struct um_orbit_earth_orientation *orientation,
+                                             double t_tai, double *ut1_utc, double *xp, double *yp);
+
+/* Passive rotation GCRS -> ITRF at a time; UM_ERR_INPUT as above. Its third row is the Earth's
+ * pole in GCRS. */
+enum um_status um_orbit_frames_gcrs_to_itrf(struct um_context *context,
+                                            const struct um_orbit_earth_orientation *orientation,
+                                            double t_tai, struct um_mat3 *out);
+/* TEME -> GCRS (positions rotate alone; velocity is rotated as a vector, as the attitude frames
+ * want it). */
+enum um_status um_orbit_frames_teme_to_gcrs(struct um_context *context,
+                                            const struct um_orbit_earth_orientation *orientation,
+                                            double t_tai, struct um_mat3 *out);
+/* TEME -> ITRF position [m] and velocity [m/s] with the Earth's rotation (lod [s]). */
+enum um_status um_orbit_frames_teme_to_itrf(struct um_context *context,
+                                            const struct um_orbit_earth_orientation *orientation,
+                                            double t_tai, double lod, struct um_vec3 r_teme,
+                                            struct um_vec3 v_teme, struct um_vec3 *r_itrf,
+                                            struct um_vec3 *v_itrf);
+
+#endif

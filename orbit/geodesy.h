@@ -1,0 +1,22 @@
+/* GeographicLib behind C. Angles [rad], lengths [m], WGS-84. */
+#ifndef UMBRA_ORBIT_GEODESY_H
+#define UMBRA_ORBIT_GEODESY_H
+
+#include "core/vec.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+/* Geodetic -> ITRF. Does not fail for finite input. */
+struct um_vec3 um_orbit_geodesy_forward(double latitude, double longitude, double height);
+/* ITRF -> geodetic. */
+void um_orbit_geodesy_reverse(struct um_vec3 r_itrf, double *latitude, double *longitude,
+                              double *height);
+/* East, north, up of an ITRF point as seen from a geodetic origin [m]. */
+struct um_vec3 um_orbit_geodesy_enu(double latitude, double longitude, double height,
+                                    struct um_vec3 r_itrf);
+#ifdef __cplusplus
+}
+#endif
+
+#endif

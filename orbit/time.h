@@ -1,0 +1,25 @@
+/* Time scales. Inside, time is one double: TAI seconds since 2000-01-01T12:00:00 TAI (t_tai),
+ * which resolves 0.1 us in this century. */
+#ifndef UMBRA_ORBIT_TIME_H
+#define UMBRA_ORBIT_TIME_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/context.h"
+
+/* ISO 8601 UTC "2016-09-21T20:33:00[.fff][Z]" -> t_tai, leap seconds by ERFA (second 60 allowed
+ * only where one was). UM_ERR_INPUT. Years 1960-2100. */
+enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai);
+/* The same in the shape of a schema parse hook; target is a double. */
+bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t why_size);
+/* t_tai -> "2016-09-21T20:33:00.000Z", rounded to 1 ms; out holds 25 bytes. */
+void um_orbit_time_format(double t_tai, char out[32]);
+/* Two-part Julian dates of other scales. ut1_utc [s]. */
+void um_orbit_time_tt(double t_tai, double jd_tt[2]);
+void um_orbit_time_utc(double t_tai, double jd_utc[2]);
+void um_orbit_time_ut1(double t_tai, double ut1_utc, double jd_ut1[2]);
+/* From a UTC Julian date (two parts, ERFA's quasi-JD) to t_tai. */
+double um_orbit_time_from_utc_jd(double jd1, double jd2);
+
+#endif

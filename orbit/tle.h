@@ -1,0 +1,25 @@
+/* Two-line element sets. */
+#ifndef UMBRA_ORBIT_TLE_H
+#define UMBRA_ORBIT_TLE_H
+
+#include "core/context.h"
+
+struct um_orbit_tle {
+  int catalogue_number; /* Alpha-5 decoded */
+  char designator[9];
+  double epoch_tai;   /* [s] t_tai */
+  double epoch_jd[2]; /* UTC Julian date as printed */
+  double mean_motion; /* [rad/min] */
+  double mean_motion_dot,
+      mean_motion_ddot; /* as printed [rev/day^2 / 2, rev/day^3 / 6]; unused by SGP4 */
+  double bstar;         /* [1/Earth radii] */
+  double inclination, raan, eccentricity, argument_of_perigee, mean_anomaly; /* [rad], [1] */
+};
+
+/* Two or three lines (a name line is skipped). Checks: 69 columns, line numbers, equal catalogue
+ * numbers, checksums, every field's range. UM_ERR_INPUT: "TLE line 2: checksum is 5, the line
+ * says 4"; `checksum` false skips only the checksum (verification sets have bad ones). */
+enum um_status um_orbit_tle_parse(struct um_context *context, const char *text, int checksum,
+                                  struct um_orbit_tle *out);
+
+#endif

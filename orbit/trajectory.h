@@ -1,0 +1,53 @@
+/* Where the satellite (or a moving observer) is: one object behind every kind of orbit. */
+#ifndef UMBRA_ORBIT_TRAJECTORY_H
+#define UMBRA_ORBIT_TRAJECTORY_H
+
+#include "core/context.h"
+#include "core/vec.h"
+#include "orbit/frames.h"
+#include "orbit/tle.h"
+
+struct um_orbit_trajectory;
+
+/* orientation is copied (its finals table stays borrowed). */
+enum um_status um_orbit_trajectory_create_tle(struct um_context *context,
+                                              const struct um_orbit_tle *tle,
+                                              const struct um_orbit_earth_orientation *orientation,
+                                              struct um_orbit_trajectory **out);
+/* Two-body motion, mu = UM_EARTH_GM, elements in GCRS at epoch; a [m], angles [rad]. */
+struct um_orbit_kepler {
+  double epoch_tai, a, e, i, raan, argp, mean_anomaly;
+};
+enum um_status um_orbit_trajectory_create_kepler(struct um_context *context,
+                                                 const struct um_orbit_kepler *kepler,
+                                                 struct um_orbit_trajectory **out);
+/* Circular orbit of given altitude above `earth_radius` [m] whose plane makes the angle beta [rad]
+ * with the geocentric Sun of the epoch; at the epoch the satellite is nearest the sub-solar point
+ * (beta 0: at it); motion is prograde about the normal nearest the pole. `period` [s]: 0 for
+ * Kepler's, otherwise the angular rate is 2 pi / period at the same radius. */
+enum um_status um_orbit_trajectory_create_circular(struct um_context *context, double epoch_tai,
+                                                   double altitude, double earth_radius,
+                                                   double beta, double period,
+                                                   struct um_orbit_trajectory **out);
+/* CSV `time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s]` in GCRS, times ascending; cubic Hermite
+ * (velocities by a spline when absent). Outside the table is UM_ERR_INPUT. */
+enum um_status um_orbit_trajectory_create_table(struct um_context *context, const char *path,
+                                                struct um_orbit_trajectory **out);
+/* A point fixed in GCRS [m] (velocity zero). */
+enum um_status um_orbit_trajectory_create_fixed(struct um_context *context, struct um_vec3 r_gcrs,
+                                                struct um_orbit_trajectory **out);
+void um_orbit_trajectory_destroy(struct um_orbit_trajectory **trajectory);
+
+/* r_gcrs [m], v_gcrs [m/s] (either may be NULL). Errors of the source. */
+enum um_status um_orbit_trajectory_state(struct um_context *context,
+                                         const struct um_orbit_trajectory *trajectory, double t_tai,
+                                         struct um_vec3 *r_gcrs, struct um_vec3 *v_gcrs);
+/* Period of one revolution [s]: nodal from the mean motion for TLE, 2 pi sqrt(a^3/mu) otherwise;
+ * NaN for a fixed point. */
+double um_orbit_trajectory_period(const struct um_orbit_trajectory *trajectory);
+/* First and last time covered (-inf, +inf where unlimited); epoch of a TLE, NaN otherwise. */
+void um_orbit_trajectory_span(const struct um_orbit_trajectory *trajectory, double *first,
+                              double *last);
+double um_orbit_trajectory_epoch(const struct um_orbit_trajectory *trajectory);
+
+#endif

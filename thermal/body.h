@@ -1,0 +1,79 @@
+/* From parts to a network: shells and solids by linear finite elements (lumped capacity), MLI,
+ * lumps, interiors, contacts. */
+#ifndef UMBRA_THERMAL_BODY_H
+#define UMBRA_THERMAL_BODY_H
+
+#include "geometry/geometry.h"
+#include "thermal/network.h"
+
+/* A wall: thin sheet with two faces. Capacities are per face node layer.
+ * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A surface without a partner
+ * side (closed body) has one layer. */
+struct um_thermal_shell {
+  double areal_heat_capacity; /* of the whole wall [J/m^2/K] */
+  double front_share;         /* of it on the front layer [1], default 0.5 (1 when one layer) */
+  double conductance;         /* k t of the whole wall, in plane [W/K]; split like the capacity */
+  double through_conductance; /* between the layers [W/m^2/K]; INFINITY: one layer */
+};
+/* MLI on the outside of a wall, or of an interior when mounted on none: a skin node per facet of
+ * areal capacity, coupled to what it wraps by e* sigma (T^4 - T^4) and optional linear part. */
+struct um_thermal_mli {
+  double effective_emittance; /* e* [1] */
+  double areal_heat_capacity; /* of the outer layer [J/m^2/K] */
+  bool wraps_interior;        /* couples to the part's interior node, and the wall is left out */
+};
+struct um_thermal_group_spec {
+  uint32_t group;                       /* geometry group index */
+  const struct um_thermal_shell *shell; /* NULL: the part's */
+  const struct um_thermal_mli *mli;     /* NULL: none (front side only) */
+  double interior_conductance;          /* [W/K] group total, to the interior; 0: none */
+  double absorptance_front, emittance_front, extraction_front; /* from the material records */
+  double absorptance_back, emittance_back, extraction_back;
+};
+enum um_thermal_part_kind {
+  UM_THERMAL_SHELL, /* FE shell, vertices shared within the part */
+  UM_THERMAL_SOLID, /* TetGen tetrahedra */
+  UM_THERMAL_LUMPED /* one isothermal node per group and side */
+};
+struct um_thermal_part_spec {
+  uint32_t part;
+  enum um_thermal_part_kind kind;
+  struct um_thermal_shell shell;
+  double density, specific_heat, conductivity; /* SOLID */
+  double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
+  bool has_interior;                           /* a lumped node inside */
+  double interior_capacity, interior_power;    /* [J/K], [W] */
+  double start_temperature;                    /* [K] */
+  const struct um_thermal_group_spec *groups;  /* one for every group of the part */
+  size_t ngroup;
+};
+/* a, b: "part", "part.group", "part.front", "part.back" or "part.interior"; spread over all nodes
+ * there by area. */
+struct um_thermal_contact {
+  const char *a, *b;
+  double conductance; /* [W/K] */
+};
+
+/* Names of places to report: parts, sides, groups, interiors. */
+struct um_thermal_place {
+  char *name;     /* "bus", "bus.+x", "solar_array.front", "bus.interior" */
+  uint32_t *node; /* [nnode] */
+  double *weight; /* [nnode], sum 1: area (surface places) or capacity (interior) */
+  size_t nnode;
+};
+struct um_thermal_body {
+  struct um_thermal_network *network;
+  struct um_thermal_place *place;
+  size_t nplace;
+  size_t ntetrahedron;
+};
+enum um_status um_thermal_body_create(struct um_context *context,
+                                      const struct um_geometry *geometry,
+                                      const struct um_thermal_part_spec *parts, size_t npart,
+                                      const struct um_thermal_contact *contacts, size_t ncontact,
+                                      struct um_thermal_body **out);
+void um_thermal_body_destroy(struct um_context *context, struct um_thermal_body **body);
+/* (size_t)-1 when there is none. */
+size_t um_thermal_body_place_find(const struct um_thermal_body *body, const char *name);
+
+#endif

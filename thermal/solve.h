@@ -1,0 +1,66 @@
+/* Integration of the network in time by CVODES: BDF, analytic sparse Jacobian (KLU), stops at
+ * eclipse edges; energy audit. */
+#ifndef UMBRA_THERMAL_SOLVE_H
+#define UMBRA_THERMAL_SOLVE_H
+
+#include "thermal/loads.h"
+#include "thermal/network.h"
+
+struct um_thermal_solve_options {
+  double relative_tolerance; /* default 1e-6 */
+  double absolute_tolerance; /* [K], default 1e-4 */
+  double space_temperature;  /* [K], default UM_SPACE_TEMPERATURE */
+  bool albedo_on, planet_on; /* heat loads switched */
+};
+void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
+
+/* Heat of one node or the whole [W] (history) or [J] (audit). stored = sum of the others. */
+struct um_thermal_heat {
+  double solar, albedo, planet, internal, conducted, radiated, exchanged, stored;
+};
+struct um_thermal_history {
+  size_t ntime, nnode;
+  double *t;                    /* [ntime] */
+  double *temperature;          /* [ntime][nnode] [K] */
+  struct um_thermal_heat audit; /* integrals over the run [J], whole satellite */
+  double audit_error;           /* |in - out - stored| / (in + out) [1] */
+  size_t steps, rhs_evaluations, jacobians;
+};
+
+/* Integrate from `from` (start temperatures of the network) and report at times[ntime] in
+ * [from, last load time], ascending. loads may be NULL (none). UM_ERR_NUMERIC when CVODES fails,
+ * with its words; NaN loads are refused first. */
+enum um_status um_thermal_solve(struct um_context *context,
+                                const struct um_thermal_network *network,
+                                const struct um_thermal_loads *loads,
+                                const struct um_thermal_solve_options *options, double from,
+                                const double *times, size_t ntime, struct um_thermal_history **out);
+void um_thermal_history_destroy(struct um_context *context, struct um_thermal_history **history);
+
+/* Start temperatures [nnode] such that the state repeats after one period: T(from + period) =
+ * T(from) under the loads of [from, from + period]; KINSOL fixed point with Anderson acceleration
+ * from the network's own start temperatures. drift: largest remaining |dT| [K], must fall below
+ * tolerance [K] or UM_ERR_NUMERIC. */
+enum um_status um_thermal_solve_periodic(struct um_context *context,
+                                         const struct um_thermal_network *network,
+                                         const struct um_thermal_loads *loads,
+                                         const struct um_thermal_solve_options *options,
+                                         double from, double period, double tolerance,
+                                         double *temperature, double *drift);
+/* Steady state of the network under constant loads (row `time` of loads); KINSOL Newton. */
+enum um_status um_thermal_solve_steady(struct um_context *context,
+                                       const struct um_thermal_network *network,
+                                       const struct um_thermal_loads *loads, size_t time,
+                                       const struct um_thermal_solve_options *options,
+                                       double *temperature);
+/* Heat flows of every node at given temperatures and load time; out[nnode] [W]. */
+enum um_status um_thermal_heat_of_nodes(struct um_context *context,
+                                        const struct um_thermal_network *network,
+                                        const struct um_thermal_loads *loads,
+                                        const struct um_thermal_solve_options *options, double t,
+                                        const double *temperature, struct um_thermal_heat *out);
+/* Surface temperatures [nsurface] from node temperatures [nnode]. */
+void um_thermal_surface_temperatures(const struct um_thermal_network *network,
+                                     const double *node_temperature, double *surface_temperature);
+
+#endif
