@@ -106,7 +106,9 @@ void um_core_message_prefix(struct um_context *context, const char *format, ...)
   int n = vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   if (n < 0 || (size_t)n >= sizeof text) return;
-  snprintf(text + n, sizeof text - (size_t)n, ": %s", context->message);
+  /* what does not fit is cut: the prefix names the place, which matters more than the tail */
+  int room = (int)(sizeof text - (size_t)n) - 3;
+  snprintf(text + n, sizeof text - (size_t)n, ": %.*s", room < 0 ? 0 : room, context->message);
   make_one_line(text);
   memcpy(context->message, text, sizeof text);
 }
