@@ -1,0 +1,83 @@
+/* Whole files, and file names. */
+#include "core/file.h"
+
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static enum um_status read_open_file(struct um_context *context, const char *path, FILE *file,
+                                     size_t limit, char **out, size_t *length)
+{
+  struct stat st;
+  if (fstat(fileno(file), &st) != 0)
+    return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  if (S_ISDIR(st.st_mode))
+    return um_core_fail(context, UM_ERR_IO, "%s: is a folder; accepted: a file", path);
+  /* pipes tell no size: start small and grow */
+  size_t capacity = S_ISREG(st.st_mode) && st.st_size > 0 ? (size_t)st.st_size + 1 : 4096;
+  if (capacity > limit + 1) capacity = limit + 1;
+  char *text;
+  UM_TRY(um_core_allocate(context, capacity + 1, 1, &text));
+  enum um_status status = UM_OK;
+  size_t used = 0;
+  for (;;) {
+    used += fread(text + used, 1, capacity - used, file);
+    if (used < capacity) break;
+    if (used > limit) {
+      status =
+          um_core_fail(context, UM_ERR_IO, "%s: larger than the %zu bytes accepted", path, limit);
+      goto done;
+    }
+    capacity = capacity > limit / 2 ? limit + 1 : 2 * capacity;
+    UM_CHECK(um_core_reallocate(context, capacity + 1, 1, &text));
+  }
+  if (ferror(file)) {
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+    goto done;
+  }
+  text[used] = '\0';
+  *out = text;
+  *length = used;
+  text = NULL;
+done:
+  um_core_free(context, text);
+  return status;
+}
+
+enum um_status um_core_file_read(struct um_context *context, const char *path, size_t limit,
+                                 char **out, size_t *length)
+{
+  *out = NULL;
+  *length = 0;
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  enum um_status status = read_open_file(context, path, file, limit, out, length);
+  fclose(file);
+  return status;
+}
+
+enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,
+                                    const char *relative, char **out)
+{
+  const char *slash = strrchr(base_file, '/');
+  if (relative[0] == '/' || slash == NULL) return um_core_strdup(context, relative, out);
+  return um_core_asprintf(context, out, "%.*s/%s", (int)(slash - base_file), base_file, relative);
+}
+
+bool um_core_path_is_plain(const char *name)
+{
+  return name[0] != '\0' && strcmp(name, ".") != 0 && strcmp(name, "..") != 0 &&
+         strchr(name, '/') == NULL;
+}
+
+enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file)
+{
+  if (*file == NULL) return UM_OK;
+  errno = 0;
+  bool failed = ferror(*file) != 0;
+  if (fclose(*file) != 0) failed = true;
+  *file = NULL;
+  if (!failed) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", name,
+                      errno != 0 ? strerror(errno) : "write error");
+}

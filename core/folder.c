@@ -1,0 +1,270 @@
+/* An output folder that appears whole: written beside its place under a temporary name, then
+ * renamed. A folder of Umbra carries the marker file ".umbra". */
+#include <errno.h>
+#include <ftw.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/file.h"
+
+#define MARKER     ".umbra"
+#define NAME_TRIES 100
+
+struct um_core_folder {
+  struct um_context *context;
+  char *target;       /* without trailing slashes */
+  char *partial;      /* the temporary folder; NULL: not made */
+  size_t parent_made; /* number of parent folders that begin made */
+  bool force;
+};
+
+static enum um_status fail_errno(struct um_context *context, const char *path, const char *what)
+{
+  return um_core_fail(context, UM_ERR_IO, "%s: %s: %s", path, what, strerror(errno));
+}
+
+static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
+{
+  (void)st;
+  (void)kind;
+  (void)ftw;
+  return remove(path);
+}
+
+static int remove_tree(const char *path)
+{
+  return nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+/* "dir/.name.<kind>-<pid>" beside `path`, with "-<attempt>" behind when attempt > 0. */
+static enum um_status name_beside(struct um_context *context, const char *path, const char *kind,
+                                  int attempt, char **out)
+{
+  const char *slash = strrchr(path, '/');
+  const char *name = slash == NULL ? path : slash + 1;
+  char suffix[16] = "";
+  if (attempt > 0) snprintf(suffix, sizeof suffix, "-%d", attempt);
+  return um_core_asprintf(context, out, "%.*s.%s.%s-%ld%s", (int)(name - path), path, name, kind,
+                          (long)getpid(), suffix);
+}
+
+/* A copy of `path` without trailing slashes whose last part is a plain name. */
+static enum um_status clean_target(struct um_context *context, const char *path, char **out)
+{
+  UM_TRY(um_core_strdup(context, path, out));
+  char *text = *out;
+  size_t n = strlen(text);
+  while (n > 1 && text[n - 1] == '/') text[--n] = '\0';
+  const char *slash = strrchr(text, '/');
+  if (um_core_path_is_plain(slash == NULL ? text : slash + 1)) return UM_OK;
+  enum um_status status =
+      um_core_fail(context, UM_ERR_IO,
+                   "%s: cannot be an output folder; accepted: a path that ends in a name", path);
+  um_core_free(context, text);
+  *out = NULL;
+  return status;
+}
+
+static enum um_status has_marker(struct um_context *context, const char *folder, bool *out)
+{
+  char *marker;
+  struct stat st;
+  UM_TRY(um_core_asprintf(context, &marker, "%s/" MARKER, folder));
+  *out = lstat(marker, &st) == 0 && S_ISREG(st.st_mode);
+  um_core_free(context, marker);
+  return UM_OK;
+}
+
+/* True when the working folder is `path` or lies inside it. */
+static bool holds_working_folder(const char *path)
+{
+  char *there = realpath(path, NULL), *here = realpath(".", NULL);
+  bool inside = true;
+  if (there != NULL && here != NULL) {
+    size_t n = strlen(there);
+    inside = strncmp(here, there, n) == 0 &&
+             (here[n] == '\0' || here[n] == '/' || strcmp(there, "/") == 0);
+  }
+  free(there);
+  free(here);
+  return inside;
+}
+
+/* May `target` be replaced? UM_ERR_IO when not; *exists tells whether there is something. */
+static enum um_status check_target(struct um_context *context, const char *target, bool force,
+                                   bool *exists)
+{
+  struct stat st;
+  *exists = lstat(target, &st) == 0;
+  if (!*exists) {
+    if (errno == ENOENT) return UM_OK;
+    return fail_errno(context, target, "cannot be an output folder");
+  }
+  if (!S_ISDIR(st.st_mode))
+    return um_core_fail(context, UM_ERR_IO,
+                        "%s: exists and is not a folder; accepted: a new name or an Umbra folder",
+                        target);
+  bool marked;
+  UM_TRY(has_marker(context, target, &marked));
+  if (marked) return UM_OK;
+  if (!force)
+    return um_core_fail(context, UM_ERR_IO,
+                        "%s: exists and was not written by Umbra; accepted: a new name, an Umbra "
+                        "folder, or --force to replace it",
+                        target);
+  if (holds_working_folder(target))
+    return um_core_fail(context, UM_ERR_IO,
+                        "%s: holds the working folder and is not replaced, even with --force",
+                        target);
+  return UM_OK;
+}
+
+/* Make every missing parent of folder->target, counting those made. */
+static enum um_status make_parents(struct um_context *context, struct um_core_folder *folder)
+{
+  char *path = folder->target;
+  for (char *p = path + 1; *p != '\0'; p++) {
+    if (*p != '/') continue;
+    *p = '\0';
+    struct stat st;
+    enum um_status status = UM_OK;
+    if (mkdir(path, 0777) == 0)
+      folder->parent_made++;
+    else if (stat(path, &st) != 0)
+      status = fail_errno(context, path, "cannot make the folder");
+    else if (!S_ISDIR(st.st_mode))
+      status = um_core_fail(context, UM_ERR_IO, "%s: is not a folder", path);
+    *p = '/';
+    if (status != UM_OK) return status;
+  }
+  return UM_OK;
+}
+
+/* Remove the parents that begin made, innermost first, as far as they are empty. */
+static void remove_parents(struct um_core_folder *folder)
+{
+  for (; folder->parent_made > 0; folder->parent_made--) {
+    char *slash = strrchr(folder->target, '/');
+    if (slash == NULL) return;
+    while (slash > folder->target && slash[-1] == '/') slash--;
+    *slash = '\0';
+    if (rmdir(folder->target) != 0) return;
+  }
+}
+
+static enum um_status make_partial(struct um_context *context, struct um_core_folder *folder)
+{
+  for (int attempt = 0; attempt < NAME_TRIES; attempt++) {
+    char *name;
+    UM_TRY(name_beside(context, folder->target, "partial", attempt, &name));
+    if (mkdir(name, 0777) == 0) {
+      folder->partial = name;
+      return UM_OK;
+    }
+    enum um_status status = UM_OK;
+    if (errno != EEXIST) status = fail_errno(context, folder->target, "cannot make the folder");
+    um_core_free(context, name);
+    if (status != UM_OK) return status;
+  }
+  return um_core_fail(context, UM_ERR_IO, "%s: no free temporary name beside it", folder->target);
+}
+
+static enum um_status write_marker(struct um_context *context, struct um_core_folder *folder)
+{
+  FILE *file;
+  UM_TRY(um_core_folder_open(context, folder, MARKER, &file));
+  fputs("This folder was written by Umbra; a later run may replace it.\n", file);
+  return um_core_file_close(context, MARKER, &file);
+}
+
+enum um_status um_core_folder_begin(struct um_context *context, const char *path, bool force,
+                                    struct um_core_folder **out)
+{
+  struct um_core_folder *folder;
+  bool exists;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *folder, &folder));
+  folder->context = context;
+  folder->force = force;
+  enum um_status status;
+  UM_CHECK(clean_target(context, path, &folder->target));
+  UM_CHECK(check_target(context, folder->target, force, &exists));
+  UM_CHECK(make_parents(context, folder));
+  UM_CHECK(make_partial(context, folder));
+  UM_CHECK(write_marker(context, folder));
+  *out = folder;
+  folder = NULL;
+done:
+  um_core_folder_abort(&folder);
+  return status;
+}
+
+const char *um_core_folder_path(const struct um_core_folder *folder) { return folder->partial; }
+
+enum um_status um_core_folder_open(struct um_context *context, struct um_core_folder *folder,
+                                   const char *name, FILE **out)
+{
+  *out = NULL;
+  if (!um_core_path_is_plain(name))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "'%s' cannot name an output file; accepted: a name without '/'", name);
+  char *path;
+  UM_TRY(um_core_asprintf(context, &path, "%s/%s", folder->partial, name));
+  *out = fopen(path, "wb");
+  enum um_status status = UM_OK;
+  if (*out == NULL) status = fail_errno(context, path, "cannot be written");
+  um_core_free(context, path);
+  return status;
+}
+
+/* Rename the old folder away, the new one in, remove the old one. */
+static enum um_status replace_target(struct um_context *context, struct um_core_folder *folder)
+{
+  char *old;
+  UM_TRY(name_beside(context, folder->target, "old", 0, &old));
+  enum um_status status = UM_OK;
+  if (rename(folder->target, old) != 0) {
+    status = fail_errno(context, folder->target, "cannot be replaced");
+  } else if (rename(folder->partial, folder->target) != 0) {
+    status = fail_errno(context, folder->target, "cannot be replaced");
+    (void)rename(old, folder->target);
+  } else if (remove_tree(old) != 0) {
+    um_core_log(context, UM_LOG_WARNING, "%s: the replaced folder could not be removed: %s", old,
+                strerror(errno));
+  }
+  um_core_free(context, old);
+  return status;
+}
+
+enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder)
+{
+  struct um_core_folder *f = *folder;
+  enum um_status status;
+  bool exists;
+  *folder = NULL;
+  UM_CHECK(check_target(context, f->target, f->force, &exists));
+  if (exists)
+    UM_CHECK(replace_target(context, f));
+  else if (rename(f->partial, f->target) != 0)
+    UM_CHECK(fail_errno(context, f->target, "cannot be made"));
+  um_core_free(context, f->partial);
+  f->partial = NULL;
+  f->parent_made = 0;
+done:
+  um_core_folder_abort(&f);
+  return status;
+}
+
+void um_core_folder_abort(struct um_core_folder **folder)
+{
+  if (folder == NULL || *folder == NULL) return;
+  struct um_core_folder *f = *folder;
+  if (f->partial != NULL) (void)remove_tree(f->partial);
+  if (f->target != NULL) remove_parents(f);
+  um_core_free(f->context, f->partial);
+  um_core_free(f->context, f->target);
+  um_core_free(f->context, f);
+  *folder = NULL;
+}
