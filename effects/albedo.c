@@ -1,0 +1,24 @@
+/* Albedo as a heat load: q = alpha int a S max(cos SZA, 0) cos(theta) cos(theta_E) / (pi d^2) dA
+ * over the visible cap. Its optical twin is earthshine. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->albedo_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_albedo = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "albedo",
+    .summary = "Sunlight reflected by the Earth heats the satellite",
+    .reference = "Knocke, Ries & Tapley 1988, AIAA 88-4292",
+    .validity =
+        "uniform Lambert Earth of the scenario's albedo; acts on both sides of the terminator",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

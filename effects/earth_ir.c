@@ -1,0 +1,23 @@
+/* Earth IR as a heat load: q = epsilon OLR F(plate -> Earth). Its optical twin is
+ * reflected_earth_ir. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->planet_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_earth_ir = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "earth_ir",
+    .summary = "Thermal radiation of the Earth heats the satellite",
+    .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
+    .validity = "uniform outgoing longwave radiation of the scenario",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

@@ -1,0 +1,23 @@
+/* Earthshine: L_o = rho_d(lambda) E_albedo(lambda) / pi. It lights the satellite in its own umbra
+ * as long as it sees a sunlit Earth. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->earthshine_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_earthshine = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "earthshine",
+    .summary = "Sunlight reflected by the Earth and again by the satellite reaches the observer",
+    .reference = "Fankhauser et al. 2023, arXiv 2305.11123",
+    .validity = "uniform Lambert Earth, grey in wavelength",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

@@ -1,0 +1,24 @@
+/* Oblate shadow: rays to the solar disc are tested against the ellipsoid; near the poles the limb
+ * is up to 21 km lower than the equatorial radius, seconds in time. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  if (environment->shadow == UM_SHADOW_OBLATE) environment->shadow = UM_SHADOW_SPHERE;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_oblateness = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "oblateness",
+    .summary = "The shadow of the Earth is cast by the WGS-84 ellipsoid",
+    .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",
+    .validity =
+        "off: a sphere of the scenario's shadow_radius_km; a cylinder or no shadow stays as it is",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

@@ -1,0 +1,24 @@
+/* Reflected Earth radiation: L_o = (1 - epsilon_lambda(theta_o)) F B_lambda(T_Earth). For bare
+ * metal it is an order of magnitude above the metal's own emission. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->earth_reflection_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_reflected_earth_ir = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "reflected_earth_ir",
+    .summary = "Thermal radiation of the Earth reflected by the satellite reaches the observer",
+    .reference = "Kirchhoff's law; Catsamas et al. 2025, arXiv 2511.13030",
+    .validity =
+        "Earth of one brightness temperature in the band; the satellite reflects it diffusely",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

@@ -1,0 +1,34 @@
+/* The one list. A new effect is a new file and a new line here. */
+#include <stdio.h>
+#include <string.h>
+
+#include "effects/effects.h"
+#include "effects/list_impl.h"
+
+static const struct um_effect *const list[] = {
+    &um_effects_albedo,     &um_effects_earth_ir,
+    &um_effects_earthshine, &um_effects_reflected_earth_ir,
+    &um_effects_penumbra,   &um_effects_oblateness,
+};
+
+size_t um_effects_count(void) { return sizeof list / sizeof list[0]; }
+
+const struct um_effect *um_effects_at(size_t index) { return list[index]; }
+
+const struct um_effect *um_effects_find(const char *name)
+{
+  for (size_t i = 0; i < um_effects_count(); i++)
+    if (strcmp(list[i]->name, name) == 0) return list[i];
+  return NULL;
+}
+
+void um_effects_names(char *out, size_t size)
+{
+  size_t used = 0;
+  if (size > 0) out[0] = '\0';
+  for (size_t i = 0; i < um_effects_count() && used < size; i++) {
+    int n = snprintf(out + used, size - used, "%s%s", i == 0 ? "" : ", ", list[i]->name);
+    if (n < 0) return;
+    used += (size_t)n;
+  }
+}

@@ -1,0 +1,122 @@
+/* The coupled model: scenario -> orbit, attitude, environment, geometry, materials, heat network;
+ * one trace of the geometry; one run in both bands. */
+#ifndef UMBRA_MODEL_MODEL_H
+#define UMBRA_MODEL_MODEL_H
+
+#include "environment/timeline.h"
+#include "geometry/visibility.h"
+#include "materials/materials.h"
+#include "model/scenario.h"
+#include "optics/optics.h"
+#include "orbit/attitude.h"
+#include "orbit/observer.h"
+#include "orbit/trajectory.h"
+#include "thermal/body.h"
+#include "thermal/solve.h"
+
+/* Changes to a scenario from the command line; texts as the user typed them, borrowed. */
+struct um_model_options {
+  const char *const *overrides; /* "key.path=value" */
+  size_t noverride;
+  const char *const *with; /* "effect[:target]" */
+  size_t nwith;
+  const char *const *without;
+  size_t nwithout;
+};
+
+/* Everything built from a scenario; read it, do not change it. */
+struct um_model {
+  struct um_document *document;
+  struct um_scenario *scenario;
+  struct um_environment environment;
+  struct um_orbit_earth_orientation orientation;
+  struct um_orbit_trajectory *trajectory, *observer_trajectory;
+  struct um_orbit_attitude *attitude;
+  bool has_observer;
+  struct um_orbit_observer observer;
+  bool sun_frozen;
+  struct um_vec3 frozen_sun_position; /* geocentric, GCRS [m], when sun_frozen */
+  struct um_materials_library *library;
+  struct um_geometry *geometry;
+  const struct um_materials_record **material; /* [material of the geometry] */
+  struct um_thermal_body *body;
+  struct um_optics_band *band;
+  size_t nband;
+};
+
+/* Build from a scenario folder or file. UM_ERR_INPUT with file, line, key. The caller destroys. */
+enum um_status um_model_create(struct um_context *context, const char *path,
+                               const struct um_model_options *options, struct um_model **out);
+/* Only what orbits need (for `umbra passes`): no parts, no materials. */
+enum um_status um_model_create_orbit(struct um_context *context, const char *path,
+                                     const struct um_model_options *options, struct um_model **out);
+void um_model_destroy(struct um_context *context, struct um_model **model);
+
+/* The scene at a satellite time. to_observer is zero and range NaN. */
+enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
+                                  double t_tai, struct um_environment_sample *out);
+/* The scene as seen at an observer time (light received), with light time where the scenario has
+ * it. UM_ERR_INPUT without an observer. */
+enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
+                                    double t_observer, struct um_environment_sample *out,
+                                    struct um_orbit_look *look);
+/* Eclipse events between two satellite times; the caller frees *out. */
+enum um_status um_model_events(struct um_context *context, const struct um_model *model,
+                               double from, double to, struct um_environment_event **out,
+                               size_t *count);
+
+/* Everything geometric about one timeline, traced once; physics runs on it many times. */
+struct um_model_trace {
+  size_t nobs;                          /* observations */
+  size_t nsub;                          /* instants per observation (exposure) */
+  double *t_obs;                        /* [nobs] t_tai, mid-exposure, at the observer */
+  struct um_orbit_look *look;           /* [nobs * nsub] */
+  struct um_environment_sample *sample; /* [nobs * nsub], at the satellite's time */
+  double *sunlit;                       /* [nobs] mean over the exposure */
+  double period;                        /* of the orbit [s]; NaN for a fixed point */
+  double t_start;                       /* thermal start, t_tai [s] */
+  double t_periodic_end;                /* end of the orbit that is made periodic */
+  struct um_thermal_loads *loads;       /* over [t_start, last observation] */
+  size_t *load_row;                     /* [nobs * nsub] row of loads at each instant */
+  struct um_optics_view *view;          /* [nobs * nsub]; NULL without an observer */
+  struct um_environment_event *event;   /* [nevent], eclipse edges from t_start to the end */
+  size_t nevent;
+};
+enum um_status um_model_trace_create(struct um_context *context, const struct um_model *model,
+                                     struct um_model_trace **out);
+void um_model_trace_destroy(struct um_context *context, struct um_model_trace **trace);
+
+/* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */
+struct um_model_place_history {
+  char *name;
+  double *mean, *minimum, *maximum; /* [nobs] area-weighted (capacity-weighted inside) */
+  double drift; /* change of the mean over the last orbit before the window [K] */
+};
+
+struct um_model_result {
+  size_t nobs, nband, nmaterial, nsurface, nnode, nplace;
+  double
+      *irradiance; /* [nobs][nband] at the aperture, no atmosphere [W/m^2]; NaN below the horizon */
+  double
+      *magnitude_ab; /* [nobs][nband] exo-atmospheric; NaN where the irradiance is not positive */
+  double *intensity; /* [nobs][nband][nmaterial][UM_MECHANISM_COUNT] [W/sr] */
+  double *standard_error; /* [nobs][nband] of the total [W/sr] */
+  double *spectral;       /* [nobs][nbin][UM_MECHANISM_COUNT] [W/sr/m] */
+  size_t nbin;
+  double *wavelength, *bin_width;       /* [nbin] [m] */
+  uint32_t *bin_band;                   /* [nbin] */
+  double *surface_temperature;          /* [nobs][nsurface] [K] */
+  double *node_temperature;             /* [nobs][nnode] [K] */
+  struct um_model_place_history *place; /* [nplace] */
+  struct um_thermal_heat *heat; /* [nobs][nplace] [W]; of thermal places, zero for materials */
+  struct um_thermal_heat audit; /* [J] over the whole thermal run */
+  double audit_error;           /* [1] */
+  double periodic_drift;        /* what the periodic start left [K]; NaN when isothermal */
+  size_t steps, rhs_evaluations, jacobians;
+};
+/* Run on a trace made from the same model. */
+enum um_status um_model_run(struct um_context *context, const struct um_model *model,
+                            const struct um_model_trace *trace, struct um_model_result **out);
+void um_model_result_destroy(struct um_context *context, struct um_model_result **result);
+
+#endif

@@ -1,0 +1,256 @@
+/* The scenario as the user wrote it: one C struct per mapping of scenario.yaml, bound by the schema
+ * table in scenario_schema.c. Values are in the units of the keys; model/build.c turns them into
+ * SI. */
+#ifndef UMBRA_MODEL_SCENARIO_H
+#define UMBRA_MODEL_SCENARIO_H
+
+#include <stdbool.h>
+
+#include "core/schema.h"
+
+struct um_scenario_time {
+  struct um_mark at;
+  double start, stop; /* t_tai [s] */
+  double step_s, exposure_s;
+  int exposure_samples;
+  bool light_time;
+};
+
+struct um_scenario_kepler {
+  struct um_mark at;
+  double epoch; /* t_tai [s] */
+  double a_km, e, i_deg, raan_deg, argp_deg, mean_anomaly_deg;
+};
+struct um_scenario_circular {
+  struct um_mark at;
+  double epoch; /* t_tai [s], NaN: start of the scenario */
+  double altitude_km, beta_deg, period_s;
+};
+struct um_scenario_fixed_point {
+  struct um_mark at;
+  double position_gcrs_km[3];
+};
+struct um_scenario_orientation {
+  struct um_mark at;
+  double ut1_utc_s, xp_arcsec, yp_arcsec;
+  const char *finals;
+};
+struct um_scenario_orbit {
+  struct um_mark at;
+  const char *tle, *tle_file, *table;
+  struct um_scenario_kepler *kepler;
+  struct um_scenario_circular *circular;
+  struct um_scenario_fixed_point *fixed;
+  struct um_scenario_orientation *earth_orientation;
+};
+
+struct um_scenario_fixed_attitude {
+  struct um_mark at;
+  double q_gcrs[4];
+};
+struct um_scenario_lvlh {
+  struct um_mark at;
+  double roll_deg, pitch_deg, yaw_deg;
+};
+struct um_scenario_pointing {
+  struct um_mark at;
+  double axis_body[3], clock_body[3];
+};
+struct um_scenario_spin {
+  struct um_mark at;
+  struct um_schema_list axis_gcrs, axis_lvlh; /* of double, 3 or 0 */
+  double axis_body[3];
+  struct um_schema_list q_gcrs; /* of double, 4 or 0 */
+  double period_s, phase_deg, at_utc /* t_tai [s], NaN: start */;
+};
+struct um_scenario_attitude_table {
+  struct um_mark at;
+  const char *file;
+  double max_gap_s;
+};
+struct um_scenario_attitude {
+  struct um_mark at;
+  double from; /* t_tai [s], NaN: from the beginning */
+  struct um_scenario_fixed_attitude *fixed;
+  struct um_scenario_lvlh *lvlh;
+  struct um_scenario_pointing *sun, *target;
+  struct um_scenario_spin *spin;
+  struct um_scenario_attitude_table *table;
+};
+
+struct um_scenario_station {
+  struct um_mark at;
+  const char *name;
+  double latitude_deg, longitude_deg, height_m;
+};
+struct um_scenario_direction {
+  struct um_mark at;
+  double unit_gcrs[3], range_km;
+};
+struct um_scenario_moving_observer {
+  struct um_mark at;
+  const char *tle, *table;
+};
+struct um_scenario_observer {
+  struct um_mark at;
+  struct um_scenario_station *station;
+  struct um_scenario_direction *direction;
+  struct um_scenario_moving_observer *trajectory;
+  double minimum_elevation_deg;
+};
+
+struct um_scenario_environment {
+  struct um_mark at;
+  double solar_irradiance_W_m2;
+  int solar_spectrum; /* enum um_environment_spectrum */
+  double solar_temperature_K;
+  double albedo, olr_W_m2, brightness_temperature_K, earth_radius_km;
+  int shadow; /* enum um_environment_shadow */
+  double shadow_radius_km;
+  int disc; /* enum um_environment_disc */
+  double limb_darkening;
+  int sun;                /* enum um_scenario_sun */
+  double sun_distance_au; /* NaN: by ephemeris */
+};
+enum um_scenario_sun { UM_SUN_EPHEMERIS, UM_SUN_FROZEN };
+
+struct um_scenario_box {
+  struct um_mark at;
+  double size_m[3];
+};
+struct um_scenario_plate {
+  struct um_mark at;
+  double size_m[2];
+};
+struct um_scenario_round { /* disc, sphere, cylinder, cone, paraboloid */
+  struct um_mark at;
+  double radius_m, radius_top_m, height_m, focal_length_m;
+};
+struct um_scenario_mesh {
+  struct um_mark at;
+  const char *file;
+  double scale;
+};
+struct um_scenario_pose {
+  struct um_mark at;
+  double position_m[3], rotation_deg[3];
+};
+struct um_scenario_joint {
+  struct um_mark at;
+  double axis[3], normal[3], angle_deg;
+  int track; /* 0 none, 1 sun */
+};
+struct um_scenario_skin { /* group -> material, or {front, back} */
+  struct um_mark at;
+  const char *name;
+  const char *front, *back;
+};
+struct um_scenario_shell {
+  struct um_mark at;
+  double areal_heat_capacity_J_m2_K, conductance_W_K, through_conductance_W_m2_K, front_share;
+  const char *material;
+  double thickness_mm;
+};
+struct um_scenario_mli {
+  struct um_mark at;
+  double effective_emittance, areal_heat_capacity_J_m2_K;
+  int wraps; /* 0 wall, 1 interior */
+};
+struct um_scenario_interior {
+  struct um_mark at;
+  double capacity_J_K, power_W, conductance_W_K;
+};
+struct um_scenario_solid {
+  struct um_mark at;
+  const char *material;
+  double density_kg_m3, specific_heat_J_kg_K, conductivity_W_m_K, tetrahedron_size_m;
+};
+struct um_scenario_group {
+  struct um_mark at;
+  const char *name;
+  struct um_scenario_shell *shell;
+  struct um_scenario_mli *mli;
+  bool bare; /* no MLI here although the part has one */
+  double interior_conductance_W_K;
+};
+struct um_scenario_part {
+  struct um_mark at;
+  const char *name, *parent;
+  struct um_scenario_box *box;
+  struct um_scenario_plate *plate;
+  struct um_scenario_round *disc, *cylinder, *cone, *sphere, *paraboloid;
+  struct um_scenario_mesh *mesh;
+  struct um_scenario_pose *pose;
+  struct um_scenario_joint *joint;
+  const char *outside, *front, *back;
+  struct um_schema_list materials; /* of struct um_scenario_skin */
+  struct um_schema_list groups;    /* of struct um_scenario_group */
+  struct um_scenario_shell *shell;
+  struct um_scenario_mli *mli;
+  struct um_scenario_interior *interior;
+  struct um_scenario_solid *solid;
+  bool lumped;
+  double facet_size_m, start_temperature_K;
+  double electrical_extraction; /* of direct sunlight on the front [1] */
+};
+
+struct um_scenario_contact {
+  struct um_mark at;
+  const char *a, *b;
+  double conductance_W_K;
+};
+
+enum um_scenario_start { UM_START_PERIODIC, UM_START_ISOTHERMAL };
+struct um_scenario_thermal {
+  struct um_mark at;
+  double orbits_before;
+  int start; /* enum um_scenario_start */
+  double start_temperature_K, facet_size_m, step_s, relative_tolerance, absolute_tolerance_K;
+  int samples;
+  double space_temperature_K;
+  int temperature_in_optics; /* 0 facet, 1 material_mean */
+};
+
+struct um_scenario_band {
+  struct um_mark at;
+  const char *name;
+  double from_um, to_um;
+  int bins;
+};
+struct um_scenario_optics {
+  struct um_mark at;
+  int samples, interreflection_samples;
+};
+struct um_scenario_effect {
+  struct um_mark at;
+  const char *effect, *target;
+  bool off;
+};
+
+struct um_scenario {
+  struct um_mark at;
+  int schema;
+  const char *name, *summary;
+  struct um_scenario_time *time;
+  struct um_scenario_orbit *orbit;
+  struct um_schema_list attitude; /* of struct um_scenario_attitude */
+  struct um_scenario_observer *observer;
+  struct um_scenario_environment *environment;
+  struct um_schema_list material_files; /* of const char * */
+  struct um_schema_list parts;          /* of struct um_scenario_part */
+  struct um_schema_list contacts;       /* of struct um_scenario_contact */
+  struct um_scenario_thermal *thermal;
+  struct um_schema_list bands; /* of struct um_scenario_band */
+  struct um_scenario_optics *optics;
+  struct um_schema_list effects; /* of struct um_scenario_effect */
+};
+
+extern const struct um_schema_object um_model_scenario_schema;
+
+/* Read a scenario folder or file with overrides; checks what one mapping cannot know of another
+ * (stop after start, names). The document owns everything. */
+enum um_status um_model_scenario_read(struct um_context *context, const char *path,
+                                      const char *const *overrides, size_t noverride,
+                                      struct um_document **document, struct um_scenario **out);
+
+#endif
