@@ -1,0 +1,278 @@
+/* From the scenario's parts and material records to the heat network. */
+#include <math.h>
+#include <string.h>
+
+#include "model/model_impl.h"
+
+#define EMITTANCE_TEMPERATURE 300.0 /* total emittances are taken here [K] */
+
+/* Working arrays of one build; everything in them lives as long as the document. */
+struct assembly {
+  struct um_context *context;
+  struct um_model *model;
+  double *group_area; /* [ngroup] one side [m^2] */
+};
+
+static const struct um_materials_record *record_of(const struct um_model *model, uint32_t material)
+{
+  return material == UM_GEOMETRY_NONE ? NULL : model->material[material];
+}
+
+/* Wall by explicit numbers, or by a bulk material and a thickness. */
+static enum um_status shell_of(const struct assembly *a, const struct um_scenario_shell *from,
+                               struct um_thermal_shell *to)
+{
+  to->front_share = from->front_share;
+  to->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
+  to->conductance = from->conductance_W_K;
+  to->through_conductance =
+      isnan(from->through_conductance_W_m2_K) ? INFINITY : from->through_conductance_W_m2_K;
+  if (from->material != NULL) {
+    const struct um_materials_record *record =
+        um_materials_library_find(a->model->library, from->material);
+    if (record == NULL)
+      return um_core_mark_fail(a->context, &from->at, "no material is called '%s'", from->material);
+    struct um_materials_bulk bulk = um_materials_bulk(record);
+    double thickness = isnan(from->thickness_mm) ? bulk.thickness : from->thickness_mm * 1e-3;
+    if (isnan(to->areal_heat_capacity))
+      to->areal_heat_capacity = isnan(from->thickness_mm) && !isnan(bulk.areal_heat_capacity)
+                                    ? bulk.areal_heat_capacity
+                                    : bulk.density * bulk.specific_heat * thickness;
+    if (isnan(to->conductance)) to->conductance = bulk.conductivity * thickness;
+    if (isnan(to->areal_heat_capacity))
+      return um_core_mark_fail(a->context, &from->at,
+                               "material '%s' has no density, specific heat or thickness; give "
+                               "areal_heat_capacity_J_m2_K or thickness_mm",
+                               from->material);
+  }
+  if (isnan(to->conductance)) to->conductance = 0.0;
+  if (isnan(to->areal_heat_capacity))
+    return um_core_mark_fail(a->context, &from->at,
+                             "areal_heat_capacity_J_m2_K is missing; give it, or material and "
+                             "thickness_mm");
+  return UM_OK;
+}
+
+/* A part that says nothing of its wall gets it from its materials as built. */
+static enum um_status shell_of_materials(const struct assembly *a,
+                                         const struct um_scenario_part *part,
+                                         const struct um_geometry_group *group,
+                                         struct um_thermal_shell *to)
+{
+  *to = (struct um_thermal_shell){0.0, 0.5, 0.0, INFINITY};
+  const uint32_t side[2] = {group->front_material, group->back_material};
+  for (int k = 0; k < 2; k++) {
+    if (side[k] == UM_GEOMETRY_NONE || (k == 1 && side[1] == side[0])) continue;
+    struct um_materials_bulk bulk = um_materials_bulk(a->model->material[side[k]]);
+    if (isnan(bulk.areal_heat_capacity))
+      return um_core_mark_fail(a->context, &part->at,
+                               "group '%s' has no wall: material '%s' has no thickness; give "
+                               "shell, solid, or mli that wraps the interior",
+                               group->name, um_materials_name(a->model->material[side[k]]));
+    to->areal_heat_capacity += bulk.areal_heat_capacity;
+    if (!isnan(bulk.conductivity) && !isnan(bulk.thickness))
+      to->conductance += bulk.conductivity * bulk.thickness;
+  }
+  return UM_OK;
+}
+
+static const struct um_scenario_group *group_named(const struct um_scenario_part *part,
+                                                   const char *name)
+{
+  const struct um_scenario_group *groups = part->groups.items;
+  for (size_t i = 0; i < part->groups.count; i++)
+    if (strcmp(groups[i].name, name) == 0) return &groups[i];
+  return NULL;
+}
+
+static enum um_status mli_of(const struct assembly *a, const struct um_scenario_part *part,
+                             const struct um_scenario_mli *from, const struct um_thermal_mli **out)
+{
+  struct um_thermal_mli *mli = NULL;
+  if (from->wraps == 1 && part->interior == NULL)
+    return um_core_mark_fail(a->context, &from->at,
+                             "wraps the interior, but the part '%s' has no interior", part->name);
+  UM_TRY(um_core_document_allocate(a->context, a->model->document, 1, sizeof *mli, &mli));
+  mli->effective_emittance = from->effective_emittance;
+  mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
+  mli->wraps_interior = from->wraps == 1;
+  *out = mli;
+  return UM_OK;
+}
+
+static enum um_status group_of(const struct assembly *a, const struct um_scenario_part *part,
+                               uint32_t index, struct um_thermal_group_spec *to)
+{
+  const struct um_geometry_group *group = um_geometry_group(a->model->geometry, index);
+  const struct um_scenario_group *own = group_named(part, group->name);
+  const struct um_scenario_mli *mli = own != NULL && own->mli != NULL ? own->mli
+                                      : own != NULL && own->bare      ? NULL
+                                                                      : part->mli;
+  to->group = index;
+  if (mli != NULL) UM_TRY(mli_of(a, part, mli, &to->mli));
+
+  const struct um_scenario_shell *wall =
+      own != NULL && own->shell != NULL ? own->shell : part->shell;
+  if (part->solid == NULL) {
+    struct um_thermal_shell *shell = NULL;
+    UM_TRY(um_core_document_allocate(a->context, a->model->document, 1, sizeof *shell, &shell));
+    if (wall != NULL)
+      UM_TRY(shell_of(a, wall, shell));
+    else if (to->mli == NULL || !to->mli->wraps_interior)
+      UM_TRY(shell_of_materials(a, part, group, shell));
+    to->shell = shell;
+  }
+
+  if (own != NULL && !isnan(own->interior_conductance_W_K)) {
+    if (part->interior == NULL)
+      return um_core_mark_fail(a->context, &own->at,
+                               "interior_conductance_W_K, but the part '%s' has no interior",
+                               part->name);
+    to->interior_conductance = own->interior_conductance_W_K;
+  }
+  const struct um_materials_record *front = record_of(a->model, group->front_material);
+  const struct um_materials_record *back = record_of(a->model, group->back_material);
+  if (front != NULL) {
+    to->absorptance_front = um_materials_solar_absorptance(front, NULL);
+    to->emittance_front = um_materials_emittance(front, NULL, EMITTANCE_TEMPERATURE);
+    to->extraction_front = part->electrical_extraction;
+  }
+  if (back != NULL) {
+    to->absorptance_back = um_materials_solar_absorptance(back, NULL);
+    to->emittance_back = um_materials_emittance(back, NULL, EMITTANCE_TEMPERATURE);
+  }
+  if (to->extraction_front > to->absorptance_front)
+    return um_core_mark_fail(a->context, &part->at,
+                             "electrical_extraction %g exceeds the solar absorptance %.3f of '%s'",
+                             part->electrical_extraction, to->absorptance_front,
+                             um_materials_name(front));
+  return UM_OK;
+}
+
+/* The part's interior conductance goes to the groups that state none, by area. */
+static void share_interior(const struct assembly *a, const struct um_scenario_part *part,
+                           struct um_thermal_group_spec *groups, size_t n)
+{
+  double total = 0.0;
+  if (part->interior == NULL || !(part->interior->conductance_W_K > 0.0)) return;
+  for (int pass = 0; pass < 2; pass++)
+    for (size_t i = 0; i < n; i++) {
+      const char *name = um_geometry_group(a->model->geometry, groups[i].group)->name;
+      const struct um_scenario_group *own = group_named(part, name);
+      if (own != NULL && !isnan(own->interior_conductance_W_K)) continue;
+      double area = a->group_area[groups[i].group];
+      if (pass == 0)
+        total += area;
+      else
+        groups[i].interior_conductance = part->interior->conductance_W_K * area / total;
+    }
+}
+
+static enum um_status solid_of(const struct assembly *a, const struct um_scenario_part *part,
+                               struct um_thermal_part_spec *to)
+{
+  const struct um_scenario_solid *from = part->solid;
+  to->kind = UM_THERMAL_SOLID;
+  to->density = from->density_kg_m3;
+  to->specific_heat = from->specific_heat_J_kg_K;
+  to->conductivity = from->conductivity_W_m_K;
+  to->tetrahedron_size = from->tetrahedron_size_m;
+  if (from->material != NULL) {
+    const struct um_materials_record *record =
+        um_materials_library_find(a->model->library, from->material);
+    if (record == NULL)
+      return um_core_mark_fail(a->context, &from->at, "no material is called '%s'", from->material);
+    struct um_materials_bulk bulk = um_materials_bulk(record);
+    if (isnan(to->density)) to->density = bulk.density;
+    if (isnan(to->specific_heat)) to->specific_heat = bulk.specific_heat;
+    if (isnan(to->conductivity)) to->conductivity = bulk.conductivity;
+  }
+  if (isnan(to->density) || isnan(to->specific_heat) || isnan(to->conductivity))
+    return um_core_mark_fail(a->context, &from->at,
+                             "density, specific heat or conductivity is missing; give them or a "
+                             "material that has them");
+  return UM_OK;
+}
+
+static enum um_status check_group_names(const struct assembly *a,
+                                        const struct um_scenario_part *part, uint32_t index)
+{
+  const struct um_scenario_group *own = part->groups.items;
+  for (size_t k = 0; k < part->groups.count; k++) {
+    bool found = false;
+    for (size_t g = 0; g < um_geometry_group_count(a->model->geometry); g++) {
+      const struct um_geometry_group *group = um_geometry_group(a->model->geometry, g);
+      found = found || (group->part == index && strcmp(group->name, own[k].name) == 0);
+    }
+    if (!found)
+      return um_core_mark_fail(a->context, &own[k].at, "the part '%s' has no group '%s'",
+                               part->name, own[k].name);
+  }
+  return UM_OK;
+}
+
+static enum um_status part_of(const struct assembly *a, const struct um_scenario_part *part,
+                              uint32_t index, struct um_thermal_part_spec *to)
+{
+  const struct um_geometry *geometry = a->model->geometry;
+  struct um_thermal_group_spec *groups = NULL;
+  size_t n = 0;
+  to->part = index;
+  to->kind = part->lumped ? UM_THERMAL_LUMPED : UM_THERMAL_SHELL;
+  if (part->lumped && part->solid != NULL)
+    return um_core_mark_fail(a->context, &part->at, "lumped and solid exclude each other");
+  if (part->solid != NULL) UM_TRY(solid_of(a, part, to));
+  UM_TRY(check_group_names(a, part, index));
+  to->start_temperature = isnan(part->start_temperature_K)
+                              ? a->model->scenario->thermal->start_temperature_K
+                              : part->start_temperature_K;
+  if (part->interior != NULL) {
+    to->has_interior = true;
+    to->interior_capacity = part->interior->capacity_J_K;
+    to->interior_power = part->interior->power_W;
+  }
+  UM_TRY(um_core_document_allocate(a->context, a->model->document,
+                                   um_geometry_group_count(geometry), sizeof *groups, &groups));
+  for (uint32_t g = 0; g < um_geometry_group_count(geometry); g++)
+    if (um_geometry_group(geometry, g)->part == index) UM_TRY(group_of(a, part, g, &groups[n++]));
+  share_interior(a, part, groups, n);
+  to->groups = groups;
+  to->ngroup = n;
+  return UM_OK;
+}
+
+static enum um_status contacts_of(const struct assembly *a, struct um_thermal_contact **out)
+{
+  const struct um_schema_list *list = &a->model->scenario->contacts;
+  const struct um_scenario_contact *from = list->items;
+  UM_TRY(um_core_document_allocate(a->context, a->model->document, list->count + 1, sizeof **out,
+                                   out));
+  for (size_t i = 0; i < list->count; i++)
+    (*out)[i] = (struct um_thermal_contact){from[i].a, from[i].b, from[i].conductance_W_K};
+  return UM_OK;
+}
+
+enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model)
+{
+  enum um_status status;
+  struct assembly a = {context, model, NULL};
+  struct um_thermal_part_spec *parts = NULL;
+  struct um_thermal_contact *contacts = NULL;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  size_t n = model->scenario->parts.count;
+  UM_CHECK(um_core_document_allocate(context, model->document,
+                                     um_geometry_group_count(model->geometry), sizeof *a.group_area,
+                                     &a.group_area));
+  for (size_t f = 0; f < mesh->nfacet; f++) a.group_area[mesh->facet_group[f]] += mesh->area[f];
+  UM_CHECK(um_core_allocate(context, n, sizeof *parts, &parts));
+  for (size_t i = 0; i < n; i++)
+    UM_CHECK(part_of(&a, (const struct um_scenario_part *)model->scenario->parts.items + i,
+                     (uint32_t)i, &parts[i]));
+  UM_CHECK(contacts_of(&a, &contacts));
+  status = um_thermal_body_create(context, model->geometry, parts, n, contacts,
+                                  model->scenario->contacts.count, &model->body);
+  if (status != UM_OK) um_core_message_prefix(context, "%s", model->scenario->at.file);
+done:
+  um_core_free(context, parts);
+  return status;
+}

@@ -1,0 +1,27 @@
+/* Steps of building a model, private to the folder. */
+#ifndef UMBRA_MODEL_MODEL_IMPL_H
+#define UMBRA_MODEL_MODEL_IMPL_H
+
+#include "model/model.h"
+
+/* environment: from the scenario's mapping, then its effects switched (build_environment.c). */
+enum um_status um_model_build_environment(struct um_context *context, struct um_model *model,
+                                          const struct um_model_options *options);
+/* orientation, trajectory, attitude, observer (build_orbit.c). */
+enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);
+/* library, geometry, material records of it (build_parts.c). */
+enum um_status um_model_build_parts(struct um_context *context, struct um_model *model);
+/* heat network (build_thermal.c). */
+enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);
+
+/* Path relative to the file of a mark; owned by the document. */
+enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
+                                const struct um_mark *at, const char *relative, const char **out);
+/* Put "file:line: path: " before the recorded message. Returns status. */
+enum um_status um_model_blame(struct um_context *context, const struct um_mark *at,
+                              enum um_status status);
+/* Unit vector of three numbers; UM_ERR_INPUT naming `key` when it is zero. */
+enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,
+                             const double v[3], struct um_vec3 *out);
+
+#endif

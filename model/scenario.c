@@ -1,0 +1,72 @@
+/* Reading a scenario: folder or file, overrides, and checks across mappings. */
+#include "model/scenario.h"
+
+#include <math.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "core/file.h"
+#include "orbit/time.h"
+
+static enum um_status check_time(struct um_context *context, const struct um_scenario *scenario)
+{
+  const struct um_scenario_time *time = scenario->time;
+  char start[32], stop[32];
+  um_orbit_time_format(time->start, start);
+  um_orbit_time_format(time->stop, stop);
+  if (!(time->stop >= time->start))
+    return um_core_mark_fail(context, &time->at, "stop_utc %s is before start_utc %s", stop, start);
+  double n = (time->stop - time->start) / time->step_s;
+  if (!(n < 1e6))
+    return um_core_mark_fail(context, &time->at,
+                             "%.3g observations from %s to %s every %g s; at most 1e6 are accepted",
+                             n, start, stop, time->step_s);
+  return UM_OK;
+}
+
+/* The name becomes a folder. */
+static enum um_status check_name(struct um_context *context, const struct um_scenario *scenario)
+{
+  if (um_core_path_is_plain(scenario->name)) return UM_OK;
+  return um_core_mark_fail(context, &scenario->at,
+                           "name '%s' cannot name a folder: no slashes, not empty, not . or ..",
+                           scenario->name);
+}
+
+static enum um_status check_parts(struct um_context *context, const struct um_scenario *scenario)
+{
+  const struct um_scenario_part *part = scenario->parts.items;
+  for (size_t i = 0; i < scenario->parts.count; i++)
+    for (size_t k = 0; k < i; k++)
+      if (strcmp(part[i].name, part[k].name) == 0)
+        return um_core_mark_fail(context, &part[i].at, "name '%s' is taken by the part on line %d",
+                                 part[i].name, part[k].at.line);
+  return UM_OK;
+}
+
+enum um_status um_model_scenario_read(struct um_context *context, const char *path,
+                                      const char *const *overrides, size_t noverride,
+                                      struct um_document **document, struct um_scenario **out)
+{
+  struct stat info;
+  char *file = NULL;
+  void *root = NULL;
+  enum um_status status;
+  *document = NULL;
+  *out = NULL;
+  if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+    UM_TRY(um_core_asprintf(context, &file, "%s/scenario.yaml", path));
+  else
+    UM_TRY(um_core_strdup(context, path, &file));
+  UM_CHECK(um_core_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
+                                 document, &root));
+  struct um_scenario *scenario = root;
+  UM_CHECK(check_name(context, scenario));
+  UM_CHECK(check_time(context, scenario));
+  UM_CHECK(check_parts(context, scenario));
+  *out = scenario;
+done:
+  um_core_free(context, file);
+  if (status != UM_OK) um_core_document_destroy(document);
+  return status;
+}

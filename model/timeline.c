@@ -1,0 +1,111 @@
+/* One instant of the scene: orbit, attitude, Sun and shadow together. */
+#include <math.h>
+
+#include "core/constants.h"
+#include "model/model.h"
+#include "orbit/sun.h"
+
+/* Sun as the satellite sees it; a frozen one keeps its geocentric place. */
+static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r, struct um_vec3 v,
+                   struct um_vec3 *direction, double *distance)
+{
+  if (model->sun_frozen) {
+    struct um_vec3 to = um_vec3_sub(model->frozen_sun_position, r);
+    *distance = um_vec3_norm(to);
+    *direction = um_vec3_scale(to, 1.0 / *distance);
+  } else {
+    um_orbit_sun_apparent(t_tai, r, v, direction, distance);
+  }
+  if (!isnan(model->scenario->environment->sun_distance_au))
+    *distance = model->scenario->environment->sun_distance_au * UM_AU;
+}
+
+static enum um_status pole_of(struct um_context *context, const struct um_model *model,
+                              double t_tai, struct um_vec3 *pole)
+{
+  struct um_mat3 m;
+  UM_TRY(um_orbit_frames_gcrs_to_itrf(context, &model->orientation, t_tai, &m));
+  *pole = um_vec3(m.m[2][0], m.m[2][1], m.m[2][2]);
+  return UM_OK;
+}
+
+/* Fill everything but the attitude and who looks; r, v, t_tai are set. */
+static enum um_status light_of(struct um_context *context, const struct um_model *model,
+                               struct um_environment_sample *s)
+{
+  sun_of(model, s->t_tai, s->r, s->v, &s->sun, &s->sun_distance);
+  UM_TRY(pole_of(context, model, s->t_tai, &s->pole));
+  s->sunlit_fraction =
+      um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
+  return UM_OK;
+}
+
+static enum um_status attitude_of(struct um_context *context, const struct um_model *model,
+                                  struct um_environment_sample *s)
+{
+  struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer};
+  return um_orbit_attitude_at(context, model->attitude, &in, &s->q);
+}
+
+enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
+                                  double t_tai, struct um_environment_sample *out)
+{
+  *out = (struct um_environment_sample){.t_tai = t_tai, .range = NAN};
+  UM_TRY(um_orbit_trajectory_state(context, model->trajectory, t_tai, &out->r, &out->v));
+  UM_TRY(light_of(context, model, out));
+  if (model->has_observer) {
+    /* attitude laws that point at the observer need him outside observations too */
+    struct um_orbit_look look;
+    struct um_orbit_observer instant = model->observer;
+    instant.light_time = 0;
+    UM_TRY(um_orbit_observer_look(context, &instant, model->trajectory, t_tai, &look));
+    out->to_observer = look.to_observer;
+  }
+  UM_TRY(attitude_of(context, model, out));
+  out->to_observer = um_vec3(0, 0, 0);
+  return UM_OK;
+}
+
+enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
+                                    double t_observer, struct um_environment_sample *out,
+                                    struct um_orbit_look *look)
+{
+  if (!model->has_observer)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: the scenario has no observer",
+                        model->scenario->at.file);
+  UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, t_observer, look));
+  *out = (struct um_environment_sample){.t_tai = look->t_satellite,
+                                        .r = look->r_gcrs,
+                                        .v = look->v_gcrs,
+                                        .to_observer = look->to_observer,
+                                        .range = look->range};
+  UM_TRY(light_of(context, model, out));
+  return attitude_of(context, model, out);
+}
+
+struct event_source {
+  struct um_context *context;
+  const struct um_model *model;
+};
+
+static enum um_status event_geometry(void *self, double t_tai, struct um_vec3 *r,
+                                     struct um_vec3 *sun, double *distance, struct um_vec3 *pole)
+{
+  const struct event_source *source = self;
+  struct um_vec3 v;
+  UM_TRY(um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, &v));
+  sun_of(source->model, t_tai, *r, v, sun, distance);
+  return pole_of(source->context, source->model, t_tai, pole);
+}
+
+enum um_status um_model_events(struct um_context *context, const struct um_model *model,
+                               double from, double to, struct um_environment_event **out,
+                               size_t *count)
+{
+  struct event_source source = {context, model};
+  *out = NULL;
+  *count = 0;
+  if (model->environment.shadow == UM_SHADOW_NONE) return UM_OK;
+  return um_environment_events_find(context, &model->environment, event_geometry, &source, from, to,
+                                    30.0, out, count);
+}
