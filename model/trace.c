@@ -1,0 +1,208 @@
+/* Everything geometric about one timeline, traced once.
+ *
+ * Observations are instants at the observer (several per exposure); the satellite's own times are
+ * earlier by the light time. Heat is computed from whole orbits before the first observation. The
+ * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
+ * instant is a grid time, so that optics and heat use the same fluxes. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "model/model.h"
+
+#define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
+#define LONGEST_STEP     10.0 /* [s]; the orbit turns by 0.6 deg */
+#define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
+#define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
+#define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
+
+struct grid_time {
+  double t;
+  bool observed;
+};
+
+static int compare_times(const void *a, const void *b)
+{
+  double x = ((const struct grid_time *)a)->t, y = ((const struct grid_time *)b)->t;
+  return (x > y) - (x < y);
+}
+
+static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
+                                         struct um_model_trace *trace)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  trace->nobs = (size_t)floor((time->stop - time->start) / time->step_s + 1e-9) + 1;
+  trace->nsub = time->exposure_s > 0.0 ? (size_t)time->exposure_samples : 1;
+  size_t n = trace->nobs * trace->nsub;
+  UM_TRY(um_core_allocate(context, trace->nobs, sizeof(double), &trace->t_obs));
+  UM_TRY(um_core_allocate(context, trace->nobs, sizeof(double), &trace->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *trace->look, &trace->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *trace->sample, &trace->sample));
+  um_core_progress_begin(context, "following the orbit", n);
+  for (size_t i = 0; i < n; i++) {
+    size_t k = i / trace->nsub;
+    trace->t_obs[k] = time->start + (double)k * time->step_s;
+    /* midpoint rule over the exposure */
+    double u = ((double)(i % trace->nsub) + 0.5) / (double)trace->nsub - 0.5;
+    double t = trace->t_obs[k] + u * time->exposure_s;
+    if (model->has_observer) {
+      UM_TRY(um_model_sample_seen(context, model, t, &trace->sample[i], &trace->look[i]));
+    } else {
+      UM_TRY(um_model_sample_at(context, model, t, &trace->sample[i]));
+      trace->look[i] = (struct um_orbit_look){
+          .t_satellite = t, .range = NAN, .azimuth = NAN, .elevation = NAN, .sun_elevation = NAN};
+    }
+    trace->sunlit[k] += trace->sample[i].sunlit_fraction / (double)trace->nsub;
+    UM_TRY(um_core_progress_step(context, 1));
+  }
+  um_core_progress_end(context);
+  return UM_OK;
+}
+
+/* When the thermal run starts, and the orbit that is made periodic. */
+static void trace_span(const struct um_model *model, struct um_model_trace *trace)
+{
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  double first = trace->sample[0].t_tai;
+  trace->period = um_orbit_trajectory_period(model->trajectory);
+  double orbits = thermal->orbits_before;
+  if (thermal->start == UM_START_PERIODIC && orbits < 1.0) orbits = 1.0;
+  trace->t_start = isnan(trace->period) ? first : first - orbits * trace->period;
+  trace->t_periodic_end = isnan(trace->period) ? first : trace->t_start + trace->period;
+}
+
+static double grid_step(const struct um_model *model, const struct um_model_trace *trace)
+{
+  double step = model->scenario->thermal->step_s;
+  if (!isnan(step)) return step;
+  double orbital = isnan(trace->period) ? 0.0 : 2.0 * UM_PI / trace->period;
+  double rate = um_orbit_attitude_rate(model->attitude, orbital);
+  return rate > 0.0 ? fmin(LONGEST_STEP, TURN_PER_STEP / rate) : LONGEST_STEP;
+}
+
+/* Times strictly ascending; an observed instant displaces a neighbour that is not one. */
+static size_t merge_times(struct grid_time *grid, size_t n)
+{
+  size_t kept = 0;
+  qsort(grid, n, sizeof *grid, compare_times);
+  for (size_t i = 0; i < n; i++) {
+    struct grid_time *last = kept > 0 ? &grid[kept - 1] : NULL;
+    if (last == NULL || grid[i].t - last->t >= SAME_TIME ||
+        (grid[i].observed && last->observed && grid[i].t > last->t))
+      grid[kept++] = grid[i];
+    else if (grid[i].observed && !last->observed)
+      *last = grid[i];
+  }
+  return kept;
+}
+
+static enum um_status grid_make(struct um_context *context, const struct um_model *model,
+                                const struct um_model_trace *trace, struct grid_time **out,
+                                size_t *count)
+{
+  size_t ninstant = trace->nobs * trace->nsub, n = 0;
+  double last = trace->sample[ninstant - 1].t_tai, step = grid_step(model, trace);
+  double end = fmax(last, trace->t_periodic_end);
+  size_t nstep = (size_t)ceil((end - trace->t_start) / step);
+  struct grid_time *grid = NULL;
+  UM_TRY(um_core_allocate(context, nstep + 2 + ninstant + trace->nevent * (PENUMBRA_POINTS + 1),
+                          sizeof *grid, &grid));
+  for (size_t i = 0; i <= nstep; i++)
+    grid[n++].t =
+        nstep == 0 ? end : trace->t_start + (end - trace->t_start) * (double)i / (double)nstep;
+  for (size_t i = 0; i < ninstant; i++)
+    grid[n++] = (struct grid_time){trace->sample[i].t_tai, true};
+  for (size_t i = 0; i < trace->nevent; i++) {
+    grid[n++].t = trace->event[i].t_tai;
+    if (i + 1 == trace->nevent) break;
+    double gap = trace->event[i + 1].t_tai - trace->event[i].t_tai;
+    if (!(gap < PENUMBRA_LONGEST)) continue;
+    for (int k = 1; k < PENUMBRA_POINTS; k++)
+      grid[n++].t = trace->event[i].t_tai + gap * k / PENUMBRA_POINTS;
+  }
+  *count = merge_times(grid, n);
+  *out = grid;
+  return UM_OK;
+}
+
+static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
+                                  struct um_model_trace *trace, const struct grid_time *grid,
+                                  size_t n)
+{
+  enum um_status status;
+  struct um_environment_sample *samples = NULL;
+  double *edge = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *samples, &samples));
+  UM_CHECK(um_core_allocate(context, trace->nevent, sizeof *edge, &edge));
+  um_core_progress_begin(context, "following orbit and attitude for the heat loads", n);
+  for (size_t i = 0; i < n; i++) {
+    UM_CHECK(um_model_sample_at(context, model, grid[i].t, &samples[i]));
+    UM_CHECK(um_core_progress_step(context, 1));
+  }
+  um_core_progress_end(context);
+  for (size_t i = 0; i < trace->nevent; i++) edge[i] = trace->event[i].t_tai;
+  UM_CHECK(um_thermal_loads_trace(context, model->geometry, &model->environment, samples, n, edge,
+                                  trace->nevent, model->scenario->thermal->samples, &trace->loads));
+done:
+  um_core_free(context, edge);
+  um_core_free(context, samples);
+  return status;
+}
+
+/* Row of the loads at every observed instant. */
+static enum um_status trace_rows(struct um_context *context, const struct grid_time *grid, size_t n,
+                                 struct um_model_trace *trace)
+{
+  size_t ninstant = trace->nobs * trace->nsub, row = 0;
+  UM_TRY(um_core_allocate(context, ninstant, sizeof *trace->load_row, &trace->load_row));
+  for (size_t i = 0; i < ninstant; i++) {
+    while (row + 1 < n && grid[row].t < trace->sample[i].t_tai) row++;
+    trace->load_row[i] = row;
+  }
+  return UM_OK;
+}
+
+enum um_status um_model_trace_create(struct um_context *context, const struct um_model *model,
+                                     struct um_model_trace **out)
+{
+  enum um_status status;
+  struct um_model_trace *trace = NULL;
+  struct grid_time *grid = NULL;
+  size_t ngrid = 0;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *trace, &trace));
+  UM_CHECK(trace_observations(context, model, trace));
+  trace_span(model, trace);
+  double end = trace->sample[trace->nobs * trace->nsub - 1].t_tai;
+  UM_CHECK(um_model_events(context, model, trace->t_start, fmax(end, trace->t_periodic_end),
+                           &trace->event, &trace->nevent));
+  UM_CHECK(grid_make(context, model, trace, &grid, &ngrid));
+  UM_CHECK(trace_loads(context, model, trace, grid, ngrid));
+  UM_CHECK(trace_rows(context, grid, ngrid, trace));
+  if (model->has_observer)
+    UM_CHECK(um_optics_view_trace(context, model->geometry, trace->sample,
+                                  trace->nobs * trace->nsub, model->scenario->optics->samples,
+                                  &trace->view));
+done:
+  um_core_free(context, grid);
+  if (status != UM_OK) um_model_trace_destroy(context, &trace);
+  *out = trace;
+  return status;
+}
+
+void um_model_trace_destroy(struct um_context *context, struct um_model_trace **trace)
+{
+  if (trace == NULL || *trace == NULL) return;
+  struct um_model_trace *t = *trace;
+  um_core_free(context, t->t_obs);
+  um_core_free(context, t->sunlit);
+  um_core_free(context, t->look);
+  um_core_free(context, t->sample);
+  um_core_free(context, t->load_row);
+  um_core_free(context, t->event);
+  um_thermal_loads_destroy(context, &t->loads);
+  um_optics_view_destroy(context, &t->view);
+  um_core_free(context, t);
+  *trace = NULL;
+}
