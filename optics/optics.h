@@ -7,8 +7,8 @@
 #include "geometry/visibility.h"
 #include "materials/materials.h"
 
-/* A band is cut into `bins` bins of equal width; radiometry is evaluated at bin centres with the
- * solar irradiance integrated exactly over each bin. */
+/* A band is cut into `bins` bins of equal width; materials are evaluated at bin centres, sources
+ * (Sun, black bodies) are exact means over each bin, so that grey bands do not depend on `bins`. */
 struct um_optics_band {
   const char *name;
   double from, to; /* [m] */
@@ -31,11 +31,17 @@ struct um_optics_view {
   float *lit;  /* [ntime][nsurface] fraction that the observer sees and the Sun lights */
   float *seen_error, *lit_error; /* [ntime][nsurface] standard errors of those fractions */
   float *cos_observer, *cos_sun; /* [ntime][nsurface] cosines of the surface normal; <= 0: away */
-  float *cos_half; /* [ntime][nsurface] cosine of the normal to the Sun-observer bisector */
-  double *area;    /* [nsurface] [m^2] */
+  /* [ntime][nsurface] cosine of the normal to the Sun-observer bisector; double, because narrow
+   * lobes depend on 1 - cos; 0 where the Sun stands opposite to the observer */
+  double *cos_half;
+  double *area;              /* [nsurface] [m^2] */
   uint32_t *material, *part; /* [nsurface] */
 };
-/* samples whose to_observer is zero are refused. nsample points per facet. */
+/* Directions to the observer and to the Sun are turned into the body frame by each sample's
+ * attitude, joints by its Sun; the Sun is a disc of its true angular radius. Samples whose
+ * to_observer is zero are refused (UM_ERR_INPUT), as is nsample outside 1..65536: points per facet
+ * of surfaces that something can hide; open surfaces are exact. Same bytes for any number of
+ * threads. UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED. The caller destroys. */
 enum um_status um_optics_view_trace(struct um_context *context, const struct um_geometry *geometry,
                                     const struct um_environment_sample *samples, size_t ntime,
                                     int nsample, struct um_optics_view **out);
@@ -50,7 +56,9 @@ struct um_optics_lightcurve {
   double *spectral; /* [ntime][nbin][UM_MECHANISM_COUNT] */
   /* band radiant intensity [W/sr] */
   double *intensity; /* [ntime][nband][nmaterial][UM_MECHANISM_COUNT] */
-  double *stderr_;   /* [ntime][nband] [W/sr], of the total */
+  /* Standard error of the total [ntime][nband] [W/sr]: of the traced fractions (seen and lit of one
+   * surface taken as fully correlated, surfaces as independent) and of inter-reflection. */
+  double *stderr_;
 };
 
 struct um_optics_scene {
@@ -63,14 +71,20 @@ struct um_optics_scene {
   const double *temperature;                         /* [ntime][nsurface] [K] */
   const float *albedo;      /* [ntime][nsurface] incident albedo flux [W/m^2], free share applied */
   const float *view_factor; /* [ntime][nsurface] free view factor to the Earth */
-  int interreflection_samples; /* rays per visible facet sample; 0: off */
+  int interreflection_samples; /* rays per surface that is not open; 0: off */
 };
 /* Light curve. The Sun term is multiplied by the sunlit fraction, so it is exactly zero in the
  * umbra. Radiance of a surface toward the observer:
  *   sun:     E_sun(lambda) nu f_r(i, o) cos_i
  *   earth:   rho_d E_albedo(lambda)/pi + (1 - eps(cos_o)) F L_lambda(T_b)
  *   emitted: eps(lambda, cos_o) B_lambda(T)
- * The lobe's alpha is widened by the Sun's disc: alpha^2 + (theta_s/(2 sqrt 2))^2. */
+ *   inter-reflected (one bounce, diffuse): rho_d (above 2.5 um 1 - eps) times the mean radiance of
+ *   the other surfaces that it faces: sunlight and earthshine they scatter and their emission
+ * rho_d E_albedo is spread over wavelength like sunlight. F of the lobe is taken at half the phase
+ * angle. The lobe's alpha is widened by the Sun's disc: alpha^2 + (theta_s/(2 sqrt 2))^2.
+ * UM_ERR_INPUT: bad band (named), material without record, view of another mesh; UM_ERR_NUMERIC: a
+ * temperature that is not positive (part and facet named); UM_ERR_MEMORY, UM_ERR_LIBRARY,
+ * UM_ERR_CANCELLED. Same bytes for any number of threads. The caller destroys. */
 enum um_status um_optics_lightcurve_compute(struct um_context *context,
                                             const struct um_optics_scene *scene,
                                             const struct um_optics_band *bands, size_t nband,
@@ -91,7 +105,11 @@ struct um_optics_image_options {
   int samples_per_pixel;
   struct um_vec3 up_gcrs; /* direction that points up in the picture */
 };
-/* time: index of the sample in the scene; the view is not used and may be NULL. */
+/* One specular lobe, shadows by rays to points of the Sun's disc, inter-reflection as facet means
+ * when the scene asks for it; the same radiance as the light curve, so that the sum over pixels
+ * times pixel area is its intensity, within the sampling error of the outline.
+ * time: index of the sample in the scene; the view is not used and may be NULL. UM_ERR_INPUT: width
+ * outside 1..16384, samples outside 1..4096, `up` along the line of sight. */
 enum um_status um_optics_image_render(struct um_context *context,
                                       const struct um_optics_scene *scene, size_t time,
                                       const struct um_optics_band *band,
@@ -99,7 +117,10 @@ enum um_status um_optics_image_render(struct um_context *context,
                                       struct um_optics_image **out);
 void um_optics_image_destroy(struct um_context *context, struct um_optics_image **image);
 
-/* AB magnitude of a band irradiance given per bin [W/m^2/m] (photon counting, D.6 of the notes). */
+/* AB magnitude of a band irradiance given per bin [W/m^2/m], photon counting:
+ *   m = -2.5 log10( int E lambda d lambda / int (3631 Jy c/lambda^2) lambda d lambda )
+ * with E constant in each bin, so exact for the bins given (Oke & Gunn 1983; D.6 of the notes).
+ * INFINITY for zero irradiance, NaN for negative irradiance or no bins. */
 double um_optics_magnitude_ab(const double *spectral_irradiance, const double *wavelength,
                               const double *width, size_t nbin);
 

@@ -1,0 +1,182 @@
+/* Radiance of surfaces toward the observer (D.1, D.3, D.5 of the physics notes):
+ *
+ *   sun      E_sun(lambda) nu (au/d)^2 [rho_d/pi + F D G/(4 cos_i cos_o)] cos_i
+ *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b)
+ *   emitted  eps(lambda, cos_o) B_lambda(T)
+ *
+ * F is Fresnel's reflectance at the facet that mirrors the Sun to the observer: its angle of
+ * incidence is half the phase angle, the same for every surface, so that geometry and spectra
+ * factor: one lobe weight per material carries all wavelengths. The Sun's disc widens the lobe,
+ * alpha^2 + (theta_s/(2 sqrt 2))^2: half vectors spread over a disc of radius theta_s/2, whose
+ * variance per axis theta_s^2/16 is that of a Beckmann distribution of alpha^2 = theta_s^2/8. */
+#include "optics/radiance_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "materials/bsdf.h"
+
+struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
+{
+  const struct um_environment_sample *sample = &scene->samples[time];
+  struct um_optics_instant now = {0};
+  now.observer_body = um_quat_apply(sample->q, sample->to_observer);
+  now.sun_body = um_quat_apply(sample->q, sample->sun);
+  struct um_vec3 both = um_vec3_add(now.observer_body, now.sun_body);
+  double length = um_vec3_norm(both);
+  if (length > 1e-9) now.half_body = um_vec3_scale(both, 1.0 / length);
+  now.cos_half_phase = fmin(1.0, 0.5 * length);
+  now.sun_radius = asin(UM_SOLAR_RADIUS / sample->sun_distance);
+  now.sun_alpha2 = now.sun_radius * now.sun_radius / 8.0;
+  double relative = UM_AU / sample->sun_distance;
+  now.sun = sample->sunlit_fraction * relative * relative;
+  now.earthshine = scene->environment->earthshine_on;
+  now.earth_reflection = scene->environment->earth_reflection_on;
+  return now;
+}
+
+static enum um_status work_fill(struct um_context *context, const struct um_optics_spectra *spectra,
+                                size_t nray, struct um_optics_work *work)
+{
+  size_t nbin = spectra->nbin, nmaterial = spectra->nmaterial, nband = spectra->nband;
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->planck));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->emissivity));
+  UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
+  UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
+  UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
+  UM_TRY(um_core_allocate(context, (2 * nmaterial + 2) * nbin, sizeof(double), &work->bins));
+  UM_TRY(um_core_allocate(context, nmaterial, sizeof *work->sum, &work->sum));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->incoming));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->reflected));
+  UM_TRY(um_core_allocate(context, nband, sizeof(double), &work->band));
+  UM_TRY(um_core_allocate(context, nband, sizeof(double), &work->band_variance));
+  UM_TRY(um_core_allocate(context, nray, sizeof *work->ray, &work->ray));
+  UM_TRY(um_core_allocate(context, nray, 1, &work->occluded));
+  UM_TRY(um_core_allocate(context, nray, 1, &work->hidden));
+  for (size_t m = 0; m <= nmaterial; m++) {
+    struct um_optics_sum *sum = m < nmaterial ? &work->sum[m] : &work->single;
+    sum->emitted = work->bins + 2 * m * nbin;
+    sum->planet = sum->emitted + nbin;
+  }
+  return UM_OK;
+}
+
+enum um_status um_optics_work_create(struct um_context *context,
+                                     const struct um_optics_spectra *spectra, size_t nray,
+                                     size_t nwork, struct um_optics_work **out)
+{
+  enum um_status status = um_core_allocate(context, nwork, sizeof **out, out);
+  for (size_t i = 0; status == UM_OK && i < nwork; i++)
+    status = work_fill(context, spectra, nray, &(*out)[i]);
+  if (status != UM_OK) um_optics_work_destroy(context, nwork, out);
+  return status;
+}
+
+void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_optics_work **work)
+{
+  if (work == NULL || *work == NULL) return;
+  for (size_t i = 0; i < nwork; i++) {
+    struct um_optics_work *w = &(*work)[i];
+    void *const blocks[] = {w->planck,         w->emissivity, w->spectral,      w->specular,
+                            w->specular_known, w->bins,       w->sum,           w->incoming,
+                            w->reflected,      w->band,       w->band_variance, w->ray,
+                            w->occluded,       w->hidden};
+    for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
+  }
+  um_core_free(context, *work);
+  *work = NULL;
+}
+
+void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum)
+{
+  sum->lambert = sum->lobe = sum->albedo = sum->view_factor = 0.0;
+  memset(sum->emitted, 0, spectra->nbin * sizeof *sum->emitted);
+  memset(sum->planet, 0, spectra->nbin * sizeof *sum->planet);
+}
+
+void um_optics_sum_add(const struct um_optics_spectra *spectra,
+                       const struct um_optics_instant *instant, size_t material,
+                       const struct um_optics_sight *sight, struct um_optics_work *work,
+                       struct um_optics_sum *sum)
+{
+  double cos_o = sight->cos_observer, cos_i = sight->cos_sun;
+  if (!(cos_o > 0.0)) return;
+  if (instant->sun > 0.0 && sight->area_lit > 0.0 && cos_i > 0.0) {
+    double projected = sight->area_lit * cos_o * cos_i;
+    sum->lambert += projected;
+    if (spectra->lobe[material]) {
+      double alpha = spectra->alpha[material];
+      alpha = sqrt(alpha * alpha + instant->sun_alpha2);
+      sum->lobe += projected * um_materials_beckmann_lobe(alpha, sight->cos_half, cos_i, cos_o);
+    }
+  }
+  double seen = sight->area_seen * cos_o;
+  if (!(seen > 0.0)) return;
+  sum->albedo += seen * sight->albedo;
+  um_optics_spectra_planck(spectra, sight->temperature, work->planck);
+  size_t n = spectra->nbin;
+  const double *planck = work->planck;
+  double *emitted = sum->emitted, *planet = sum->planet;
+  if (spectra->diffuse_emitter[material]) {
+    sum->view_factor += seen * sight->view_factor;
+    for (size_t b = 0; b < n; b++) emitted[b] += seen * planck[b];
+    return;
+  }
+  const double *emissivity =
+      um_optics_spectra_emissivity(spectra, material, cos_o, work->emissivity);
+  double earth = seen * sight->view_factor;
+  for (size_t b = 0; b < n; b++) {
+    emitted[b] += seen * emissivity[b] * planck[b];
+    planet[b] += earth * (1.0 - emissivity[b]);
+  }
+}
+
+const double *um_optics_specular(const struct um_optics_spectra *spectra,
+                                 const struct um_optics_scene *scene,
+                                 const struct um_optics_instant *instant, size_t material,
+                                 struct um_optics_work *work)
+{
+  double *row = work->specular + material * spectra->nbin;
+  if (work->specular_known[material]) return row;
+  const struct um_materials_adjustment *adjustment =
+      scene->adjustment == NULL ? NULL : &scene->adjustment[material];
+  for (size_t b = 0; b < spectra->nbin; b++)
+    row[b] = um_materials_specular_reflectance(scene->material[material], adjustment,
+                                               spectra->wavelength[b], instant->cos_half_phase);
+  work->specular_known[material] = true;
+  return row;
+}
+
+void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
+                            const struct um_optics_scene *scene,
+                            const struct um_optics_instant *instant, size_t material,
+                            const struct um_optics_sum *sum, struct um_optics_work *work,
+                            double *spectral)
+{
+  size_t n = spectra->nbin;
+  memset(spectral, 0, n * UM_MECHANISM_COUNT * sizeof *spectral);
+  const double *diffuse = spectra->diffuse + material * n;
+  const double *emissivity = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
+  bool diffuse_emitter = spectra->diffuse_emitter[material];
+  if (instant->sun > 0.0 && sum->lambert > 0.0) {
+    double lambert = sum->lambert / UM_PI;
+    for (size_t b = 0; b < n; b++)
+      spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] =
+          instant->sun * spectra->sun[b] * diffuse[b] * lambert;
+    if (sum->lobe > 0.0) {
+      const double *specular = um_optics_specular(spectra, scene, instant, material, work);
+      for (size_t b = 0; b < n; b++)
+        spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] +=
+            instant->sun * spectra->sun[b] * specular[b] * sum->lobe;
+    }
+  }
+  double albedo = instant->earthshine ? sum->albedo / UM_PI : 0.0;
+  for (size_t b = 0; b < n; b++) {
+    double planet = diffuse_emitter ? (1.0 - emissivity[b]) * sum->view_factor : sum->planet[b];
+    if (!instant->earth_reflection) planet = 0.0;
+    double *to = spectral + b * UM_MECHANISM_COUNT;
+    to[UM_MECHANISM_EARTH] = diffuse[b] * spectra->share[b] * albedo + planet * spectra->earth[b];
+    to[UM_MECHANISM_EMITTED] = (diffuse_emitter ? emissivity[b] : 1.0) * sum->emitted[b];
+  }
+}

@@ -1,0 +1,77 @@
+/* Radiance of surfaces toward the observer at one instant. Light curve and picture share it: the
+ * one sums many surfaces of a material before it multiplies by spectra, the other asks for one. */
+#ifndef UMBRA_OPTICS_RADIANCE_IMPL_H
+#define UMBRA_OPTICS_RADIANCE_IMPL_H
+
+#include "optics/spectra_impl.h"
+
+/* What is the same for all surfaces at one time. */
+struct um_optics_instant {
+  struct um_vec3 observer_body, sun_body; /* unit */
+  struct um_vec3 half_body;               /* unit bisector; zero where they are opposite */
+  double cos_half_phase;                  /* cosine of half the phase angle [1] */
+  double sun_radius;                      /* angular, of the disc [rad] */
+  double sun_alpha2;                      /* (theta_s / (2 sqrt 2))^2 [1] */
+  double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
+  bool earthshine, earth_reflection;
+};
+struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
+
+/* A surface, or a share of one, as seen. Areas are true areas, not projected. */
+struct um_optics_sight {
+  double area_seen, area_lit;             /* [m^2] */
+  double cos_observer, cos_sun, cos_half; /* [1] */
+  double temperature;                     /* [K] */
+  double albedo;                          /* incident albedo flux [W/m^2] */
+  double view_factor;                     /* to the Earth [1] */
+};
+
+/* Sums over surfaces of one material. */
+struct um_optics_sum {
+  double lambert;     /* sum of area_lit cos_o cos_i [m^2] */
+  double lobe;        /* sum of area_lit cos_o cos_i D G/(4 cos_i cos_o) [m^2/sr] */
+  double albedo;      /* sum of area_seen cos_o E_albedo [W] */
+  double view_factor; /* sum of area_seen cos_o F [m^2], diffuse emitters */
+  double *emitted; /* [nbin] sum of area_seen cos_o eps B [W/sr/m]; eps = 1 for diffuse emitters */
+  double *planet;  /* [nbin] sum of area_seen cos_o (1 - eps) F [m^2], directional emitters */
+};
+
+/* Scratch of one thread. */
+struct um_optics_work {
+  double *planck, *emissivity;  /* [nbin] */
+  double *spectral;             /* [nbin][UM_MECHANISM_COUNT] */
+  double *specular;             /* [nmaterial][nbin] F of the current instant, where known */
+  bool *specular_known;         /* [nmaterial] */
+  double *bins;                 /* [2 nmaterial + 2][nbin] behind the sums */
+  struct um_optics_sum *sum;    /* [nmaterial] */
+  struct um_optics_sum single;  /* for one surface */
+  double *incoming;             /* [nbin] inter-reflection */
+  double *reflected;            /* [nbin] inter-reflection */
+  double *band, *band_variance; /* [nband] */
+  struct um_geometry_ray *ray;  /* [nray] */
+  uint8_t *occluded, *hidden;   /* [nray] */
+};
+/* nwork of them; nray: rays of one surface that are traced together. */
+enum um_status um_optics_work_create(struct um_context *context,
+                                     const struct um_optics_spectra *spectra, size_t nray,
+                                     size_t nwork, struct um_optics_work **out);
+void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_optics_work **work);
+
+void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum);
+void um_optics_sum_add(const struct um_optics_spectra *spectra,
+                       const struct um_optics_instant *instant, size_t material,
+                       const struct um_optics_sight *sight, struct um_optics_work *work,
+                       struct um_optics_sum *sum);
+/* F per bin of a material's lobe at this instant; kept in the work until the next instant. */
+const double *um_optics_specular(const struct um_optics_spectra *spectra,
+                                 const struct um_optics_scene *scene,
+                                 const struct um_optics_instant *instant, size_t material,
+                                 struct um_optics_work *work);
+/* Spectral radiant intensity of a sum, spectral[nbin][UM_MECHANISM_COUNT] [W/sr/m], overwritten. */
+void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
+                            const struct um_optics_scene *scene,
+                            const struct um_optics_instant *instant, size_t material,
+                            const struct um_optics_sum *sum, struct um_optics_work *work,
+                            double *spectral);
+
+#endif

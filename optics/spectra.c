@@ -1,0 +1,257 @@
+/* Wavelength bins and the tables on them.
+ *
+ * Black bodies: B_lambda(T) is nearly exponential in x = 1/T, d ln B/dx = -C2/lambda, so four-point
+ * Lagrange interpolation on a grid of step h in x has the relative error (3/128) (h C2/lambda)^4;
+ * h C2/lambda_min = 0.02 makes it 3.7e-9. Entries are exact means over the bin.
+ * Emissivities: the same interpolation in u = sqrt(cos), which is dense where metals peak. */
+#include "optics/spectra_impl.h"
+
+#include <math.h>
+
+#include "core/constants.h"
+#include "core/planck.h"
+
+#define PLANCK_STEP  0.02  /* h C2 / lambda_min [1] */
+#define PLANCK_LIMIT 700.0 /* C2 / (lambda T) beyond which exp underflows [1] */
+#define BINS_MAX     100000
+
+/* Weights of the nodes at -1, 0, 1, 2 for the place f in [0, 1]. */
+static void lagrange_weights(double f, double w[4])
+{
+  w[0] = -f * (f - 1.0) * (f - 2.0) / 6.0;
+  w[1] = (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0;
+  w[2] = -(f + 1.0) * f * (f - 2.0) / 2.0;
+  w[3] = (f + 1.0) * f * (f - 1.0) / 6.0;
+}
+
+/* row[i] = sum_k w[k] table[k * stride + i], i < n */
+static void lagrange_rows(const double w[4], const double *table, size_t stride, size_t n,
+                          double *row)
+{
+  const double *a = table, *b = a + stride, *c = b + stride, *d = c + stride;
+  for (size_t i = 0; i < n; i++) row[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
+}
+
+static double planck_mean(const struct um_optics_spectra *spectra, size_t bin, double temperature)
+{
+  return um_core_planck_band(spectra->from[bin], spectra->to[bin], temperature) /
+         spectra->width[bin];
+}
+
+void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
+                              double *row)
+{
+  double x = 1.0 / temperature;
+  for (size_t k = 0; k < spectra->nband; k++) {
+    const struct um_optics_planck *table = &spectra->planck[k];
+    size_t first = spectra->first[k], n = spectra->first[k + 1] - first;
+    double place = table->nnode == 0 ? -1.0 : (x - table->x_from) / table->step;
+    if (!(place >= 0.0 && place <= (double)(table->nnode - 1))) {
+      for (size_t i = 0; i < n; i++) row[first + i] = planck_mean(spectra, first + i, temperature);
+      continue;
+    }
+    size_t node = (size_t)place;
+    if (node < 1) node = 1;
+    if (node > table->nnode - 3) node = table->nnode - 3;
+    double w[4];
+    lagrange_weights(place - (double)node, w);
+    lagrange_rows(w, table->radiance + (node - 1) * n, n, n, row + first);
+  }
+}
+
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
+                                           double cosine, double *row)
+{
+  size_t n = spectra->nbin;
+  const double *table = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
+  if (spectra->diffuse_emitter[material]) return table;
+  double place = sqrt(fmin(fmax(cosine, 0.0), 1.0)) * (UM_OPTICS_ANGLE_NODES - 1);
+  size_t node = (size_t)place;
+  if (node < 1) node = 1;
+  if (node > UM_OPTICS_ANGLE_NODES - 3) node = UM_OPTICS_ANGLE_NODES - 3;
+  double w[4];
+  lagrange_weights(place - (double)node, w);
+  lagrange_rows(w, table + (node - 1) * n, n, n, row);
+  return row;
+}
+
+static enum um_status check_bands(struct um_context *context, const struct um_optics_band *bands,
+                                  size_t nband)
+{
+  if (nband == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "bands: none given; accepted: 1 or more");
+  for (size_t k = 0; k < nband; k++) {
+    const struct um_optics_band *b = &bands[k];
+    if (!(b->from > 0.0 && b->to > b->from && isfinite(b->to)))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "band '%s': %g to %g um; accepted: 0 < from < to, finite", b->name,
+                          1e6 * b->from, 1e6 * b->to);
+    if (b->bins < 1 || b->bins > BINS_MAX)
+      return um_core_fail(context, UM_ERR_INPUT, "band '%s': %d bins; accepted: 1 to %d", b->name,
+                          b->bins, BINS_MAX);
+  }
+  return UM_OK;
+}
+
+/* Lowest and highest temperature [K] of the samples asked for. */
+static enum um_status temperature_range(struct um_context *context,
+                                        const struct um_optics_scene *scene, size_t first,
+                                        size_t count, double *low, double *high)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
+  *low = INFINITY;
+  *high = 0.0;
+  for (size_t t = first; t < first + count; t++)
+    for (size_t s = 0; s < mesh->nsurface; s++) {
+      double value = scene->temperature[t * mesh->nsurface + s];
+      if (!(value > 0.0 && isfinite(value)))
+        return um_core_fail(context, UM_ERR_NUMERIC,
+                            "part '%s', facet %u, sample %zu: temperature %g K; accepted: above 0",
+                            um_geometry_part_name(scene->geometry, mesh->surface[s].part),
+                            (unsigned)mesh->surface[s].facet, t, value);
+      if (value < *low) *low = value;
+      if (value > *high) *high = value;
+    }
+  return UM_OK;
+}
+
+static enum um_status bins_create(struct um_context *context, const struct um_optics_band *bands,
+                                  struct um_optics_spectra *s)
+{
+  UM_TRY(um_core_allocate(context, s->nband + 1, sizeof *s->first, &s->first));
+  for (size_t k = 0; k < s->nband; k++) s->first[k + 1] = s->first[k] + (size_t)bands[k].bins;
+  s->nbin = s->first[s->nband];
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->wavelength, &s->wavelength));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->width, &s->width));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->from, &s->from));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->to, &s->to));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->band, &s->band));
+  for (size_t k = 0; k < s->nband; k++)
+    for (size_t b = s->first[k]; b < s->first[k + 1]; b++) {
+      double i = (double)(b - s->first[k]), span = bands[k].to - bands[k].from;
+      s->from[b] = bands[k].from + span * i / bands[k].bins;
+      s->to[b] = bands[k].from + span * (i + 1.0) / bands[k].bins;
+      s->width[b] = s->to[b] - s->from[b];
+      s->wavelength[b] = 0.5 * (s->from[b] + s->to[b]);
+      s->band[b] = (uint32_t)k;
+    }
+  return UM_OK;
+}
+
+static enum um_status sources_create(struct um_context *context,
+                                     const struct um_environment *environment,
+                                     struct um_optics_spectra *s)
+{
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->sun, &s->sun));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->share, &s->share));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->earth, &s->earth));
+  for (size_t b = 0; b < s->nbin; b++) {
+    s->sun[b] = um_environment_solar_band(environment, s->from[b], s->to[b]) / s->width[b];
+    s->share[b] =
+        environment->solar_irradiance > 0.0 ? s->sun[b] / environment->solar_irradiance : 0.0;
+    s->earth[b] = planck_mean(s, b, environment->brightness_temperature);
+  }
+  return UM_OK;
+}
+
+static enum um_status materials_create(struct um_context *context,
+                                       const struct um_optics_scene *scene,
+                                       struct um_optics_spectra *s)
+{
+  size_t n = s->nmaterial;
+  UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->diffuse, &s->diffuse));
+  UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->emissivity,
+                          &s->emissivity));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->diffuse_emitter, &s->diffuse_emitter));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->alpha, &s->alpha));
+  for (size_t m = 0; m < n; m++) {
+    const struct um_materials_record *record = scene->material[m];
+    const struct um_materials_adjustment *adjustment =
+        scene->adjustment == NULL ? NULL : &scene->adjustment[m];
+    if (record == NULL)
+      return um_core_fail(context, UM_ERR_INPUT, "material '%s' has no record",
+                          um_geometry_material_name(scene->geometry, m));
+    s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record);
+    s->lobe[m] = um_materials_has_lobe(record);
+    s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
+    size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
+    double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
+    for (size_t b = 0; b < s->nbin; b++) {
+      double wavelength = s->wavelength[b];
+      s->diffuse[m * s->nbin + b] =
+          um_materials_diffuse_reflectance(record, adjustment, wavelength);
+      for (size_t i = 0; i < nodes; i++) {
+        double u = nodes == 1 ? 1.0 : (double)i / (UM_OPTICS_ANGLE_NODES - 1);
+        emissivity[i * s->nbin + b] =
+            um_materials_emissivity(record, adjustment, wavelength, u * u);
+      }
+    }
+  }
+  return UM_OK;
+}
+
+static enum um_status planck_create(struct um_context *context, double low, double high,
+                                    struct um_optics_spectra *s)
+{
+  UM_TRY(um_core_allocate(context, s->nband, sizeof *s->planck, &s->planck));
+  for (size_t k = 0; k < s->nband; k++) {
+    struct um_optics_planck *table = &s->planck[k];
+    size_t first = s->first[k], n = s->first[k + 1] - first;
+    double scale = s->from[first] / UM_RADIATION_C2; /* [1/K] per unit of C2/(lambda T) */
+    double x_low = 1.0 / high, x_high = fmin(1.0 / low, PLANCK_LIMIT * scale);
+    if (!(x_low < PLANCK_LIMIT * scale)) continue;
+    table->step = fmin(PLANCK_STEP * scale, 0.25 * x_low);
+    table->x_from = x_low - table->step;
+    table->nnode = (size_t)ceil((x_high - x_low) / table->step) + 4;
+    UM_TRY(um_core_allocate(context, table->nnode * n, sizeof *table->radiance, &table->radiance));
+#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
+    for (size_t i = 0; i < table->nnode; i++) {
+      double temperature = 1.0 / (table->x_from + (double)i * table->step);
+      for (size_t b = 0; b < n; b++)
+        table->radiance[i * n + b] = planck_mean(s, first + b, temperature);
+    }
+  }
+  return UM_OK;
+}
+
+enum um_status um_optics_spectra_create(struct um_context *context,
+                                        const struct um_optics_scene *scene, size_t first,
+                                        size_t count, const struct um_optics_band *bands,
+                                        size_t nband, struct um_optics_spectra **out)
+{
+  enum um_status status = UM_OK;
+  struct um_optics_spectra *s = NULL;
+  double low, high;
+  *out = NULL;
+  UM_CHECK(check_bands(context, bands, nband));
+  UM_CHECK(temperature_range(context, scene, first, count, &low, &high));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *s, &s));
+  s->nband = nband;
+  s->nmaterial = um_geometry_material_count(scene->geometry);
+  UM_CHECK(bins_create(context, bands, s));
+  UM_CHECK(sources_create(context, scene->environment, s));
+  UM_CHECK(materials_create(context, scene, s));
+  UM_CHECK(planck_create(context, low, high, s));
+  *out = s;
+  s = NULL;
+done:
+  um_optics_spectra_destroy(context, &s);
+  return status;
+}
+
+void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spectra **spectra)
+{
+  if (spectra == NULL || *spectra == NULL) return;
+  struct um_optics_spectra *s = *spectra;
+  if (s->planck != NULL)
+    for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
+  void *const blocks[] = {s->wavelength, s->width,   s->from,       s->to,
+                          s->band,       s->first,   s->sun,        s->share,
+                          s->earth,      s->diffuse, s->emissivity, s->diffuse_emitter,
+                          s->lobe,       s->alpha,   s->planck};
+  for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
+  um_core_free(context, s);
+  *spectra = NULL;
+}

@@ -1,0 +1,52 @@
+/* Everything that depends on wavelength and not on time: bins, solar and Earth spectra, material
+ * spectra, black-body tables. Built once per light curve or picture, then read by all threads. */
+#ifndef UMBRA_OPTICS_SPECTRA_IMPL_H
+#define UMBRA_OPTICS_SPECTRA_IMPL_H
+
+#include "optics/optics.h"
+
+/* Nodes of the emissivity tables, uniform in the square root of the cosine. */
+#define UM_OPTICS_ANGLE_NODES 65
+
+/* Bin means of B_lambda on a uniform grid of x = 1/T, for one band. */
+struct um_optics_planck {
+  double x_from, step; /* [1/K] */
+  size_t nnode;        /* 0: evaluate directly */
+  double *radiance;    /* [nnode][bins of the band] [W/m^2/sr/m] */
+};
+
+struct um_optics_spectra {
+  size_t nbin, nband, nmaterial;
+  double *wavelength, *width; /* [nbin] [m] */
+  double *from, *to;          /* [nbin] edges [m] */
+  uint32_t *band;             /* [nbin] */
+  size_t *first;              /* [nband + 1] first bin of each band */
+  double *sun;                /* [nbin] bin mean at 1 au [W/m^2/m] */
+  double *share;              /* [nbin] sun / total solar irradiance [1/m] */
+  double *earth;              /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
+  double *diffuse;            /* [nmaterial][nbin] rho_d [1] */
+  double *emissivity;         /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] [1]; a diffuse emitter has
+                                 its one value in the first row */
+  bool *diffuse_emitter;      /* [nmaterial] */
+  bool *lobe;                 /* [nmaterial] */
+  double *alpha;              /* [nmaterial] Beckmann roughness [1] */
+  struct um_optics_planck *planck; /* [nband] */
+};
+
+/* Tables for the surfaces' temperatures of samples [first, first + count) of the scene. Refuses bad
+ * bands, missing records and temperatures that are not positive and finite. */
+enum um_status um_optics_spectra_create(struct um_context *context,
+                                        const struct um_optics_scene *scene, size_t first,
+                                        size_t count, const struct um_optics_band *bands,
+                                        size_t nband, struct um_optics_spectra **out);
+void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spectra **spectra);
+
+/* Black-body radiance per bin at a temperature [K]; row[nbin] [W/m^2/sr/m]. Relative error below
+ * 4e-9 at the short end of each band. */
+void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
+                              double *row);
+/* Emissivity per bin of a material toward a cosine; a row of the table, or `row` filled. */
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
+                                           double cosine, double *row);
+
+#endif
