@@ -48,8 +48,9 @@ struct um_schema_field {
   double minimum,
       maximum;       /* of numbers and vector elements, inclusive unless `open`; equal = no bound */
   bool open_minimum; /* minimum itself is refused */
-  double fallback;   /* default of NUMBER, INTEGER, BOOL, CHOICE; NaN: no default, a NUMBER is then
-                        NaN */
+  double fallback;   /* default of NUMBER, INTEGER, BOOL, CHOICE, of each VECTOR element, and of a
+                        PARSED whose target is a double; NaN: no default, which leaves NaN, an
+                        INTEGER INT_MIN, a CHOICE -1, a BOOL false */
   size_t length;     /* of VECTOR; of the inline target of PARSED [bytes] */
   const char *const *choices;            /* NULL-terminated, for CHOICE */
   const struct um_schema_object *object; /* for MAP, LIST, DICT */
@@ -67,8 +68,9 @@ struct um_schema_object {
   size_t nfield;
   /* alternative group numbers of which exactly one member must be present; 0-terminated; or NULL */
   const int *exactly_one;
-  /* A MAP field whose value may also be a plain scalar (e.g. `atmosphere: none`): key of the field
-   * in this object that receives the scalar; NULL: a mapping is required. */
+  /* A MAP field, or an element of a LIST or DICT, whose value may also be a plain scalar (e.g.
+   * `atmosphere: none`): key of the field in this object that receives the scalar, all others
+   * taking their defaults; NULL: a mapping is required. */
   const char *scalar_key;
 };
 

@@ -1,0 +1,300 @@
+/* A document as YAML text after its overrides.
+ *
+ * The text as read is edited where the overrides changed it, so that comments and layout stay. When
+ * an edit is not possible (a collection was replaced) or does not read back as the same tree, the
+ * whole tree is written anew, without comments. */
+#include <stdint.h>
+#include <string.h>
+
+#include "core/document_impl.h"
+
+/* Text that grows. */
+struct builder {
+  struct um_context *context;
+  char *text;
+  size_t length, capacity;
+};
+
+struct edit {
+  size_t from, to;   /* bytes of the source to be replaced */
+  size_t at, length; /* the replacement, in the pool */
+};
+
+struct edits {
+  struct builder pool; /* replacements */
+  struct edit *list;
+  size_t count, capacity;
+  bool possible;
+};
+
+static enum um_status put_bytes(struct builder *b, const char *text, size_t length)
+{
+  if (b->length + length + 1 > b->capacity) {
+    size_t capacity = 2 * b->capacity + length + 256;
+    UM_TRY(um_core_reallocate(b->context, capacity, 1, &b->text));
+    b->capacity = capacity;
+  }
+  if (length > 0) memcpy(b->text + b->length, text, length);
+  b->length += length;
+  b->text[b->length] = '\0';
+  return UM_OK;
+}
+
+static enum um_status put(struct builder *b, const char *text)
+{
+  return put_bytes(b, text, strlen(text));
+}
+
+static enum um_status put_indent(struct builder *b, size_t columns)
+{
+  for (size_t i = 0; i < columns; i++) UM_TRY(put(b, " "));
+  return UM_OK;
+}
+
+/* Double-quoted YAML. */
+static enum um_status put_quoted(struct builder *b, const char *text)
+{
+  UM_TRY(put(b, "\""));
+  for (const char *p = text; *p != '\0'; p++) {
+    char escape[8];
+    unsigned char c = (unsigned char)*p;
+    if (c == '"' || c == '\\')
+      snprintf(escape, sizeof escape, "\\%c", c);
+    else if (c == '\n')
+      snprintf(escape, sizeof escape, "\\n");
+    else if (c < 0x20 || c == 0x7f)
+      snprintf(escape, sizeof escape, "\\x%02x", c);
+    else
+      snprintf(escape, sizeof escape, "%c", c);
+    UM_TRY(put(b, escape));
+  }
+  return put(b, "\"");
+}
+
+/* A plain scalar keeps its text; in brackets some characters would end it. */
+static enum um_status put_scalar(struct builder *b, const struct um_node *node, bool flow)
+{
+  if (node->kind == UM_NODE_NULL) return put(b, "null");
+  if (node->plain && !(flow && strpbrk(node->text, ",[]{}") != NULL)) return put(b, node->text);
+  return put_quoted(b, node->text);
+}
+
+static enum um_status put_key(struct builder *b, const char *key)
+{
+  static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./";
+  if (strspn(key, plain) == strlen(key)) return put(b, key);
+  return put_quoted(b, key);
+}
+
+/* A whole subtree on one line. */
+static enum um_status put_flow(struct builder *b, const struct um_node *node, bool inside)
+{
+  if (node->kind == UM_NODE_SCALAR || node->kind == UM_NODE_NULL)
+    return put_scalar(b, node, inside);
+  bool map = node->kind == UM_NODE_MAP;
+  UM_TRY(put(b, map ? "{" : "["));
+  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
+    if (n != node->first) UM_TRY(put(b, ", "));
+    if (map) {
+      UM_TRY(put_key(b, n->key));
+      UM_TRY(put(b, ": "));
+    }
+    UM_TRY(put_flow(b, n, true));
+  }
+  return put(b, map ? "}" : "]");
+}
+
+/* Can the text stand as a literal block ("|")? */
+static bool is_block_text(const struct um_node *node)
+{
+  if (node->kind != UM_NODE_SCALAR || node->plain) return false;
+  const char *text = node->text;
+  size_t n = strlen(text);
+  if (n < 2 || text[n - 1] != '\n' || text[n - 2] == '\n' || text[0] == '\n' || text[0] == ' ' ||
+      text[0] == '\t')
+    return false;
+  for (const char *p = text; *p != '\0'; p++)
+    if (((unsigned char)*p < 0x20 && *p != '\n') || *p == 0x7f) return false;
+  return true;
+}
+
+static enum um_status put_block_text(struct builder *b, const char *text, size_t indent)
+{
+  UM_TRY(put(b, "|\n"));
+  while (*text != '\0') {
+    size_t n = strcspn(text, "\n");
+    if (n > 0) UM_TRY(put_indent(b, indent));
+    UM_TRY(put_bytes(b, text, n + 1));
+    text += n + 1;
+  }
+  return UM_OK;
+}
+
+/* A subtree in block layout; the writer stands at column `indent`. Ends with a newline. */
+static enum um_status put_block(struct builder *b, const struct um_node *node, size_t indent)
+{
+  bool map = node->kind == UM_NODE_MAP;
+  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
+    if (n != node->first) UM_TRY(put_indent(b, indent));
+    if (map)
+      UM_TRY(put_key(b, n->key));
+    else
+      UM_TRY(put(b, "-"));
+    if (map) UM_TRY(put(b, ":"));
+    bool block = n->count > 0 && !n->flow;
+    if (block && map) {
+      UM_TRY(put(b, "\n"));
+      UM_TRY(put_indent(b, indent + 2));
+      UM_TRY(put_block(b, n, indent + 2));
+    } else if (block) {
+      UM_TRY(put(b, " "));
+      UM_TRY(put_block(b, n, indent + 2));
+    } else if (is_block_text(n)) {
+      UM_TRY(put(b, " "));
+      UM_TRY(put_block_text(b, n->text, indent + 2));
+    } else {
+      UM_TRY(put(b, " "));
+      UM_TRY(put_flow(b, n, false));
+      UM_TRY(put(b, "\n"));
+    }
+  }
+  return UM_OK;
+}
+
+static enum um_status put_document(struct builder *b, const struct um_node *root)
+{
+  if (root->count > 0 && !root->flow) return put_block(b, root, 0);
+  UM_TRY(put_flow(b, root, false));
+  return put(b, "\n");
+}
+
+static enum um_status add_edit(struct edits *e, size_t from, size_t to, size_t at)
+{
+  if (e->count == e->capacity) {
+    size_t capacity = 2 * e->capacity + 16;
+    UM_TRY(um_core_reallocate(e->pool.context, capacity, sizeof *e->list, &e->list));
+    e->capacity = capacity;
+  }
+  /* kept in order of position; edits at one position stay in order of arrival */
+  size_t i = e->count++;
+  for (; i > 0 && e->list[i - 1].from > from; i--) e->list[i] = e->list[i - 1];
+  e->list[i] = (struct edit){from, to, at, e->pool.length - at};
+  return UM_OK;
+}
+
+/* A new key goes before the last key of its mapping: that one's column is the indentation. */
+static enum um_status insert_key(struct edits *e, const struct um_node *last,
+                                 const struct um_node *node, bool flow)
+{
+  size_t at = e->pool.length;
+  UM_TRY(put_key(&e->pool, node->key));
+  UM_TRY(put(&e->pool, ": "));
+  UM_TRY(put_flow(&e->pool, node, flow));
+  UM_TRY(put(&e->pool, flow ? ", " : "\n"));
+  if (!flow) UM_TRY(put_indent(&e->pool, last->key_place.column));
+  return add_edit(e, last->key_place.from, last->key_place.from, at);
+}
+
+/* Edits that turn the tree `old` (as read) into `node`. */
+static enum um_status collect_edits(struct edits *e, const struct um_node *old,
+                                    const struct um_node *node, bool flow)
+{
+  if (um_core_node_equal(old, node)) return UM_OK;
+  if (old->kind == UM_NODE_SCALAR) {
+    size_t at = e->pool.length;
+    UM_TRY(put_flow(&e->pool, node, flow));
+    return add_edit(e, old->place.from, old->place.to, at);
+  }
+  flow = flow || old->flow;
+  const struct um_node *p = old->first, *q = node->first;
+  e->possible = e->possible && old->kind != UM_NODE_NULL && old->kind == node->kind && p != NULL;
+  if (!e->possible) return UM_OK;
+  const struct um_node *last = old->last;
+  for (; p != NULL && q != NULL; p = p->next, q = q->next) {
+    if (p->key != NULL && strcmp(p->key, q->key) != 0) break;
+    UM_TRY(collect_edits(e, p, q, flow));
+  }
+  /* overrides put new keys behind the old ones */
+  if (p != NULL || (q != NULL && q->key == NULL)) e->possible = false;
+  for (; e->possible && q != NULL; q = q->next) UM_TRY(insert_key(e, last, q, flow));
+  return UM_OK;
+}
+
+static enum um_status apply_edits(struct builder *out, const struct edits *e, const char *source,
+                                  size_t length)
+{
+  size_t done = 0;
+  for (size_t i = 0; i < e->count; i++) {
+    UM_TRY(put_bytes(out, source + done, e->list[i].from - done));
+    UM_TRY(put_bytes(out, e->pool.text + e->list[i].at, e->list[i].length));
+    done = e->list[i].to;
+  }
+  return put_bytes(out, source + done, length - done);
+}
+
+/* Same tree, whatever the order of keys and the quotes of texts that no type mistakes. */
+static bool same_meaning(const struct um_node *a, const struct um_node *b)
+{
+  if (a->kind != b->kind || a->count != b->count) return false;
+  if (a->kind == UM_NODE_SCALAR && strcmp(a->text, b->text) != 0) return false;
+  const struct um_node *q = b->first;
+  for (const struct um_node *p = a->first; p != NULL; p = p->next) {
+    const struct um_node *match = p->key != NULL ? um_core_node_child(b, p->key) : q;
+    if (match == NULL || !same_meaning(p, match)) return false;
+    if (q != NULL) q = q->next;
+  }
+  return true;
+}
+
+/* Edit the source; *good tells whether the result reads back as the tree. */
+static enum um_status edit_source(const struct um_document *document, struct builder *out,
+                                  bool *good)
+{
+  struct um_context *context = document->context;
+  struct um_document *scratch;
+  struct edits e = {.pool = {.context = context}, .possible = true};
+  struct um_node *old, *again;
+  *good = false;
+  UM_TRY(um_core_allocate(context, 1, sizeof *scratch, &scratch));
+  scratch->context = context;
+  enum um_status status;
+  UM_CHECK(um_core_yaml_load(scratch, document->path, true, document->source,
+                             document->source_length, &old));
+  UM_CHECK(collect_edits(&e, old, document->root, false));
+  for (size_t i = 0; e.possible && i < e.count; i++)
+    e.possible = e.list[i].to <= document->source_length && e.list[i].from <= e.list[i].to &&
+                 (i == 0 || e.list[i - 1].to <= e.list[i].from);
+  if (!e.possible) goto done;
+  UM_CHECK(apply_edits(out, &e, document->source, document->source_length));
+  status = um_core_yaml_load(scratch, document->path, true, out->text, out->length, &again);
+  *good = status == UM_OK && same_meaning(again, document->root);
+  if (status == UM_ERR_INPUT) {
+    um_core_message_clear(context);
+    status = UM_OK;
+  }
+done:
+  um_core_document_destroy(&scratch);
+  um_core_free(context, e.pool.text);
+  um_core_free(context, e.list);
+  return status;
+}
+
+enum um_status um_core_document_text(struct um_context *context, const struct um_document *document,
+                                     char **out)
+{
+  *out = NULL;
+  if (document->set_count == 0) return um_core_strdup(context, document->source, out);
+  struct builder b = {.context = context};
+  bool good;
+  enum um_status status;
+  UM_CHECK(edit_source(document, &b, &good));
+  if (!good) {
+    b.length = 0;
+    UM_CHECK(put_document(&b, document->root));
+  }
+  *out = b.text;
+  b.text = NULL;
+done:
+  um_core_free(context, b.text);
+  return status;
+}

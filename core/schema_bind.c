@@ -1,0 +1,344 @@
+/* Check the tree of a document against a schema and bind it into C structs. */
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/schema_impl.h"
+#include "core/words.h"
+
+struct binder {
+  struct um_document *document;
+  struct um_context *context;
+};
+
+static enum um_status bind_object(struct binder *b, const struct um_schema_object *object,
+                                  const struct um_node *node, char *target);
+
+static const char *kind_text(const struct um_node *node)
+{
+  static const char *const texts[] = {"no value", "a single value", "a list", "a mapping"};
+  return texts[node->kind];
+}
+
+/* "got X; accepted: Y" */
+static enum um_status fail_type(struct binder *b, const struct um_schema_field *field,
+                                const struct um_node *node)
+{
+  char accepted[512];
+  um_core_schema_accepted(field, accepted, sizeof accepted);
+  if (node->kind == UM_NODE_SCALAR)
+    return um_core_mark_fail(b->context, &node->at, "'%.100s'%s is not accepted; accepted: %s",
+                             node->text, node->plain ? "" : " (in quotes)", accepted);
+  return um_core_mark_fail(b->context, &node->at, "%s is not accepted; accepted: %s",
+                           kind_text(node), accepted);
+}
+
+static bool in_range(const struct um_schema_field *field, double value)
+{
+  if (field->minimum == field->maximum) return true;
+  bool above = field->open_minimum ? value > field->minimum : value >= field->minimum;
+  return above && value <= field->maximum;
+}
+
+static enum um_status bind_number(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *node, double *out)
+{
+  if (node->kind != UM_NODE_SCALAR || !node->plain || !um_core_number_parse(node->text, out))
+    return fail_type(b, field, node);
+  if (in_range(field, *out)) return UM_OK;
+  char accepted[512];
+  um_core_schema_accepted(field, accepted, sizeof accepted);
+  return um_core_mark_fail(b->context, &node->at, "%s is out of range; accepted: %s", node->text,
+                           accepted);
+}
+
+static enum um_status bind_integer(struct binder *b, const struct um_schema_field *field,
+                                   const struct um_node *node, int *out)
+{
+  double value;
+  if (node->kind == UM_NODE_SCALAR && strpbrk(node->text, ".eE") != NULL)
+    return fail_type(b, field, node);
+  UM_TRY(bind_number(b, field, node, &value));
+  if (!(fabs(value) <= INT_MAX)) return fail_type(b, field, node);
+  *out = (int)value;
+  return UM_OK;
+}
+
+static enum um_status bind_bool(struct binder *b, const struct um_schema_field *field,
+                                const struct um_node *node, bool *out)
+{
+  if (node->kind == UM_NODE_SCALAR && node->plain) {
+    *out = strcmp(node->text, "true") == 0;
+    if (*out || strcmp(node->text, "false") == 0) return UM_OK;
+  }
+  return fail_type(b, field, node);
+}
+
+static enum um_status bind_text(struct binder *b, const struct um_schema_field *field,
+                                const struct um_node *node, const char **out)
+{
+  if (node->kind != UM_NODE_SCALAR) return fail_type(b, field, node);
+  *out = node->text;
+  return UM_OK;
+}
+
+static enum um_status bind_choice(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *node, int *out)
+{
+  if (node->kind != UM_NODE_SCALAR) return fail_type(b, field, node);
+  for (int i = 0; field->choices[i] != NULL; i++)
+    if (strcmp(node->text, field->choices[i]) == 0) {
+      *out = i;
+      return UM_OK;
+    }
+  return fail_type(b, field, node);
+}
+
+static enum um_status bind_vector(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *node, double *out)
+{
+  if (node->kind != UM_NODE_LIST || node->count != field->length) return fail_type(b, field, node);
+  size_t i = 0;
+  for (const struct um_node *n = node->first; n != NULL; n = n->next)
+    UM_TRY(bind_number(b, field, n, &out[i++]));
+  return UM_OK;
+}
+
+static enum um_status bind_values(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *node, struct um_schema_list *out)
+{
+  if (node->kind != UM_NODE_LIST) return fail_type(b, field, node);
+  bool numbers = field->type == UM_SCHEMA_NUMBERS;
+  double *value;
+  const char **text;
+  size_t size = numbers ? sizeof *value : sizeof *text;
+  UM_TRY(um_core_document_allocate(b->context, b->document, node->count, size, &out->items));
+  value = out->items;
+  text = out->items;
+  for (const struct um_node *n = node->first; n != NULL; n = n->next, out->count++) {
+    if (numbers)
+      UM_TRY(bind_number(b, field, n, &value[out->count]));
+    else
+      UM_TRY(bind_text(b, field, n, &text[out->count]));
+  }
+  return UM_OK;
+}
+
+static enum um_status bind_parsed(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *node, void *out)
+{
+  if (node->kind != UM_NODE_SCALAR) return fail_type(b, field, node);
+  char why[256] = "";
+  if (field->parse(node->text, out, why, sizeof why)) return UM_OK;
+  return um_core_mark_fail(b->context, &node->at, "'%.100s' is not accepted; accepted: %s",
+                           node->text, why);
+}
+
+/* A mapping, or a single value when the object has a key for one. */
+static enum um_status bind_element(struct binder *b, const struct um_schema_field *field,
+                                   const struct um_node *node, char *target)
+{
+  bool scalar = node->kind == UM_NODE_SCALAR && field->object->scalar_key != NULL;
+  if (node->kind != UM_NODE_MAP && !scalar) return fail_type(b, field, node);
+  return bind_object(b, field->object, node, target);
+}
+
+static enum um_status bind_list(struct binder *b, const struct um_schema_field *field,
+                                const struct um_node *node, struct um_schema_list *out)
+{
+  bool dict = field->type == UM_SCHEMA_DICT;
+  if (node->kind != (dict ? UM_NODE_MAP : UM_NODE_LIST)) return fail_type(b, field, node);
+  size_t size = field->object->size;
+  char *items;
+  UM_TRY(um_core_document_allocate(b->context, b->document, node->count, size, &items));
+  out->items = items;
+  for (const struct um_node *n = node->first; n != NULL; n = n->next, out->count++) {
+    char *item = items + out->count * size;
+    UM_TRY(bind_element(b, field, n, item));
+    if (dict) memcpy(item + sizeof(struct um_mark), &n->key, sizeof n->key);
+  }
+  return UM_OK;
+}
+
+static enum um_status bind_map(struct binder *b, const struct um_schema_field *field,
+                               const struct um_node *node, char *target)
+{
+  char *item;
+  UM_TRY(um_core_document_allocate(b->context, b->document, 1, field->object->size, &item));
+  UM_TRY(bind_element(b, field, node, item));
+  memcpy(target, &item, sizeof item);
+  return UM_OK;
+}
+
+static enum um_status bind_field(struct binder *b, const struct um_schema_field *field,
+                                 const struct um_node *node, char *target)
+{
+  void *at = target + field->offset;
+  switch (field->type) {
+  case UM_SCHEMA_NUMBER:
+    return bind_number(b, field, node, at);
+  case UM_SCHEMA_INTEGER:
+    return bind_integer(b, field, node, at);
+  case UM_SCHEMA_BOOL:
+    return bind_bool(b, field, node, at);
+  case UM_SCHEMA_TEXT:
+    return bind_text(b, field, node, at);
+  case UM_SCHEMA_CHOICE:
+    return bind_choice(b, field, node, at);
+  case UM_SCHEMA_VECTOR:
+    return bind_vector(b, field, node, at);
+  case UM_SCHEMA_NUMBERS:
+  case UM_SCHEMA_TEXTS:
+    return bind_values(b, field, node, at);
+  case UM_SCHEMA_MAP:
+    return bind_map(b, field, node, at);
+  case UM_SCHEMA_LIST:
+  case UM_SCHEMA_DICT:
+    return bind_list(b, field, node, at);
+  case UM_SCHEMA_PARSED:
+    return bind_parsed(b, field, node, at);
+  }
+  return UM_OK;
+}
+
+/* What an absent key leaves; the target is zeroed before. */
+static void set_default(const struct um_schema_field *field, char *target)
+{
+  double value = field->fallback;
+  bool none = isnan(value);
+  char *at = target + field->offset;
+  if (field->type == UM_SCHEMA_NUMBER ||
+      (field->type == UM_SCHEMA_PARSED && field->length == sizeof value && value != 0.0)) {
+    memcpy(at, &value, sizeof value);
+  } else if (field->type == UM_SCHEMA_VECTOR) {
+    for (size_t i = 0; i < field->length; i++) memcpy(at + i * sizeof value, &value, sizeof value);
+  } else if (field->type == UM_SCHEMA_INTEGER || field->type == UM_SCHEMA_CHOICE) {
+    int number = !none ? (int)value : field->type == UM_SCHEMA_CHOICE ? -1 : INT_MIN;
+    memcpy(at, &number, sizeof number);
+  } else if (field->type == UM_SCHEMA_BOOL) {
+    bool flag = !none && value != 0.0;
+    memcpy(at, &flag, sizeof flag);
+  }
+}
+
+static const struct um_schema_field *find_field(const struct um_schema_object *object,
+                                                const char *key)
+{
+  for (size_t i = 0; i < object->nfield; i++)
+    if (strcmp(object->fields[i].key, key) == 0) return &object->fields[i];
+  return NULL;
+}
+
+static enum um_status check_keys(struct binder *b, const struct um_schema_object *object,
+                                 const struct um_node *node)
+{
+  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
+    if (find_field(object, n->key) != NULL) continue;
+    char known[512] = "";
+    const char *nearest = NULL;
+    size_t distance = 0;
+    for (size_t i = 0; i < object->nfield; i++) {
+      const char *key = object->fields[i].key;
+      um_core_words_append(known, sizeof known, key);
+      size_t d = um_core_words_distance(n->key, key);
+      if (!um_core_words_are_near(n->key, key) || (nearest != NULL && d >= distance)) continue;
+      nearest = key;
+      distance = d;
+    }
+    return um_core_mark_fail(b->context, &n->at, "unknown key '%.80s'%s%s%s; accepted: %s", n->key,
+                             nearest != NULL ? ", did you mean '" : "",
+                             nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "", known);
+  }
+  return UM_OK;
+}
+
+static bool group_is_required(const struct um_schema_object *object, int group)
+{
+  for (const int *g = object->exactly_one; g != NULL && *g != 0; g++)
+    if (*g == group) return true;
+  return false;
+}
+
+/* One group of keys that exclude each other. */
+static enum um_status check_group(struct binder *b, const struct um_schema_object *object,
+                                  const struct um_node *node, int group)
+{
+  char members[512] = "";
+  const struct um_node *present[2] = {NULL, NULL};
+  size_t count = 0;
+  for (size_t i = 0; i < object->nfield; i++) {
+    if (object->fields[i].alternative != group) continue;
+    um_core_words_append(members, sizeof members, object->fields[i].key);
+    const struct um_node *n = um_core_node_child(node, object->fields[i].key);
+    if (n != NULL && count < 2) present[count++] = n;
+  }
+  if (count == 2)
+    return um_core_mark_fail(b->context, &present[1]->at,
+                             "'%s' and '%s' exclude each other; accepted: one of %s",
+                             present[0]->key, present[1]->key, members);
+  if (count == 0 && group_is_required(object, group))
+    return um_core_mark_fail(b->context, &node->at, "one key is missing; accepted: one of %s",
+                             members);
+  return UM_OK;
+}
+
+static enum um_status check_groups(struct binder *b, const struct um_schema_object *object,
+                                   const struct um_node *node)
+{
+  for (size_t i = 0; i < object->nfield; i++) {
+    int group = object->fields[i].alternative;
+    bool seen = group == 0;
+    for (size_t j = 0; j < i && !seen; j++) seen = object->fields[j].alternative == group;
+    if (!seen) UM_TRY(check_group(b, object, node, group));
+  }
+  return UM_OK;
+}
+
+static enum um_status fail_missing(struct binder *b, const struct um_schema_object *object,
+                                   const struct um_schema_field *field, const struct um_node *node)
+{
+  char accepted[512];
+  um_core_schema_accepted(field, accepted, sizeof accepted);
+  return um_core_mark_fail(b->context, &node->at, "key '%s' of the %s is missing; accepted: %s",
+                           field->key, object->name, accepted);
+}
+
+static enum um_status bind_object(struct binder *b, const struct um_schema_object *object,
+                                  const struct um_node *node, char *target)
+{
+  memcpy(target, &node->at, sizeof node->at);
+  bool scalar = node->kind == UM_NODE_SCALAR;
+  if (!scalar) {
+    UM_TRY(check_keys(b, object, node));
+    UM_TRY(check_groups(b, object, node));
+  }
+  for (size_t i = 0; i < object->nfield; i++) {
+    const struct um_schema_field *field = &object->fields[i];
+    const struct um_node *child = NULL;
+    if (!scalar)
+      child = um_core_node_child(node, field->key);
+    else if (strcmp(field->key, object->scalar_key) == 0)
+      child = node;
+    if (child != NULL)
+      UM_TRY(bind_field(b, field, child, target));
+    else if (field->required && !scalar)
+      return fail_missing(b, object, field, node);
+    else
+      set_default(field, target);
+  }
+  return UM_OK;
+}
+
+enum um_status um_core_document_bind(struct um_document *document,
+                                     const struct um_schema_object *schema, void **root)
+{
+  struct binder b = {document, document->context};
+  const struct um_schema_field whole = {
+      .key = schema->name, .type = UM_SCHEMA_MAP, .object = schema};
+  char *target = NULL;
+  UM_TRY(bind_map(&b, &whole, document->root, (char *)&target));
+  *root = target;
+  return UM_OK;
+}

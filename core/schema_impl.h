@@ -1,0 +1,10 @@
+/* Parts of the schema shared by binding and emitting. */
+#ifndef UMBRA_CORE_SCHEMA_IMPL_H
+#define UMBRA_CORE_SCHEMA_IMPL_H
+
+#include "core/document_impl.h"
+
+/* What a field accepts, in words: "a number, more than 0, at most 1". Does not fail. */
+void um_core_schema_accepted(const struct um_schema_field *field, char *buffer, size_t size);
+
+#endif

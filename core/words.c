@@ -1,0 +1,55 @@
+/* Words in messages. */
+#include "core/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define WORD_MAX 63
+
+void um_core_words_append(char *buffer, size_t size, const char *word)
+{
+  size_t used = strlen(buffer), need = strlen(word) + (used > 0 ? 2 : 0);
+  if (used >= 3 && strcmp(buffer + used - 3, "...") == 0) return;
+  if (used + need + 6 > size)
+    snprintf(buffer + used, size - used, "%s...", used > 0 ? ", " : "");
+  else
+    snprintf(buffer + used, size - used, "%s%s", used > 0 ? ", " : "", word);
+}
+
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+
+static size_t word_length(const char *word)
+{
+  size_t n = strlen(word);
+  return n > WORD_MAX ? WORD_MAX : n;
+}
+
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
+size_t um_core_words_distance(const char *written, const char *known)
+{
+  size_t n = word_length(written), m = word_length(known);
+  if (n > 0 && m > n && known[n] == '_' && strncmp(written, known, n) == 0) return 1;
+  /* row[j]: distance of the first i characters of `written` to the first j of `known` */
+  size_t row[WORD_MAX + 1];
+  for (size_t j = 0; j <= m; j++) row[j] = j;
+  for (size_t i = 1; i <= n; i++) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= m; j++) {
+      size_t above = row[j];
+      size_t change = lower(written[i - 1]) == lower(known[j - 1]) ? 0 : 1;
+      row[j] = least(least(above, row[j - 1]) + 1, diagonal + change);
+      diagonal = above;
+    }
+  }
+  return row[m];
+}
+
+int um_core_words_are_near(const char *written, const char *known)
+{
+  size_t longer = word_length(written), m = word_length(known);
+  if (m > longer) longer = m;
+  size_t limit = longer / 3 > 1 ? longer / 3 : 1;
+  return um_core_words_distance(written, known) <= limit;
+}
