@@ -1,0 +1,25 @@
+/* Defaults of the one Sun and the one Earth. */
+#include "environment/environment.h"
+
+#include "core/constants.h"
+
+void um_environment_defaults(struct um_environment *out)
+{
+  *out = (struct um_environment){
+      .solar_irradiance = UM_SOLAR_IRRADIANCE,
+      .spectrum = UM_SPECTRUM_E490,
+      .solar_temperature = UM_SOLAR_TEMPERATURE,
+      .albedo = 0.30,                  /* Stephens et al. 2012, Nature Geoscience 5:691 */
+      .outgoing_longwave = 237.0,      /* the same, rounded */
+      .brightness_temperature = 270.0, /* between clear (260-285 K) and cloudy (220-250 K) */
+      .earth_radius = UM_EARTH_RADIUS,
+      .shadow = UM_SHADOW_OBLATE,
+      .shadow_radius = UM_EARTH_RADIUS,
+      .disc = UM_DISC_LIMB_DARKENED,
+      .limb_darkening = 0.6, /* at 550 nm, Neckel & Labs 1994, Solar Physics 153:91 */
+      .albedo_on = true,
+      .planet_on = true,
+      .earthshine_on = true,
+      .earth_reflection_on = true,
+  };
+}

@@ -1,0 +1,45 @@
+/* Sunlight: irradiance at a distance, spectrum and band integrals scaled to the irradiance at 1 au.
+ *
+ *   S(d) = S_1au (1 au / d)^2
+ *   E_lambda = S_1au f(lambda) / integral of f,  f = ASTM E490 or pi B_lambda(T) */
+#include "core/constants.h"
+#include "core/planck.h"
+#include "environment/environment.h"
+#include "environment/solar_impl.h"
+
+double um_environment_solar_irradiance(const struct um_environment *environment, double distance)
+{
+  double au_over_d = UM_AU / distance;
+  return environment->solar_irradiance * au_over_d * au_over_d;
+}
+
+/* Scale that makes the integral of pi B_lambda(T), sigma T^4, equal to the irradiance. [1] */
+static double black_body_scale(const struct um_environment *environment)
+{
+  double t2 = environment->solar_temperature * environment->solar_temperature;
+  return environment->solar_irradiance / (UM_STEFAN_BOLTZMANN * t2 * t2);
+}
+
+double um_environment_solar_spectrum(const struct um_environment *environment, double wavelength)
+{
+  if (!(wavelength > 0.0)) return 0.0;
+  if (environment->spectrum == UM_SPECTRUM_BLACK_BODY)
+    return black_body_scale(environment) * UM_PI *
+           um_core_planck_radiance(wavelength, environment->solar_temperature);
+  return environment->solar_irradiance / um_environment_e490_total() *
+         um_environment_e490_spectrum(wavelength);
+}
+
+double um_environment_solar_band(const struct um_environment *environment, double from, double to)
+{
+  if (!(from < to)) return 0.0;
+  if (environment->spectrum == UM_SPECTRUM_BLACK_BODY) {
+    double t = environment->solar_temperature;
+    double s = environment->solar_irradiance;
+    /* a band from 0 has no finite z = C2/(lambda T): take the fraction below */
+    if (!(from > 0.0)) return s * um_core_planck_fraction(to * t);
+    return black_body_scale(environment) * UM_PI * um_core_planck_band(from, to, t);
+  }
+  return environment->solar_irradiance / um_environment_e490_total() *
+         um_environment_e490_band(from, to);
+}
