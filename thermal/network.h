@@ -56,6 +56,14 @@ enum um_status um_thermal_network_surface_attach(struct um_thermal_network *netw
 size_t um_thermal_network_nodes(const struct um_thermal_network *network);
 size_t um_thermal_network_surfaces(const struct um_thermal_network *network);
 const char *um_thermal_network_name(const struct um_thermal_network *network, uint32_t node);
+/* Index of the first node of that name, or (size_t)-1. */
+size_t um_thermal_network_find(const struct um_thermal_network *network, const char *name);
+enum um_thermal_node_kind um_thermal_network_kind(const struct um_thermal_network *network,
+                                                  uint32_t node);
+/* [J/K]; [K] at the start. */
+double um_thermal_network_capacity(const struct um_thermal_network *network, uint32_t node);
+double um_thermal_network_temperature(const struct um_thermal_network *network, uint32_t node);
+/* Borrowed; NULL when no such surface was attached (numbers may have gaps). */
 const struct um_thermal_surface *
 um_thermal_network_surface(const struct um_thermal_network *network, uint32_t surface);
 /* Set all start temperatures [nnode] [K]. */

@@ -1,0 +1,49 @@
+/* Evaluation of the heat balance: state, net heat, rate of change (equation in system.c). */
+#include "thermal/system_impl.h"
+
+#include <math.h>
+
+void um_thermal_system_powers(struct um_thermal_system *system)
+{
+  for (size_t i = 0; i < system->n; i++) {
+    double t = system->temperature[i], a = fabs(t);
+    system->cube[i] = a * a * a;
+    system->power4[i] = system->cube[i] * t;
+  }
+}
+
+bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y)
+{
+  um_thermal_system_loads_at(system, t);
+  for (size_t k = 0; k < system->nunknown; k++) system->temperature[system->node[k]] = y[k];
+  um_thermal_system_powers(system);
+  return um_thermal_system_clusters_solve(system);
+}
+
+double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node)
+{
+  const double *t = system->temperature, *p = system->power4;
+  double heat = system->power[node] + system->now.q[node];
+  heat -= system->space[node] * (p[node] - system->space4);
+  double exchange = 0.0;
+  for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
+    size_t j = system->other[e];
+    exchange += system->linear[e] * (t[j] - t[node]) + system->fourth[e] * (p[j] - p[node]);
+  }
+  return heat + exchange;
+}
+
+void um_thermal_system_rate(const struct um_thermal_system *system, double *rate)
+{
+  for (size_t k = 0; k < system->nunknown; k++) {
+    size_t i = system->node[k];
+    rate[k] = um_thermal_system_node_heat(system, i) / system->capacity[i];
+  }
+}
+
+double um_thermal_system_content(const struct um_thermal_system *system, const double *y)
+{
+  double sum = 0.0;
+  for (size_t k = 0; k < system->nunknown; k++) sum += system->capacity[system->node[k]] * y[k];
+  return sum;
+}

@@ -1,0 +1,337 @@
+/* Integration by CVODES (Hindmarsh et al. 2005, ACM TOMS 31:363): BDF of order 1 to 5, modified
+ * Newton with the analytic Jacobian factored by KLU; the symbolic factorisation is made once.
+ *
+ * Stops. Where the loads jump or kink hard (eclipse edges, repeated grid times) the integration
+ * ends exactly and starts anew, so no step straddles an edge. Between stops a step is at most
+ * MAX_STEP_INTERVALS grid intervals long: longer ones could pass over a flash of Sun unseen.
+ *
+ * Audit. The integrals of the heat terms are CVODES quadratures: the same formula with the same
+ * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
+ * closes to the residual of Newton's iteration, which is solved to NEWTON_SHARE of the step's
+ * error test instead of the usual 0.1. */
+#include "thermal/integrator_impl.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cvodes/cvodes.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#define MAX_STEP_INTERVALS 2.0
+#define NEWTON_SHARE       0.01
+#define SHORTEST_SEGMENT   1e-6 /* [s] stops closer than this are one */
+
+struct um_thermal_integrator {
+  struct um_thermal_system *system; /* borrowed */
+  SUNContext sun;
+  N_Vector y, dense, quadrature;
+  SUNMatrix matrix;
+  SUNLinearSolver solver;
+  void *cvodes;
+  double *stop; /* [nstop] ascending, the last one is the end [s] */
+  size_t nstop, segment;
+  double t;         /* [s] of y */
+  bool initialized; /* CVodeInit was done */
+  double *mean_cube, *cube_before;
+  size_t steps, rhs_evaluations, jacobians;
+  bool balance_lost; /* an eliminated node found no temperature */
+  char words[256];   /* of CVODES */
+};
+
+static void words_keep(int code, const char *module, const char *function, char *message,
+                       void *self)
+{
+  struct um_thermal_integrator *integrator = self;
+  (void)code;
+  snprintf(integrator->words, sizeof integrator->words, "%s %s: %s", module, function, message);
+}
+
+static enum um_status fail(struct um_thermal_integrator *integrator, int code)
+{
+  struct um_context *context = integrator->system->context;
+  if (code == CV_MEM_FAIL)
+    return um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat integration");
+  const char *why = integrator->words[0] != '\0' ? integrator->words : "no message";
+  return um_core_fail(context, UM_ERR_NUMERIC,
+                      "heat integration stopped %.3f s after its start (CVODES code %d%s): %s",
+                      integrator->t, code,
+                      integrator->balance_lost ? ", an arithmetic node finds no balance" : "", why);
+}
+
+#define SUN_CHECK(call)                                                                            \
+  do {                                                                                             \
+    int sun_code_ = (call);                                                                        \
+    if (sun_code_ < 0) return fail(integrator, sun_code_);                                         \
+  } while (0)
+
+static int rate_callback(realtype t, N_Vector y, N_Vector rate, void *self)
+{
+  struct um_thermal_integrator *integrator = self;
+  integrator->rhs_evaluations++;
+  if (!um_thermal_system_state_set(integrator->system, t, N_VGetArrayPointer(y))) {
+    integrator->balance_lost = true;
+    return 1; /* recoverable: a shorter step */
+  }
+  um_thermal_system_rate(integrator->system, N_VGetArrayPointer(rate));
+  return 0;
+}
+
+static int jacobian_callback(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix, void *self,
+                             N_Vector work1, N_Vector work2, N_Vector work3)
+{
+  (void)rate, (void)work1, (void)work2, (void)work3;
+  struct um_thermal_integrator *integrator = self;
+  struct um_thermal_system *system = integrator->system;
+  integrator->jacobians++;
+  sunindextype *column = SUNSparseMatrix_IndexPointers(matrix);
+  sunindextype *row = SUNSparseMatrix_IndexValues(matrix);
+  for (size_t k = 0; k <= system->nunknown; k++) column[k] = (sunindextype)system->column[k];
+  for (size_t k = 0; k < system->nnonzero; k++) row[k] = (sunindextype)system->row[k];
+  if (!um_thermal_system_state_set(system, t, N_VGetArrayPointer(y))) return 1;
+  return um_thermal_system_jacobian(system, SUNSparseMatrix_Data(matrix)) ? 0 : 1;
+}
+
+/* Heat over the satellite's border now [W]. */
+static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
+{
+  struct um_thermal_integrator *integrator = self;
+  struct um_thermal_system *system = integrator->system;
+  double *term = N_VGetArrayPointer(out);
+  if (!um_thermal_system_state_set(system, t, N_VGetArrayPointer(y))) return 1;
+  memset(term, 0, UM_AUDIT_TERMS * sizeof *term);
+  term[UM_AUDIT_SOLAR] = system->now.solar;
+  term[UM_AUDIT_ALBEDO] = system->now.albedo;
+  term[UM_AUDIT_PLANET] = system->now.planet;
+  const double *temperature = system->temperature, *power4 = system->power4;
+  for (size_t i = 0; i < system->n; i++) {
+    if (!system->fixed[i]) {
+      term[UM_AUDIT_INTERNAL] += system->power[i];
+      term[UM_AUDIT_RADIATED] -= system->space[i] * (power4[i] - system->space4);
+      continue;
+    }
+    for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
+      size_t j = system->other[e];
+      if (system->fixed[j]) continue;
+      term[UM_AUDIT_CONDUCTED] += system->linear[e] * (temperature[i] - temperature[j]);
+      term[UM_AUDIT_EXCHANGED] += system->fourth[e] * (power4[i] - power4[j]);
+    }
+  }
+  return 0;
+}
+
+static int stop_compare(const void *pa, const void *pb)
+{
+  double a = *(const double *)pa, b = *(const double *)pb;
+  return (a > b) - (a < b);
+}
+
+/* Edges, jumps of the table and the end, ascending, apart by SHORTEST_SEGMENT. */
+static enum um_status stops_list(struct um_thermal_integrator *integrator, double duration)
+{
+  const struct um_thermal_system *system = integrator->system;
+  const struct um_thermal_loads *loads = system->loads;
+  size_t room = 1 + (loads == NULL ? 0 : loads->nedge + loads->ntime), count = 0;
+  UM_TRY(um_core_allocate(system->context, room, sizeof(double), &integrator->stop));
+  double *stop = integrator->stop;
+  for (size_t k = 0; loads != NULL && k < loads->nedge; k++)
+    stop[count++] = loads->edge[k] - system->from;
+  for (size_t k = 1; loads != NULL && k < loads->ntime; k++)
+    if (system->grid[k] <= system->grid[k - 1]) stop[count++] = system->grid[k];
+  qsort(stop, count, sizeof *stop, stop_compare);
+  size_t kept = 0;
+  double before = 0.0;
+  for (size_t k = 0; k < count; k++)
+    if (stop[k] > before + SHORTEST_SEGMENT && stop[k] < duration - SHORTEST_SEGMENT)
+      before = stop[kept++] = stop[k];
+  stop[kept++] = duration;
+  integrator->nstop = kept;
+  return UM_OK;
+}
+
+static enum um_status vectors_create(struct um_thermal_integrator *integrator)
+{
+  struct um_thermal_system *system = integrator->system;
+  struct um_context *context = system->context;
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &integrator->cube_before));
+  if (SUNContext_Create(NULL, &integrator->sun) != 0) return fail(integrator, CV_MEM_FAIL);
+  sunindextype n = (sunindextype)system->nunknown;
+  integrator->y = N_VNew_Serial(n, integrator->sun);
+  integrator->dense = N_VNew_Serial(n, integrator->sun);
+  integrator->quadrature = N_VNew_Serial(UM_AUDIT_TERMS, integrator->sun);
+  integrator->matrix =
+      SUNSparseMatrix(n, n, (sunindextype)system->nnonzero, CSC_MAT, integrator->sun);
+  if (integrator->y == NULL || integrator->dense == NULL || integrator->quadrature == NULL ||
+      integrator->matrix == NULL)
+    return fail(integrator, CV_MEM_FAIL);
+  integrator->solver = SUNLinSol_KLU(integrator->y, integrator->matrix, integrator->sun);
+  if (integrator->solver == NULL) return fail(integrator, CV_MEM_FAIL);
+  SUN_CHECK(SUNLinSol_KLUSetOrdering(integrator->solver, 0)); /* AMD: the pattern is symmetric */
+  integrator->cvodes = CVodeCreate(CV_BDF, integrator->sun);
+  if (integrator->cvodes == NULL) return fail(integrator, CV_MEM_FAIL);
+  return UM_OK;
+}
+
+/* Settings that need an initialised CVODES. */
+static enum um_status cvodes_set_up(struct um_thermal_integrator *integrator)
+{
+  const struct um_thermal_solve_options *options = &integrator->system->options;
+  void *cvodes = integrator->cvodes;
+  SUN_CHECK(CVodeSetErrHandlerFn(cvodes, words_keep, integrator));
+  SUN_CHECK(CVodeInit(cvodes, rate_callback, 0.0, integrator->y));
+  SUN_CHECK(CVodeSetUserData(cvodes, integrator));
+  SUN_CHECK(CVodeSStolerances(cvodes, options->relative_tolerance, options->absolute_tolerance));
+  SUN_CHECK(CVodeSetLinearSolver(cvodes, integrator->solver, integrator->matrix));
+  SUN_CHECK(CVodeSetJacFn(cvodes, jacobian_callback));
+  SUN_CHECK(CVodeSetNonlinConvCoef(cvodes, NEWTON_SHARE));
+  SUN_CHECK(CVodeSetMaxErrTestFails(cvodes, 20));
+  SUN_CHECK(CVodeQuadInit(cvodes, audit_callback, integrator->quadrature));
+  integrator->initialized = true;
+  return UM_OK;
+}
+
+enum um_status um_thermal_integrator_create(struct um_thermal_system *system, double duration,
+                                            struct um_thermal_integrator **out)
+{
+  enum um_status status;
+  struct um_thermal_integrator *integrator = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(system->context, 1, sizeof *integrator, &integrator));
+  integrator->system = system;
+  UM_CHECK(stops_list(integrator, duration));
+  UM_CHECK(vectors_create(integrator));
+  *out = integrator;
+  return UM_OK;
+done:
+  um_thermal_integrator_destroy(&integrator);
+  return status;
+}
+
+void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
+{
+  if (integrator == NULL || *integrator == NULL) return;
+  struct um_thermal_integrator *i = *integrator;
+  struct um_context *context = i->system->context;
+  if (i->cvodes != NULL) CVodeFree(&i->cvodes);
+  if (i->solver != NULL) SUNLinSolFree(i->solver);
+  if (i->matrix != NULL) SUNMatDestroy(i->matrix);
+  if (i->y != NULL) N_VDestroy(i->y);
+  if (i->dense != NULL) N_VDestroy(i->dense);
+  if (i->quadrature != NULL) N_VDestroy(i->quadrature);
+  if (i->sun != NULL) SUNContext_Free(&i->sun);
+  um_core_free(context, i->stop);
+  um_core_free(context, i->cube_before);
+  um_core_free(context, i);
+  *integrator = NULL;
+}
+
+/* Start CVODES at integrator->t up to the next stop. */
+static enum um_status segment_start(struct um_thermal_integrator *integrator)
+{
+  struct um_thermal_system *system = integrator->system;
+  double end = integrator->stop[integrator->segment];
+  um_thermal_system_window(system, integrator->t, end);
+  if (!integrator->initialized) {
+    UM_TRY(cvodes_set_up(integrator));
+  } else {
+    SUN_CHECK(CVodeReInit(integrator->cvodes, integrator->t, integrator->y));
+    SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
+  }
+  double longest = 0.0;
+  for (size_t k = system->row_low; system->loads != NULL && k < system->row_high; k++)
+    longest = fmax(longest, system->grid[k + 1] - system->grid[k]);
+  SUN_CHECK(CVodeSetMaxStep(integrator->cvodes, MAX_STEP_INTERVALS * longest)); /* 0: no limit */
+  SUN_CHECK(CVodeSetStopTime(integrator->cvodes, end));
+  return UM_OK;
+}
+
+enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
+                                           const double *temperature, double *mean_cube)
+{
+  struct um_thermal_system *system = integrator->system;
+  memcpy(system->temperature, temperature, system->n * sizeof *temperature);
+  double *y = N_VGetArrayPointer(integrator->y);
+  for (size_t k = 0; k < system->nunknown; k++) y[k] = temperature[system->node[k]];
+  N_VConst(0.0, integrator->quadrature);
+  integrator->t = 0.0;
+  integrator->segment = 0;
+  integrator->mean_cube = mean_cube;
+  UM_TRY(segment_start(integrator));
+  if (!um_thermal_system_state_set(system, 0.0, y)) {
+    integrator->balance_lost = true;
+    return fail(integrator, CV_RHSFUNC_FAIL);
+  }
+  if (mean_cube != NULL) {
+    memset(mean_cube, 0, system->n * sizeof *mean_cube);
+    memcpy(integrator->cube_before, system->cube, system->n * sizeof *mean_cube);
+  }
+  return UM_OK;
+}
+
+/* Trapezoid of |T|^3 over the step of length h that just ended. */
+static void mean_add(struct um_thermal_integrator *integrator, double h)
+{
+  struct um_thermal_system *system = integrator->system;
+  if (!um_thermal_system_state_set(system, integrator->t, N_VGetArrayPointer(integrator->y)))
+    return; /* the next evaluation of the rate reports it */
+  for (size_t i = 0; i < system->n; i++) {
+    integrator->mean_cube[i] += 0.5 * h * (integrator->cube_before[i] + system->cube[i]);
+    integrator->cube_before[i] = system->cube[i];
+  }
+}
+
+static enum um_status step_once(struct um_thermal_integrator *integrator)
+{
+  double end = integrator->stop[integrator->segment], before = integrator->t;
+  int code = CVode(integrator->cvodes, end, integrator->y, &integrator->t, CV_ONE_STEP);
+  if (code < 0) return fail(integrator, code);
+  integrator->steps++;
+  if (integrator->mean_cube != NULL) mean_add(integrator, integrator->t - before);
+  if (integrator->t < end) return UM_OK;
+  realtype at;
+  SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
+  return UM_OK;
+}
+
+enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrator, double t,
+                                         double *temperature)
+{
+  struct um_thermal_system *system = integrator->system;
+  while (integrator->t < t) {
+    if (integrator->t >= integrator->stop[integrator->segment]) {
+      integrator->segment++;
+      UM_TRY(segment_start(integrator));
+    }
+    UM_TRY(step_once(integrator));
+  }
+  N_Vector y = integrator->y;
+  if (t < integrator->t) {
+    SUN_CHECK(CVodeGetDky(integrator->cvodes, t, 0, integrator->dense));
+    y = integrator->dense;
+  }
+  if (!um_thermal_system_state_set(system, t, N_VGetArrayPointer(y))) {
+    integrator->balance_lost = true;
+    return fail(integrator, CV_RHSFUNC_FAIL);
+  }
+  memcpy(temperature, system->temperature, system->n * sizeof *temperature);
+  return UM_OK;
+}
+
+enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,
+                                           double *content)
+{
+  memcpy(terms, N_VGetArrayPointer(integrator->quadrature), UM_AUDIT_TERMS * sizeof *terms);
+  *content = um_thermal_system_content(integrator->system, N_VGetArrayPointer(integrator->y));
+  return UM_OK;
+}
+
+void um_thermal_integrator_counts(const struct um_thermal_integrator *integrator, size_t *steps,
+                                  size_t *rhs_evaluations, size_t *jacobians)
+{
+  *steps = integrator->steps;
+  *rhs_evaluations = integrator->rhs_evaluations;
+  *jacobians = integrator->jacobians;
+}

@@ -1,0 +1,40 @@
+/* Private to thermal/: one CVODES integration of a system, the only place that knows CVODES. */
+#ifndef UMBRA_THERMAL_INTEGRATOR_IMPL_H
+#define UMBRA_THERMAL_INTEGRATOR_IMPL_H
+
+#include "thermal/system_impl.h"
+
+struct um_thermal_integrator;
+
+/* Heat integrated along the way over the satellite (nodes that are not boundary) [J]. */
+enum um_thermal_audit_term {
+  UM_AUDIT_SOLAR,
+  UM_AUDIT_ALBEDO,
+  UM_AUDIT_PLANET,
+  UM_AUDIT_INTERNAL,
+  UM_AUDIT_RADIATED,  /* to space, negative when lost */
+  UM_AUDIT_CONDUCTED, /* from boundary nodes by conduction */
+  UM_AUDIT_EXCHANGED, /* from boundary nodes by radiation */
+  UM_AUDIT_TERMS
+};
+
+/* duration: the run covers [0, duration] of the system's time [s]. */
+enum um_status um_thermal_integrator_create(struct um_thermal_system *system, double duration,
+                                            struct um_thermal_integrator **out);
+void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator);
+
+/* Begin (again) at time 0 from node temperatures [n]; eliminated nodes are guesses. mean_cube [n]
+ * or NULL: receives the integral of |T|^3 dt [K^3 s] over the run. */
+enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
+                                           const double *temperature, double *mean_cube);
+/* Go on to time t (not before the last one) and give all node temperatures there [n]. */
+enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrator, double t,
+                                         double *temperature);
+/* Integrals so far [UM_AUDIT_TERMS] [J] and heat content now [J]; valid after a run to `duration`.
+ */
+enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,
+                                           double *content);
+void um_thermal_integrator_counts(const struct um_thermal_integrator *integrator, size_t *steps,
+                                  size_t *rhs_evaluations, size_t *jacobians);
+
+#endif

@@ -1,0 +1,35 @@
+/* Private to thermal/: what a network holds while it is being built. */
+#ifndef UMBRA_THERMAL_NETWORK_IMPL_H
+#define UMBRA_THERMAL_NETWORK_IMPL_H
+
+#include "thermal/network.h"
+
+struct um_thermal_link {
+  uint32_t a, b; /* nodes; of a radiator b may be UM_THERMAL_SPACE */
+  double value;  /* [W/K] or [m^2] */
+};
+
+struct um_thermal_network_node {
+  char *name; /* NULL for the nodes of a field */
+  enum um_thermal_node_kind kind;
+  double capacity;    /* [J/K] */
+  double temperature; /* [K] */
+  double power;       /* [W] */
+};
+
+struct um_thermal_network {
+  struct um_context *context;
+  struct um_thermal_network_node *node; /* [nnode] */
+  struct um_thermal_link *conductor;    /* [nconductor], duplicates add */
+  struct um_thermal_link *radiator;     /* [nradiator], duplicates add */
+  struct um_thermal_surface *surface;   /* [nsurface] */
+  bool *attached;                       /* [nsurface] */
+  size_t nnode, nconductor, nradiator, nsurface;
+  size_t node_room, conductor_room, radiator_room, surface_room; /* allocated */
+};
+
+/* "node 'name'" or "node 12", for messages; written into text. */
+const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,
+                                     char *text, size_t size);
+
+#endif

@@ -1,0 +1,137 @@
+/* A run of the network over its loads: temperatures at given times and the audit of energy
+ *
+ *   in - out - stored = 0,   stored = sum_i C_i (T_i(end) - T_i(start)),
+ *
+ * where in and out are integrals over the satellite's border made along the way. */
+#include "thermal/solve.h"
+
+#include <math.h>
+
+#include "core/constants.h"
+#include "thermal/integrator_impl.h"
+
+void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
+{
+  *options = (struct um_thermal_solve_options){.relative_tolerance = 1e-6,
+                                               .absolute_tolerance = 1e-4,
+                                               .space_temperature = UM_SPACE_TEMPERATURE,
+                                               .albedo_on = true,
+                                               .planet_on = true};
+}
+
+static enum um_status times_check(struct um_context *context, const struct um_thermal_loads *loads,
+                                  double from, const double *times, size_t ntime)
+{
+  if (ntime == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "no times wanted of the heat run; accepted: 1 or more");
+  if (!isfinite(from))
+    return um_core_fail(context, UM_ERR_INPUT, "heat run from %g s; accepted: finite", from);
+  for (size_t k = 0; k < ntime; k++)
+    if (!(times[k] >= (k == 0 ? from : times[k - 1])) || !isfinite(times[k]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "heat run: time %zu is %.6f s; accepted: finite, ascending, not before "
+                          "the start at %.6f s",
+                          k, times[k], from);
+  if (loads != NULL && loads->ntime > 0 &&
+      !(loads->t[0] <= from && times[ntime - 1] <= loads->t[loads->ntime - 1]))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "heat run from %.6f to %.6f s; accepted: inside its loads, %.6f to %.6f s",
+                        from, times[ntime - 1], loads->t[0], loads->t[loads->ntime - 1]);
+  return UM_OK;
+}
+
+static enum um_status history_create(struct um_context *context, size_t ntime, size_t nnode,
+                                     struct um_thermal_history **out)
+{
+  UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
+  (*out)->ntime = ntime;
+  (*out)->nnode = nnode;
+  UM_TRY(um_core_allocate(context, ntime, sizeof(double), &(*out)->t));
+  if (nnode != 0 && ntime > (size_t)-1 / sizeof(double) / 2 / nnode)
+    return um_core_fail(context, UM_ERR_MEMORY, "out of memory: %zu nodes at %zu times", nnode,
+                        ntime);
+  return um_core_allocate(context, ntime * nnode, sizeof(double), &(*out)->temperature);
+}
+
+void um_thermal_history_destroy(struct um_context *context, struct um_thermal_history **history)
+{
+  if (history == NULL || *history == NULL) return;
+  um_core_free(context, (*history)->t);
+  um_core_free(context, (*history)->temperature);
+  um_core_free(context, *history);
+  *history = NULL;
+}
+
+/* begin, end: heat content [J]. */
+static void audit_fill(struct um_thermal_history *history, const double *terms, double begin,
+                       double end)
+{
+  history->audit = (struct um_thermal_heat){.solar = terms[UM_AUDIT_SOLAR],
+                                            .albedo = terms[UM_AUDIT_ALBEDO],
+                                            .planet = terms[UM_AUDIT_PLANET],
+                                            .internal = terms[UM_AUDIT_INTERNAL],
+                                            .conducted = terms[UM_AUDIT_CONDUCTED],
+                                            .radiated = terms[UM_AUDIT_RADIATED],
+                                            .exchanged = terms[UM_AUDIT_EXCHANGED],
+                                            .stored = end - begin};
+  double net = 0.0, gross = 0.0;
+  for (int k = 0; k < UM_AUDIT_TERMS; k++) {
+    net += terms[k];
+    gross += fabs(terms[k]);
+  }
+  /* a closed satellite has nothing to compare with but its content */
+  gross = fmax(gross, 1e-6 * fmax(fabs(begin), fabs(end)));
+  history->audit_error = gross > 0.0 ? fabs(net - history->audit.stored) / gross : 0.0;
+}
+
+static enum um_status history_run(struct um_context *context,
+                                  struct um_thermal_integrator *integrator, double from,
+                                  const double *times, struct um_thermal_history *history)
+{
+  enum um_status status;
+  size_t last = history->ntime - 1;
+  double terms[UM_AUDIT_TERMS], begin, end;
+  UM_TRY(um_thermal_integrator_audit(integrator, terms, &begin));
+  um_core_progress_begin(context, "heat", history->ntime);
+  for (size_t k = 0; k <= last; k++) {
+    history->t[k] = times[k];
+    UM_CHECK(um_thermal_integrator_run(integrator, times[k] - from,
+                                       history->temperature + k * history->nnode));
+    UM_CHECK(um_core_progress_step(context, 1));
+  }
+  UM_CHECK(um_thermal_integrator_audit(integrator, terms, &end));
+  audit_fill(history, terms, begin, end);
+  um_thermal_integrator_counts(integrator, &history->steps, &history->rhs_evaluations,
+                               &history->jacobians);
+done:
+  um_core_progress_end(context);
+  return status;
+}
+
+enum um_status um_thermal_solve(struct um_context *context,
+                                const struct um_thermal_network *network,
+                                const struct um_thermal_loads *loads,
+                                const struct um_thermal_solve_options *options, double from,
+                                const double *times, size_t ntime, struct um_thermal_history **out)
+{
+  enum um_status status;
+  struct um_thermal_system *system = NULL;
+  struct um_thermal_integrator *integrator = NULL;
+  struct um_thermal_history *history = NULL;
+  *out = NULL;
+  UM_TRY(times_check(context, loads, from, times, ntime));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, false, &system));
+  UM_CHECK(um_thermal_integrator_create(system, times[ntime - 1] - from, &integrator));
+  UM_CHECK(history_create(context, ntime, network->nnode, &history));
+  /* the system was created with the network's start temperatures */
+  UM_CHECK(um_thermal_integrator_start(integrator, system->temperature, NULL));
+  UM_CHECK(history_run(context, integrator, from, times, history));
+  *out = history;
+  history = NULL;
+done:
+  um_thermal_history_destroy(context, &history);
+  um_thermal_integrator_destroy(&integrator);
+  um_thermal_system_destroy(&system);
+  return status;
+}

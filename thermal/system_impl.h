@@ -1,0 +1,136 @@
+/* Private to thermal/: the network as equations, ready to be evaluated fast.
+ *
+ * Nodes are split into unknowns (diffusive; in a steady system also arithmetic), eliminated
+ * (arithmetic: their temperatures follow from the unknowns at every instant) and fixed (boundary).
+ * Parallel conductors and radiators are merged into one symmetric list in rows per node. */
+#ifndef UMBRA_THERMAL_SYSTEM_IMPL_H
+#define UMBRA_THERMAL_SYSTEM_IMPL_H
+
+#include "thermal/network_impl.h"
+#include "thermal/solve.h"
+
+#define UM_THERMAL_NONE UINT32_MAX
+
+/* Loads of one grid time summed onto nodes. */
+struct um_thermal_load_row {
+  size_t row;    /* of the table; (size_t)-1: empty */
+  double *sun;   /* [n] absorbed per unit of irradiance in full sunlight [m^2] */
+  double *earth; /* [n] absorbed albedo and planet, switches applied [W] */
+  double sun_total, albedo_total, planet_total; /* over nodes that are not boundary [m^2], [W] */
+};
+
+/* Loads at one instant. */
+struct um_thermal_load_now {
+  double t;                     /* [s]; NaN: none yet */
+  double *q;                    /* [n] absorbed [W] */
+  double solar, albedo, planet; /* over nodes that are not boundary [W] */
+};
+
+/* A connected group of eliminated nodes; small and dense. */
+struct um_thermal_cluster {
+  uint32_t *node;      /* [m] */
+  uint32_t *neighbour; /* [p] unknown indices that it touches */
+  double *matrix;      /* [m][m] derivative of the balance, then its LU factors */
+  double *response;    /* [m][p] dT_node / dT_neighbour */
+  double *balance;     /* [m] */
+  uint32_t *pivot;     /* [m] */
+  size_t *slot;        /* [p][p] place of (row, column) in the Jacobian, column-major */
+  size_t m, p;
+};
+
+struct um_thermal_system {
+  struct um_context *context;
+  const struct um_thermal_network *network; /* borrowed */
+  const struct um_thermal_loads *loads;     /* borrowed, or NULL */
+  struct um_thermal_solve_options options;
+  double from;   /* origin of the system's own time [s]: keeps the digits of small steps */
+  double space4; /* T_space^4 [K^4] */
+
+  size_t n;          /* nodes */
+  size_t nunknown;   /* of them integrated */
+  uint32_t *node;    /* [nunknown] node of an unknown */
+  uint32_t *unknown; /* [n] unknown of a node, or UM_THERMAL_NONE */
+  double *capacity;  /* [n] [J/K]; 1 in a steady system */
+  double *power;     /* [n] [W] */
+  bool *fixed;       /* [n] boundary */
+
+  size_t *start;   /* [n + 1] rows of the links */
+  uint32_t *other; /* [nlink] */
+  double *linear;  /* [nlink] [W/K] */
+  double *fourth;  /* [nlink] sigma R [W/K^4] */
+  double *space;   /* [n] sigma R to space [W/K^4] */
+
+  struct um_thermal_cluster *cluster; /* [ncluster] */
+  size_t ncluster;
+
+  /* Jacobian d(dT/dt)/dT of the unknowns, compressed columns; pattern fixed */
+  int64_t *column; /* [nunknown + 1] */
+  int64_t *row;    /* [nnonzero], ascending within a column */
+  size_t nnonzero;
+  size_t *link_slot; /* [nlink] place of (node, other); only between unknowns */
+  size_t *diagonal;  /* [nunknown] */
+
+  /* loads */
+  double *grid;             /* [ntime] loads->t - from [s] */
+  size_t row_low, row_high; /* rows in force between two stops */
+  size_t interval;          /* last one used */
+  size_t *share_start;      /* [n + 1] surfaces per node */
+  uint32_t *share;          /* [nshare] surface */
+  double *share_weight;     /* [nshare] weight times area [m^2] */
+  struct um_thermal_load_row load_row[2];
+  struct um_thermal_load_now now;
+
+  /* workspace */
+  double *temperature; /* [n] of the last evaluation [K]; eliminated nodes start from it */
+  double *power4;      /* [n] T^4 [K^4] */
+  double *cube;        /* [n] |T|^3 [K^3] */
+};
+
+/* loads NULL: none. steady: arithmetic nodes become unknowns and capacities 1. Refuses NaN loads,
+ * tables in the wrong order, diffusive nodes without capacity, arithmetic nodes without links. */
+enum um_status um_thermal_system_create(struct um_context *context,
+                                        const struct um_thermal_network *network,
+                                        const struct um_thermal_loads *loads,
+                                        const struct um_thermal_solve_options *options, double from,
+                                        bool steady, struct um_thermal_system **out);
+void um_thermal_system_destroy(struct um_thermal_system **system);
+
+/* system_links.c, system_pattern.c, system_loads.c: parts of create. */
+enum um_status um_thermal_system_links_build(struct um_thermal_system *system);
+enum um_status um_thermal_system_clusters_build(struct um_thermal_system *system);
+void um_thermal_system_clusters_destroy(struct um_thermal_system *system);
+enum um_status um_thermal_system_pattern_build(struct um_thermal_system *system);
+enum um_status um_thermal_system_loads_check(struct um_context *context,
+                                             const struct um_thermal_network *network,
+                                             const struct um_thermal_loads *loads);
+enum um_status um_thermal_system_loads_build(struct um_thermal_system *system);
+
+/* Only grid rows valid strictly between the two times are used from now on: of rows at the same
+ * time (a jump) the last one before, the first one after. [s from `from`] */
+void um_thermal_system_window(struct um_thermal_system *system, double begin, double end);
+/* Use grid row `row` alone. */
+void um_thermal_system_hold(struct um_thermal_system *system, size_t row);
+/* Loads at t [s from `from`] into system->now. */
+void um_thermal_system_loads_at(struct um_thermal_system *system, double t);
+
+/* Put unknowns y[nunknown] and whatever follows from them at time t into system->temperature and
+ * its powers. false: the eliminated nodes found no balance. */
+bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y);
+/* T^4 and |T|^3 of system->temperature; the odd extension |T|^3 T keeps Newton monotone. */
+void um_thermal_system_powers(struct um_thermal_system *system);
+/* Net heat into one node at the present state without its capacity [W]. */
+double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node);
+/* dT/dt of the unknowns [K/s], after state_set. */
+void um_thermal_system_rate(const struct um_thermal_system *system, double *rate);
+/* Values [nnonzero] of the Jacobian [1/s] at system->cube (of the state, or a mean over time). */
+bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value);
+/* Heat content sum C T over unknowns [J]. */
+double um_thermal_system_content(const struct um_thermal_system *system, const double *y);
+
+/* Solve the balance of all clusters, temperatures of the unknowns given. */
+bool um_thermal_system_clusters_solve(struct um_thermal_system *system);
+/* Factor at system->cube and compute response. */
+bool um_thermal_system_cluster_linearize(struct um_thermal_system *system,
+                                         struct um_thermal_cluster *cluster);
+
+#endif
