@@ -100,9 +100,11 @@ static enum um_status bind_vector(struct binder *b, const struct um_schema_field
                                   const struct um_node *node, double *out)
 {
   if (node->kind != UM_NODE_LIST || node->count != field->length) return fail_type(b, field, node);
+  struct um_schema_field element = *field;
+  element.type = UM_SCHEMA_NUMBER;
   size_t i = 0;
   for (const struct um_node *n = node->first; n != NULL; n = n->next)
-    UM_TRY(bind_number(b, field, n, &out[i++]));
+    UM_TRY(bind_number(b, &element, n, &out[i++]));
   return UM_OK;
 }
 
@@ -117,11 +119,13 @@ static enum um_status bind_values(struct binder *b, const struct um_schema_field
   UM_TRY(um_core_document_allocate(b->context, b->document, node->count, size, &out->items));
   value = out->items;
   text = out->items;
+  struct um_schema_field element = *field;
+  element.type = numbers ? UM_SCHEMA_NUMBER : UM_SCHEMA_TEXT;
   for (const struct um_node *n = node->first; n != NULL; n = n->next, out->count++) {
     if (numbers)
-      UM_TRY(bind_number(b, field, n, &value[out->count]));
+      UM_TRY(bind_number(b, &element, n, &value[out->count]));
     else
-      UM_TRY(bind_text(b, field, n, &text[out->count]));
+      UM_TRY(bind_text(b, &element, n, &text[out->count]));
   }
   return UM_OK;
 }
@@ -154,9 +158,11 @@ static enum um_status bind_list(struct binder *b, const struct um_schema_field *
   char *items;
   UM_TRY(um_core_document_allocate(b->context, b->document, node->count, size, &items));
   out->items = items;
+  struct um_schema_field element = *field;
+  element.type = UM_SCHEMA_MAP;
   for (const struct um_node *n = node->first; n != NULL; n = n->next, out->count++) {
     char *item = items + out->count * size;
-    UM_TRY(bind_element(b, field, n, item));
+    UM_TRY(bind_element(b, &element, n, item));
     if (dict) memcpy(item + sizeof(struct um_mark), &n->key, sizeof n->key);
   }
   return UM_OK;
