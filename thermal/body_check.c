@@ -1,0 +1,137 @@
+/* Specs of a body against the geometry, and their ranges; messages name the user's part. */
+#include "thermal/body_impl.h"
+
+struct range {
+  const char *what, *unit;
+  double value, low, high;
+};
+
+static enum um_status check_ranges(struct um_context *context, const char *part, const char *group,
+                                   const struct range *r, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    if (r[i].value >= r[i].low && r[i].value <= r[i].high) continue;
+    return um_core_fail(context, UM_ERR_INPUT, "part %s%s%s: %s %g %s; accepted: %g to %g", part,
+                        group == NULL ? "" : ", group ", group == NULL ? "" : group, r[i].what,
+                        r[i].value, r[i].unit, r[i].low, r[i].high);
+  }
+  return UM_OK;
+}
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+static const double huge = 1e300;
+
+static enum um_status check_shell(struct um_context *context, const char *part, const char *group,
+                                  const struct um_thermal_shell *s)
+{
+  struct range r[] = {
+      {"areal heat capacity", "J/m2/K", s->areal_heat_capacity, 0.0, huge},
+      {"front share of the capacity", "", s->front_share, 0.0, 1.0},
+      {"in-plane conductance", "W/K", s->conductance, 0.0, huge},
+      {"conductance through the wall", "W/m2/K", s->through_conductance, 0.0, INFINITY}};
+  return check_ranges(context, part, group, r, COUNT(r));
+}
+
+static enum um_status check_group(const struct um_thermal_builder *b,
+                                  const struct um_thermal_part_spec *spec,
+                                  const struct um_thermal_group_spec *g)
+{
+  const char *part = um_thermal_builder_part_name(b, spec->part);
+  const struct um_geometry_group *group = um_geometry_group(b->geometry, g->group);
+  if (g->shell != NULL) UM_TRY(check_shell(b->context, part, group->name, g->shell));
+  struct range r[] = {{"absorptance of the front", "", g->absorptance_front, 0.0, 1.0},
+                      {"emittance of the front", "", g->emittance_front, 0.0, 1.0},
+                      {"electrical extraction of the front", "", g->extraction_front, 0.0, 1.0},
+                      {"absorptance of the back", "", g->absorptance_back, 0.0, 1.0},
+                      {"emittance of the back", "", g->emittance_back, 0.0, 1.0},
+                      {"electrical extraction of the back", "", g->extraction_back, 0.0, 1.0},
+                      {"conductance to the interior", "W/K", g->interior_conductance, 0.0, huge}};
+  size_t n = COUNT(r);
+  if (group->back_material == UM_GEOMETRY_NONE) { /* no back: its values do not act */
+    r[3] = r[6];
+    n = 4;
+  }
+  UM_TRY(check_ranges(b->context, part, group->name, r, n));
+  if (g->interior_conductance > 0.0 && !spec->has_interior)
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "part %s, group %s: conductance to the interior %g W/K, but the part has "
+                        "no interior",
+                        part, group->name, g->interior_conductance);
+  if (g->mli == NULL) return UM_OK;
+  struct range m[] = {
+      {"effective emittance of the MLI", "", g->mli->effective_emittance, 0.0, 1.0},
+      {"areal heat capacity of the MLI", "J/m2/K", g->mli->areal_heat_capacity, 0.0, huge}};
+  UM_TRY(check_ranges(b->context, part, group->name, m, COUNT(m)));
+  const char *why = NULL;
+  if (g->mli->wraps_interior && !spec->has_interior)
+    why = "the part has no interior";
+  else if (g->mli->wraps_interior && group->back_material != UM_GEOMETRY_NONE)
+    why = "its back is a radiating surface, which needs a wall";
+  else if (g->mli->wraps_interior && spec->kind == UM_THERMAL_SOLID)
+    why = "a solid part is its own interior";
+  if (why != NULL)
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "part %s, group %s: MLI is to wrap the interior, but %s", part, group->name,
+                        why);
+  return UM_OK;
+}
+
+static enum um_status check_part(struct um_thermal_builder *b,
+                                 const struct um_thermal_part_spec *spec)
+{
+  const char *part = um_thermal_builder_part_name(b, spec->part);
+  if (spec->kind == UM_THERMAL_SOLID) {
+    struct range r[] = {{"density", "kg/m3", spec->density, 1e-6, huge},
+                        {"specific heat", "J/kg/K", spec->specific_heat, 1e-6, huge},
+                        {"conductivity", "W/m/K", spec->conductivity, 1e-12, huge},
+                        {"tetrahedron size", "m", spec->tetrahedron_size, 0.0, huge}};
+    UM_TRY(check_ranges(b->context, part, NULL, r, COUNT(r)));
+  } else {
+    UM_TRY(check_shell(b->context, part, NULL, &spec->shell));
+  }
+  struct range r[] = {{"start temperature", "K", spec->start_temperature, 1e-3, 1e5},
+                      {"heat capacity of the interior", "J/K", spec->interior_capacity, 0.0, huge},
+                      {"power in the interior", "W", spec->interior_power, -huge, huge}};
+  UM_TRY(check_ranges(b->context, part, NULL, r, spec->has_interior ? COUNT(r) : 1));
+  for (size_t g = 0; g < spec->ngroup; g++) {
+    const struct um_thermal_group_spec *group = &spec->groups[g];
+    if (group->group >= b->ngroup ||
+        um_geometry_group(b->geometry, group->group)->part != spec->part)
+      return um_core_fail(
+          b->context, UM_ERR_INPUT,
+          "part %s: a thermal spec names group number %u, which is not of this part", part,
+          (unsigned)group->group);
+    if (b->group[group->group] != NULL)
+      return um_core_fail(b->context, UM_ERR_INPUT, "part %s, group %s: two thermal specs", part,
+                          um_geometry_group(b->geometry, group->group)->name);
+    b->group[group->group] = group;
+    UM_TRY(check_group(b, spec, group));
+  }
+  return UM_OK;
+}
+
+enum um_status um_thermal_body_check(struct um_thermal_builder *b,
+                                     const struct um_thermal_part_spec *parts, size_t npart)
+{
+  for (size_t p = 0; p < npart; p++) {
+    if (parts[p].part >= b->npart)
+      return um_core_fail(b->context, UM_ERR_INPUT,
+                          "a thermal spec names part number %u; accepted: below %zu",
+                          (unsigned)parts[p].part, b->npart);
+    if (b->part[parts[p].part] != NULL)
+      return um_core_fail(b->context, UM_ERR_INPUT, "part %s: two thermal specs",
+                          um_thermal_builder_part_name(b, parts[p].part));
+    b->part[parts[p].part] = &parts[p];
+    UM_TRY(check_part(b, &parts[p]));
+  }
+  for (size_t p = 0; p < b->npart; p++)
+    if (b->part[p] == NULL)
+      return um_core_fail(b->context, UM_ERR_INPUT, "part %s: no thermal spec",
+                          um_thermal_builder_part_name(b, p));
+  for (size_t g = 0; g < b->ngroup; g++)
+    if (b->group[g] == NULL)
+      return um_core_fail(b->context, UM_ERR_INPUT, "part %s, group %s: no thermal spec",
+                          um_thermal_builder_part_name(b, um_geometry_group(b->geometry, g)->part),
+                          um_geometry_group(b->geometry, g)->name);
+  return UM_OK;
+}

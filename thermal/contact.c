@@ -1,0 +1,292 @@
+/* Contacts: a conductance G [W/K] between two places (Gilmore 2002, ch. 8), joined where they
+ * touch.
+ *
+ * Every structural node of one place is paired with the nearest point on a facet of the other;
+ * the pairs whose gap is within the smallest gap plus half a facet edge take part. So faces lying
+ * on each other exchange all over, and a hinge or bracket acts on the edge next to it only. Each
+ * direction of pairing carries G/2 in shares of area,
+ *
+ *   K(i, c) = G/2 A_i / sum(A) lambda_c,
+ *
+ * lambda_c the barycentric weights of the foot on the facet: linear, symmetric, conservative, sum
+ * of all K exactly G. A lumped or interior node is one node wherever it is met; a place of an
+ * interior is met everywhere, in shares of area. Structure is the wall under MLI, and the interior
+ * where the wall is left out: a bracket goes through the blanket. */
+#include "thermal/body_impl.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct sample {
+  uint32_t vertex, node;
+  struct um_vec3 position; /* [m] */
+  double area;             /* [m^2] */
+  double gap;              /* [m] to the other place */
+  uint32_t patch;          /* nearest one of the other place */
+  double weight[3];        /* barycentric, of its foot there */
+};
+struct patch {
+  struct um_vec3 corner[3], centre; /* [m] */
+  double radius, area;              /* [m], [m^2] */
+  uint32_t node[2][3];              /* of the layers that belong to the place */
+  int layers;
+};
+struct side {
+  const char *name;
+  uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
+  bool front, back, interior;
+  struct sample *sample;
+  size_t nsample;
+  struct patch *patch;
+  size_t npatch;
+  double edge; /* typical facet edge [m] */
+};
+
+/* What follows "part" in a name; false when there is no such place. */
+static bool resolve_suffix(const struct um_thermal_builder *b, const char *suffix, struct side *s)
+{
+  s->group = UM_GEOMETRY_NONE;
+  s->front = s->back = true;
+  s->interior = false;
+  if (*suffix == '\0') return true;
+  if (*suffix != '.') return false;
+  suffix++;
+  for (uint32_t g = 0; g < b->ngroup; g++) {
+    const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
+    size_t n = strlen(group->name);
+    if (group->part != s->part || strncmp(suffix, group->name, n) != 0) continue;
+    s->group = g;
+    s->front = suffix[n] == '\0';
+    s->back = strcmp(suffix + n, ".back") == 0;
+    if (s->front || s->back) return true;
+  }
+  s->group = UM_GEOMETRY_NONE;
+  s->front = strcmp(suffix, "front") == 0;
+  s->back = strcmp(suffix, "back") == 0;
+  s->interior = strcmp(suffix, "interior") == 0 && b->interior[s->part] != UM_THERMAL_SPACE;
+  return s->front || s->back || s->interior;
+}
+
+static bool resolve(const struct um_thermal_builder *b, struct side *s)
+{
+  for (uint32_t p = 0; p < b->npart; p++) {
+    const char *part = um_thermal_builder_part_name(b, p);
+    size_t n = strlen(part);
+    s->part = p;
+    if (strncmp(s->name, part, n) == 0 && resolve_suffix(b, s->name + n, s)) return true;
+  }
+  return false;
+}
+
+static void node_or_interior(const struct um_thermal_builder *b, const uint32_t layer[3],
+                             uint32_t part, uint32_t out[3])
+{
+  for (int c = 0; c < 3; c++) out[c] = layer[c] == UM_THERMAL_SPACE ? b->interior[part] : layer[c];
+}
+
+static void patch_fill(const struct um_thermal_builder *b, size_t facet, const struct side *s,
+                       struct patch *p)
+{
+  p->centre = um_vec3(0, 0, 0);
+  p->area = b->mesh->area[facet];
+  p->radius = 0.0;
+  for (int c = 0; c < 3; c++) {
+    p->corner[c] = b->pose->vertex[b->mesh->corner[facet][c]];
+    p->centre = um_vec3_axpy(p->centre, 1.0 / 3.0, p->corner[c]);
+  }
+  for (int c = 0; c < 3; c++)
+    p->radius = fmax(p->radius, um_vec3_norm(um_vec3_sub(p->corner[c], p->centre)));
+  p->layers = 0;
+  if (s->front || !um_thermal_builder_two_layers(b, facet))
+    node_or_interior(b, b->front[facet], s->part, p->node[p->layers++]);
+  if (s->back && um_thermal_builder_two_layers(b, facet))
+    node_or_interior(b, b->back[facet], s->part, p->node[p->layers++]);
+}
+
+static int sample_order(const void *a, const void *b)
+{
+  const struct sample *x = a, *y = b;
+  if (x->vertex != y->vertex) return x->vertex < y->vertex ? -1 : 1;
+  return x->node < y->node ? -1 : x->node > y->node;
+}
+
+/* Facets and nodes of a side; corners of neighbouring facets that are one node are merged. */
+static enum um_status collect(const struct um_thermal_builder *b, struct side *s)
+{
+  if (s->interior) return UM_OK;
+  size_t n = 0;
+  UM_TRY(um_core_allocate(b->context, b->mesh->nfacet, sizeof *s->patch, &s->patch));
+  UM_TRY(um_core_allocate(b->context, 6 * b->mesh->nfacet, sizeof *s->sample, &s->sample));
+  double area = 0.0;
+  for (size_t f = 0; f < b->mesh->nfacet; f++) {
+    if (b->mesh->facet_part[f] != s->part) continue;
+    if (s->group != UM_GEOMETRY_NONE && b->mesh->facet_group[f] != s->group) continue;
+    struct patch *p = &s->patch[s->npatch++];
+    patch_fill(b, f, s, p);
+    area += p->area;
+    for (int layer = 0; layer < p->layers; layer++)
+      for (int c = 0; c < 3; c++)
+        s->sample[n++] = (struct sample){.vertex = b->mesh->corner[f][c],
+                                         .node = p->node[layer][c],
+                                         .position = p->corner[c],
+                                         .area = p->area / 3.0};
+  }
+  if (s->npatch == 0) return UM_OK;
+  s->edge = sqrt(2.0 * area / (double)s->npatch);
+  qsort(s->sample, n, sizeof *s->sample, sample_order);
+  for (size_t i = 0; i < n; i++) {
+    if (s->nsample > 0 && sample_order(&s->sample[s->nsample - 1], &s->sample[i]) == 0)
+      s->sample[s->nsample - 1].area += s->sample[i].area;
+    else
+      s->sample[s->nsample++] = s->sample[i];
+  }
+  return UM_OK;
+}
+
+/* Nearest point of the segment a + u (b - a), u in [0, 1]. */
+static double segment_foot(struct um_vec3 p, struct um_vec3 a, struct um_vec3 b)
+{
+  struct um_vec3 d = um_vec3_sub(b, a);
+  double u = um_vec3_dot(um_vec3_sub(p, a), d) / um_vec3_dot(d, d);
+  return fmin(fmax(u, 0.0), 1.0);
+}
+
+/* Distance from p to a triangle; barycentric weights of the nearest point. */
+static double triangle_distance(struct um_vec3 p, const struct um_vec3 v[3], double weight[3])
+{
+  struct um_vec3 n = um_vec3_cross(um_vec3_sub(v[1], v[0]), um_vec3_sub(v[2], v[0]));
+  double nn = um_vec3_dot(n, n);
+  bool inside = true;
+  for (int c = 0; c < 3; c++) {
+    struct um_vec3 a = um_vec3_sub(v[(c + 1) % 3], p), b = um_vec3_sub(v[(c + 2) % 3], p);
+    weight[c] = um_vec3_dot(um_vec3_cross(a, b), n) / nn;
+    inside = inside && weight[c] >= 0.0;
+  }
+  if (inside) return fabs(um_vec3_dot(um_vec3_sub(p, v[0]), n)) / sqrt(nn);
+  double best = INFINITY;
+  for (int e = 0; e < 3; e++) {
+    int i = e, j = (e + 1) % 3;
+    double u = segment_foot(p, v[i], v[j]);
+    struct um_vec3 foot = um_vec3_axpy(v[i], u, um_vec3_sub(v[j], v[i]));
+    double d = um_vec3_norm(um_vec3_sub(p, foot));
+    if (!(d < best)) continue;
+    best = d;
+    weight[0] = weight[1] = weight[2] = 0.0;
+    weight[i] = 1.0 - u;
+    weight[j] = u;
+  }
+  return best;
+}
+
+/* The nearest foot of every sample of `from` on `to`; returns the smallest gap. */
+static double find_feet(struct side *from, const struct side *to)
+{
+  double smallest = INFINITY;
+  for (size_t i = 0; i < from->nsample; i++) {
+    struct sample *s = &from->sample[i];
+    s->gap = INFINITY;
+    for (size_t p = 0; p < to->npatch; p++) {
+      double reach = s->gap + to->patch[p].radius; /* a facet farther than that cannot win */
+      struct um_vec3 d = um_vec3_sub(s->position, to->patch[p].centre);
+      if (um_vec3_dot(d, d) > reach * reach) continue;
+      double weight[3], gap = triangle_distance(s->position, to->patch[p].corner, weight);
+      if (!(gap < s->gap)) continue;
+      s->gap = gap;
+      s->patch = (uint32_t)p;
+      memcpy(s->weight, weight, sizeof weight);
+    }
+    smallest = fmin(smallest, s->gap);
+  }
+  return smallest;
+}
+
+static double area_within(const struct side *s, double gap)
+{
+  double area = 0.0;
+  for (size_t i = 0; i < s->nsample; i++)
+    if (s->sample[i].gap <= gap) area += s->sample[i].area;
+  return area;
+}
+
+static enum um_status join(struct um_thermal_builder *b, uint32_t i, uint32_t j, double k,
+                           double *joined)
+{
+  if (i == j || !(k > 0.0)) return UM_OK;
+  *joined += k;
+  return um_thermal_network_conductor_add(b->network, i, j, k);
+}
+
+/* Spread `conductance` over the pairs of `from` within the gap. */
+static enum um_status pair(struct um_thermal_builder *b, const struct side *from,
+                           const struct side *to, double gap, double conductance, double *joined)
+{
+  double area = area_within(from, gap);
+  if (!(area > 0.0)) return UM_OK;
+  for (size_t i = 0; i < from->nsample; i++) {
+    const struct sample *s = &from->sample[i];
+    if (!(s->gap <= gap)) continue;
+    const struct patch *p = &to->patch[s->patch];
+    double k = conductance * s->area / area / p->layers;
+    for (int layer = 0; layer < p->layers; layer++)
+      for (int c = 0; c < 3; c++)
+        UM_TRY(join(b, s->node, p->node[layer][c], k * s->weight[c], joined));
+  }
+  return UM_OK;
+}
+
+/* An interior is met everywhere on the other place. */
+static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const struct side *over,
+                             double conductance, double *joined)
+{
+  if (over->interior) return join(b, node, b->interior[over->part], conductance, joined);
+  double area = 0.0;
+  for (size_t i = 0; i < over->nsample; i++) area += over->sample[i].area;
+  for (size_t i = 0; i < over->nsample; i++)
+    UM_TRY(join(b, node, over->sample[i].node, conductance * over->sample[i].area / area, joined));
+  return UM_OK;
+}
+
+static enum um_status connect(struct um_thermal_builder *b, struct side *x, struct side *y,
+                              double conductance, double *joined)
+{
+  if (x->interior) return spread(b, b->interior[x->part], y, conductance, joined);
+  if (y->interior) return spread(b, b->interior[y->part], x, conductance, joined);
+  double gap = fmin(find_feet(x, y), find_feet(y, x)) + 0.5 * fmin(x->edge, y->edge);
+  bool both = area_within(x, gap) > 0.0 && area_within(y, gap) > 0.0;
+  double each = both ? 0.5 * conductance : conductance;
+  UM_TRY(pair(b, x, y, gap, each, joined));
+  return pair(b, y, x, gap, each, joined);
+}
+
+enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
+                                           const struct um_thermal_contact *contact)
+{
+  struct side side[2] = {{.name = contact->a}, {.name = contact->b}};
+  double g = contact->conductance, joined = 0.0;
+  if (!(g >= 0.0 && isfinite(g)))
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "contact %s - %s: conductance %g W/K; accepted: finite, not negative",
+                        contact->a, contact->b, g);
+  enum um_status status = UM_OK;
+  for (int i = 0; i < 2; i++) {
+    if (!resolve(b, &side[i])) {
+      status = um_core_fail(b->context, UM_ERR_INPUT,
+                            "contact %s - %s: there is no place '%s'; accepted: PART, PART.GROUP, "
+                            "PART.front, PART.back, PART.interior",
+                            contact->a, contact->b, side[i].name);
+      goto done;
+    }
+    UM_CHECK(collect(b, &side[i]));
+  }
+  UM_CHECK(connect(b, &side[0], &side[1], g, &joined));
+  if (g > 0.0 && !(joined > 0.0))
+    status = um_core_fail(b->context, UM_ERR_INPUT,
+                          "contact %s - %s: joins a place to itself; accepted: two places",
+                          contact->a, contact->b);
+done:
+  for (int i = 0; i < 2; i++) {
+    um_core_free(b->context, side[i].sample);
+    um_core_free(b->context, side[i].patch);
+  }
+  return status;
+}

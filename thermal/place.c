@@ -1,0 +1,136 @@
+/* Named places of a body: what temperature means on a part, side, group, interior or wall.
+ *
+ *   part, part.front, part.back   the radiating surfaces, area weighted (MLI where there is MLI)
+ *   part.group, part.group.back   the same of one group and side
+ *   part.wall, part.group.wall    the wall under MLI, where there is one
+ *   part.interior                 the interior node */
+#include "thermal/body_impl.h"
+
+#include <string.h>
+
+struct selection {
+  uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
+  int side;             /* 0 front, 1 back, -1 both */
+  bool wall;            /* the wall under MLI instead of the surfaces */
+};
+
+static bool selected(const struct selection *w, uint32_t part, uint32_t group, int back)
+{
+  return part == w->part && (w->group == UM_GEOMETRY_NONE || group == w->group) &&
+         (w->side < 0 || back == w->side);
+}
+
+/* Area [m^2] on every node; returns the sum. */
+static double accumulate(const struct um_thermal_builder *b, const struct selection *w,
+                         double *area)
+{
+  double sum = 0.0;
+  for (size_t s = 0; s < b->mesh->nsurface; s++) {
+    const struct um_geometry_surface *g = &b->mesh->surface[s];
+    if (!selected(w, g->part, g->group, g->back)) continue;
+    if (w->wall) {
+      if (g->back != 0 || b->skin[g->facet] == UM_THERMAL_SPACE ||
+          b->front[g->facet][0] == UM_THERMAL_SPACE)
+        continue;
+      for (int c = 0; c < 3; c++) area[b->front[g->facet][c]] += b->mesh->area[g->facet] / 3.0;
+    } else {
+      const struct um_thermal_surface *at = um_thermal_network_surface(b->network, (uint32_t)s);
+      for (int c = 0; c < 3; c++)
+        if (at->node[c] != UM_THERMAL_SPACE) area[at->node[c]] += at->weight[c] * at->area;
+    }
+    sum += b->mesh->area[g->facet];
+  }
+  return sum;
+}
+
+static enum um_status place_new(struct um_context *context, struct um_thermal_body *body,
+                                size_t nnode, struct um_thermal_place **out)
+{
+  UM_TRY(um_core_reallocate(context, body->nplace + 1, sizeof *body->place, &body->place));
+  struct um_thermal_place *p = &body->place[body->nplace++];
+  *p = (struct um_thermal_place){0};
+  UM_TRY(um_core_allocate(context, nnode, sizeof *p->node, &p->node));
+  UM_TRY(um_core_allocate(context, nnode, sizeof *p->weight, &p->weight));
+  p->nnode = nnode;
+  *out = p;
+  return UM_OK;
+}
+
+/* A place of that name unless nothing is selected. area: zeroed scratch [nnode], left zeroed. */
+static enum um_status place_add(const struct um_thermal_builder *b, struct um_thermal_body *body,
+                                const struct selection *w, double *area, const char *group,
+                                const char *suffix)
+{
+  double sum = accumulate(b, w, area);
+  size_t n = 0, nnode = um_thermal_network_nodes(b->network);
+  for (size_t i = 0; i < nnode; i++)
+    if (area[i] > 0.0) n++;
+  if (n == 0) return UM_OK;
+  struct um_thermal_place *place;
+  UM_TRY(place_new(b->context, body, n, &place));
+  n = 0;
+  for (size_t i = 0; i < nnode; i++) {
+    if (area[i] > 0.0) {
+      place->node[n] = (uint32_t)i;
+      place->weight[n++] = area[i] / sum;
+    }
+    area[i] = 0.0;
+  }
+  const char *part = um_thermal_builder_part_name(b, w->part);
+  return um_core_asprintf(b->context, &place->name, "%s%s%s%s", part, group == NULL ? "" : ".",
+                          group == NULL ? "" : group, suffix);
+}
+
+static bool part_has_back(const struct um_thermal_builder *b, uint32_t part)
+{
+  for (size_t g = 0; g < b->ngroup; g++) {
+    const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
+    if (group->part == part && group->back_material != UM_GEOMETRY_NONE) return true;
+  }
+  return false;
+}
+
+static enum um_status places_of_part(const struct um_thermal_builder *b,
+                                     struct um_thermal_body *body, uint32_t part, double *area)
+{
+  struct selection w = {.part = part, .group = UM_GEOMETRY_NONE, .side = -1};
+  UM_TRY(place_add(b, body, &w, area, NULL, ""));
+  if (part_has_back(b, part)) {
+    w.side = 0;
+    UM_TRY(place_add(b, body, &w, area, NULL, ".front"));
+    w.side = 1;
+    UM_TRY(place_add(b, body, &w, area, NULL, ".back"));
+  }
+  w.side = -1;
+  w.wall = true;
+  UM_TRY(place_add(b, body, &w, area, NULL, ".wall"));
+  for (uint32_t g = 0; g < b->ngroup; g++) {
+    const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
+    if (group->part != part) continue;
+    w = (struct selection){.part = part, .group = g, .side = 0};
+    UM_TRY(place_add(b, body, &w, area, group->name, ""));
+    w.side = 1;
+    UM_TRY(place_add(b, body, &w, area, group->name, ".back"));
+    w.side = -1;
+    w.wall = true;
+    UM_TRY(place_add(b, body, &w, area, group->name, ".wall"));
+  }
+  if (b->interior[part] == UM_THERMAL_SPACE) return UM_OK;
+  struct um_thermal_place *place;
+  UM_TRY(place_new(b->context, body, 1, &place));
+  place->node[0] = b->interior[part];
+  place->weight[0] = 1.0;
+  return um_core_asprintf(b->context, &place->name, "%s.interior",
+                          um_thermal_builder_part_name(b, part));
+}
+
+enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_thermal_body *body)
+{
+  double *area = NULL;
+  UM_TRY(um_core_allocate(b->context, um_thermal_network_nodes(b->network), sizeof *area, &area));
+  enum um_status status = UM_OK;
+  for (uint32_t p = 0; p < b->npart && status == UM_OK; p++)
+    status = places_of_part(b, body, p, area);
+  um_core_free(b->context, area);
+  return status;
+}
