@@ -52,6 +52,7 @@ struct um_schema_field {
                         PARSED whose target is a double; NaN: no default, which leaves NaN, an
                         INTEGER INT_MIN, a CHOICE -1, a BOOL false */
   size_t length;     /* of VECTOR; of the inline target of PARSED [bytes] */
+  bool always;       /* MAP: an absent mapping is read as an empty one, so that its defaults hold */
   const char *const *choices;            /* NULL-terminated, for CHOICE */
   const struct um_schema_object *object; /* for MAP, LIST, DICT */
   /* For PARSED: text -> target; on failure writes what is accepted into `why`. */

@@ -331,6 +331,8 @@ static enum um_status bind_object(struct binder *b, const struct um_schema_objec
       UM_TRY(bind_field(b, field, child, target));
     else if (field->required && !scalar)
       return fail_missing(b, object, field, node);
+    else if (field->always)
+      UM_TRY(bind_field(b, field, &(struct um_node){.kind = UM_NODE_MAP, .at = node->at}, target));
     else
       set_default(field, target);
   }

@@ -555,15 +555,15 @@ static const struct um_schema_field scenario_fields[] = {
     F(attitude, "attitude", UM_SCHEMA_LIST, REQUIRED, .object = &attitude_object,
       HELP("laws in order of time")),
     F(observer, "observer", UM_SCHEMA_MAP, .object = &observer_object),
-    F(environment, "environment", UM_SCHEMA_MAP, .object = &environment_object),
+    F(environment, "environment", UM_SCHEMA_MAP, .always = true, .object = &environment_object),
     F(material_files, "material_files", UM_SCHEMA_TEXTS,
       HELP("files of material records that add to the library or replace its names")),
     F(parts, "parts", UM_SCHEMA_LIST, REQUIRED, .object = &part_object),
     F(contacts, "contacts", UM_SCHEMA_LIST, .object = &contact_object),
-    F(thermal, "thermal", UM_SCHEMA_MAP, .object = &thermal_object),
+    F(thermal, "thermal", UM_SCHEMA_MAP, .always = true, .object = &thermal_object),
     F(bands, "bands", UM_SCHEMA_DICT, .object = &band_object,
       HELP("default: vis 0.38-0.78 um in 80 bins, lwir 8-12 um in 40")),
-    F(optics, "optics", UM_SCHEMA_MAP, .object = &optics_object),
+    F(optics, "optics", UM_SCHEMA_MAP, .always = true, .object = &optics_object),
     F(effects, "effects", UM_SCHEMA_LIST, .object = &effect_object),
 };
 #undef F
