@@ -1,0 +1,89 @@
+/* lightcurve.csv and materials.csv. */
+#include <math.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "optics/atmosphere.h"
+#include "output/csv_impl.h"
+#include "output/output.h"
+
+static const char *const mechanism_names[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
+                                                                "interreflected", "other"};
+
+/* Intensity of one observation, band and mechanism, all materials together [W/sr]. */
+static double by_mechanism(const struct um_model_result *r, size_t k, size_t band, int mechanism)
+{
+  const double *at = r->intensity + (k * r->nband + band) * r->nmaterial * UM_MECHANISM_COUNT;
+  double sum = 0.0;
+  for (size_t m = 0; m < r->nmaterial; m++) sum += at[m * UM_MECHANISM_COUNT + (size_t)mechanism];
+  return sum;
+}
+
+static void write_header(const struct um_output_run *run, FILE *file)
+{
+  fputs("time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"
+        "sun_elevation_deg",
+        file);
+  for (size_t b = 0; b < run->model->nband; b++) {
+    const char *name = run->model->band[b].name;
+    fprintf(file, ",%s_intensity_W_sr", name);
+    for (int m = 0; m < UM_MECHANISM_COUNT; m++)
+      fprintf(file, ",%s_%s_W_sr", name, mechanism_names[m]);
+    fprintf(file, ",%s_stderr_W_sr,%s_irradiance_W_m2,%s_mag_ab", name, name, name);
+  }
+  fputc('\n', file);
+}
+
+/* The instant nearest mid-exposure stands for the geometry of an observation. */
+static size_t middle(const struct um_model_trace *trace, size_t k)
+{
+  return k * trace->nsub + trace->nsub / 2;
+}
+
+enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file)
+{
+  const struct um_model_trace *trace = run->trace;
+  const struct um_model_result *r = run->result;
+  write_header(run, file);
+  for (size_t k = 0; k < trace->nobs; k++) {
+    const struct um_orbit_look *look = &trace->look[middle(trace, k)];
+    const struct um_environment_sample *s = &trace->sample[middle(trace, k)];
+    um_csv_time(file, trace->t_obs[k]);
+    um_csv_number(file, look->azimuth / UM_DEG);
+    um_csv_number(file, look->elevation / UM_DEG);
+    um_csv_number(file, look->range * 1e-3);
+    um_csv_number(file, um_optics_airmass(look->elevation));
+    um_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
+    um_csv_number(file, trace->sunlit[k]);
+    um_csv_number(file, look->sun_elevation / UM_DEG);
+    for (size_t b = 0; b < r->nband; b++) {
+      double part[UM_MECHANISM_COUNT], total = 0.0;
+      for (int m = 0; m < UM_MECHANISM_COUNT; m++) total += part[m] = by_mechanism(r, k, b, m);
+      um_csv_number(file, total);
+      for (int m = 0; m < UM_MECHANISM_COUNT; m++) um_csv_number(file, part[m]);
+      um_csv_number(file, r->standard_error[k * r->nband + b]);
+      um_csv_number(file, r->irradiance[k * r->nband + b]);
+      um_csv_number(file, r->magnitude_ab[k * r->nband + b]);
+    }
+    fputc('\n', file);
+  }
+  return UM_OK;
+}
+
+enum um_status um_output_write_materials(const struct um_output_run *run, FILE *file)
+{
+  const struct um_model_result *r = run->result;
+  fputs("time_utc,band,material,sun,earth,emitted,interreflected,other\n", file);
+  for (size_t k = 0; k < r->nobs; k++)
+    for (size_t b = 0; b < r->nband; b++)
+      for (size_t m = 0; m < r->nmaterial; m++) {
+        const double *at =
+            r->intensity + ((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT;
+        um_csv_time(file, run->trace->t_obs[k]);
+        fprintf(file, ",%s,%s", run->model->band[b].name,
+                um_geometry_material_name(run->model->geometry, m));
+        for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_csv_number(file, at[i]);
+        fputc('\n', file);
+      }
+  return UM_OK;
+}

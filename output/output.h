@@ -1,0 +1,56 @@
+/* Result files of a run. Formats are described in docs/files.md. */
+#ifndef UMBRA_OUTPUT_OUTPUT_H
+#define UMBRA_OUTPUT_OUTPUT_H
+
+#include "core/file.h"
+#include "model/model.h"
+
+/* A finished run and what is said about it; everything borrowed. */
+struct um_output_run {
+  const struct um_model *model;
+  const struct um_model_trace *trace;
+  const struct um_model_result *result;
+  const char *command; /* as typed, for the record */
+  const char *version;
+};
+
+/* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,
+ * temperatures.csv, heat.csv, temperatures.cic, run.nc, run.xdmf, scenario.yaml (with overrides),
+ * log.txt. Light-curve files only with an observer. UM_ERR_IO. */
+enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
+                                   struct um_core_folder *folder);
+
+/* Single files, to an open stream; used by um_output_write_run and by tests. */
+enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file);
+enum um_status um_output_write_materials(const struct um_output_run *run, FILE *file);
+enum um_status um_output_write_temperatures(const struct um_output_run *run, FILE *file);
+enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file);
+/* Mean temperature per material, generic data in the manner of CIC (integer MJD, seconds of day,
+ * UTC; one line per instant). */
+enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file);
+
+/* run.nc (netCDF-4) and run.xdmf beside it, written by path inside the folder. */
+enum um_status um_output_write_netcdf(struct um_context *context, const struct um_output_run *run,
+                                      const char *path);
+enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file);
+
+/* PNG pictures of a finished folder, read from its CSV files by gnuplot: lightcurve.png (both
+ * bands, shadow shaded), temperatures.png. A missing gnuplot is a logged warning, not an error. */
+enum um_status um_output_plot_run(struct um_context *context, const char *folder,
+                                  const struct um_output_run *run);
+
+/* Spectral image as OpenEXR, channels "S0.<wavelength>nm" (Fichet 2021 layout, emission-like
+ * radiance in W/m^2/sr/nm) and an RGB preview. */
+enum um_status um_output_write_exr(struct um_context *context, const struct um_optics_image *image,
+                                   const char *path);
+/* The satellite as seen in every band at several observations: one PNG, a row per band, a column
+ * per instant, false colour with a scale in band radiance [W/m^2/sr]. */
+struct um_output_panel {
+  const struct um_optics_image *image;
+  const char *band, *caption;
+};
+enum um_status um_output_write_panels(struct um_context *context,
+                                      const struct um_output_panel *panels, size_t rows,
+                                      size_t columns, const char *path);
+
+#endif
