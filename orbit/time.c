@@ -1,0 +1,184 @@
+/* Time scales: UTC text to and from TAI seconds, and the two-part Julian dates that ERFA takes.
+ *
+ *   t_tai = 86400 (JD_TAI - 2451545.0)                       [s]
+ *   TT    = TAI + 32.184 s,  UTC = TAI - leap seconds,  UT1 = UTC + (UT1 - UTC)
+ *
+ * UTC Julian dates are ERFA's quasi-JD: a day with a leap second is 86401 s long.
+ * Reference: IERS Conventions 2010 (TN36), chapter 10; leap seconds as compiled into ERFA. */
+#include "orbit/time.h"
+
+#include <erfa.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double J2000 = 2451545.0;     /* [d] */
+static const double DAY = 86400.0;         /* [s] */
+static const double TT_MINUS_TAI = 32.184; /* [s] */
+
+/* Fields of an ISO 8601 date and time. */
+struct calendar {
+  int year, month, day, hour, minute;
+  double second; /* [s] */
+};
+
+/* Exactly `digits` decimal digits at *text, which moves behind them. */
+static bool digits_read(const char **text, int digits, int *value)
+{
+  *value = 0;
+  for (int i = 0; i < digits; i++) {
+    char c = **text;
+    if (c < '0' || c > '9') return false;
+    *value = 10 * *value + (c - '0');
+    (*text)++;
+  }
+  return true;
+}
+
+static bool letter_read(const char **text, char letter)
+{
+  if (**text != letter) return false;
+  (*text)++;
+  return true;
+}
+
+/* ss[.f...]: at most 9 decimals, taken as one integer so that the rounding is that of a division.
+ */
+static bool second_read(const char **text, double *second)
+{
+  int whole;
+  if (!digits_read(text, 2, &whole)) return false;
+  *second = whole;
+  if (**text != '.') return true;
+  (*text)++;
+  double numerator = 0.0, denominator = 1.0;
+  int count = 0;
+  for (; **text >= '0' && **text <= '9'; (*text)++, count++) {
+    if (count >= 9) continue;
+    numerator = 10.0 * numerator + (**text - '0');
+    denominator *= 10.0;
+  }
+  *second += numerator / denominator;
+  return count > 0;
+}
+
+static bool calendar_read(const char *text, struct calendar *c)
+{
+  const char *p = text;
+  bool good = digits_read(&p, 4, &c->year) && letter_read(&p, '-') &&
+              digits_read(&p, 2, &c->month) && letter_read(&p, '-') &&
+              digits_read(&p, 2, &c->day) && letter_read(&p, 'T') && digits_read(&p, 2, &c->hour) &&
+              letter_read(&p, ':') && digits_read(&p, 2, &c->minute) && letter_read(&p, ':') &&
+              second_read(&p, &c->second);
+  if (!good) return false;
+  if (*p == 'Z') p++;
+  return *p == '\0';
+}
+
+/* The fault that eraDtf2d reports, in words; NULL when the date is good. +1 (a year for which
+ * leap seconds are not yet announced) is accepted. */
+static const char *calendar_fault(int code)
+{
+  switch (code) {
+  case 0:
+  case 1:
+    return NULL;
+  case 2:
+  case 3:
+    return "that minute has no leap second (seconds are below 60)";
+  case -2:
+    return "the month is 01 to 12";
+  case -3:
+    return "that month does not have this day";
+  case -4:
+    return "the hour is 00 to 23";
+  case -5:
+    return "the minute is 00 to 59";
+  case -6:
+    return "the second is 00 to 59 (60 in a leap second)";
+  default:
+    return "not a date";
+  }
+}
+
+bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t why_size)
+{
+  struct calendar c;
+  if (!calendar_read(text, &c)) {
+    snprintf(why, why_size, "'%.40s' is not a UTC time like 2016-09-21T20:33:00.000Z", text);
+    return false;
+  }
+  if (c.year < 1960 || c.year > 2100) {
+    snprintf(why, why_size, "'%.40s': the year %d is outside 1960 to 2100", text, c.year);
+    return false;
+  }
+  double d1, d2;
+  int code = eraDtf2d("UTC", c.year, c.month, c.day, c.hour, c.minute, c.second, &d1, &d2);
+  const char *fault = calendar_fault(code);
+  if (!fault && c.second >= 61.0) fault = calendar_fault(2);
+  if (fault) {
+    snprintf(why, why_size, "'%.40s': %s", text, fault);
+    return false;
+  }
+  *(double *)target = um_orbit_time_from_utc_jd(d1, d2);
+  return true;
+}
+
+enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai)
+{
+  char why[160];
+  if (um_orbit_time_parse_field(utc, t_tai, why, sizeof why)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "%s", why);
+}
+
+double um_orbit_time_from_utc_jd(double jd1, double jd2)
+{
+  double a1, a2;
+  eraUtctai(jd1, jd2, &a1, &a2); /* +1: a year without announced leap seconds; the last holds */
+  return (a1 - J2000) * DAY + a2 * DAY;
+}
+
+/* TAI as J2000 + whole days, and the fraction: no digit of t_tai is lost. */
+static void tai_split(double t_tai, double jd_tai[2])
+{
+  double whole = floor(t_tai / DAY);
+  jd_tai[0] = J2000 + whole;
+  jd_tai[1] = (t_tai - whole * DAY) / DAY;
+}
+
+void um_orbit_time_tt(double t_tai, double jd_tt[2])
+{
+  tai_split(t_tai, jd_tt);
+  jd_tt[1] += TT_MINUS_TAI / DAY;
+}
+
+void um_orbit_time_utc(double t_tai, double jd_utc[2])
+{
+  double jd_tai[2];
+  tai_split(t_tai, jd_tai);
+  eraTaiutc(jd_tai[0], jd_tai[1], &jd_utc[0], &jd_utc[1]);
+}
+
+void um_orbit_time_ut1(double t_tai, double ut1_utc, double jd_ut1[2])
+{
+  double jd_utc[2];
+  um_orbit_time_utc(t_tai, jd_utc);
+  eraUtcut1(jd_utc[0], jd_utc[1], ut1_utc, &jd_ut1[0], &jd_ut1[1]);
+}
+
+void um_orbit_time_format(double t_tai, char out[32])
+{
+  double jd_utc[2];
+  int year, month, day, hmsf[4];
+  if (!isfinite(t_tai)) {
+    snprintf(out, 32, "not-a-time");
+    return;
+  }
+  um_orbit_time_utc(t_tai, jd_utc);
+  if (eraD2dtf("UTC", 3, jd_utc[0], jd_utc[1], &year, &month, &day, hmsf) < 0) {
+    snprintf(out, 32, "not-a-time");
+    return;
+  }
+  snprintf(out, 32, "%04d-%02d-%02dT%02d:%02d:%02d.%03dZ", year % 10000, month, day, hmsf[0],
+           hmsf[1], hmsf[2], hmsf[3]);
+}
