@@ -1,0 +1,89 @@
+/* Open surfaces: those whose plane has every vertex of the model on it or behind it. Nothing can
+ * stand before them, so their fractions are exact without rays.
+ *
+ * Each test would cost all vertices. Three things make it cheap: facets of one plane share the
+ * answer, a part whose bounding box lies behind the plane is skipped, and the vertex that closed
+ * the last surface is tried first. */
+#include "geometry/visibility_impl.h"
+
+struct box {
+  struct um_vec3 low, high; /* [m] */
+  size_t begin, end;        /* its vertices */
+};
+
+struct search {
+  const struct um_geometry_visibility *visibility;
+  struct box *box; /* runs of vertices */
+  size_t nbox;
+  size_t last; /* vertex that stood before the last surface that is not open */
+};
+
+/* Vertices per bounding box. */
+#define RUN 64
+
+static void fill_boxes(struct search *search)
+{
+  const struct um_vec3 *vertex = search->visibility->pose->vertex;
+  size_t nvertex = search->visibility->mesh->nvertex;
+  search->nbox = 0;
+  for (size_t begin = 0; begin < nvertex; begin += RUN) {
+    size_t end = begin + RUN < nvertex ? begin + RUN : nvertex;
+    struct box box = {vertex[begin], vertex[begin], begin, end};
+    for (size_t i = begin + 1; i < end; i++) {
+      struct um_vec3 p = vertex[i];
+      box.low = um_vec3(fmin(box.low.x, p.x), fmin(box.low.y, p.y), fmin(box.low.z, p.z));
+      box.high = um_vec3(fmax(box.high.x, p.x), fmax(box.high.y, p.y), fmax(box.high.z, p.z));
+    }
+    search->box[search->nbox++] = box;
+  }
+}
+
+/* True when no vertex p has n . p > height. */
+static bool plane_is_open(struct search *search, struct um_vec3 n, double height)
+{
+  const struct um_vec3 *vertex = search->visibility->pose->vertex;
+  if (um_vec3_dot(n, vertex[search->last]) > height) return false;
+  for (size_t b = 0; b < search->nbox; b++) {
+    const struct box *box = &search->box[b];
+    struct um_vec3 farthest =
+        um_vec3(n.x > 0.0 ? box->high.x : box->low.x, n.y > 0.0 ? box->high.y : box->low.y,
+                n.z > 0.0 ? box->high.z : box->low.z);
+    if (!(um_vec3_dot(n, farthest) > height)) continue;
+    for (size_t i = box->begin; i < box->end; i++)
+      if (um_vec3_dot(n, vertex[i]) > height) {
+        search->last = i;
+        return false;
+      }
+  }
+  return true;
+}
+
+enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibility)
+{
+  const struct um_geometry_mesh *mesh = visibility->mesh;
+  struct search search = {.visibility = visibility};
+  UM_TRY(um_core_allocate(visibility->context, mesh->nvertex / RUN + 1, sizeof *search.box,
+                          (void *)&search.box));
+  fill_boxes(&search);
+  /* last plane tested, for each side */
+  struct um_vec3 last_normal[2] = {{0, 0, 0}, {0, 0, 0}};
+  double last_height[2] = {0.0, 0.0};
+  uint8_t last_open[2] = {0, 0};
+  for (size_t s = 0; s < mesh->nsurface; s++) {
+    struct um_vec3 n = um_geometry_surface_normal(mesh, visibility->pose, s);
+    struct um_vec3 p = visibility->pose->vertex[mesh->corner[mesh->surface[s].facet][0]];
+    double height = um_vec3_dot(n, p) + UM_GEOMETRY_PLANE * visibility->size;
+    uint8_t side = mesh->surface[s].back;
+    struct um_vec3 turn = um_vec3_sub(n, last_normal[side]);
+    bool same = um_vec3_dot(turn, turn) < 1e-28 &&
+                fabs(height - last_height[side]) < 1e-13 * visibility->size;
+    if (!same) {
+      last_normal[side] = n;
+      last_height[side] = height;
+      last_open[side] = plane_is_open(&search, n, height);
+    }
+    visibility->open[s] = last_open[side];
+  }
+  um_core_free(visibility->context, search.box);
+  return UM_OK;
+}

@@ -1,0 +1,257 @@
+/* Wavefront OBJ: v, f, g, o, usemtl; vt, vn, vp, s, l, p, mtllib are read over; anything else, and
+ * anything that is cut short, is refused with its line.
+ *
+ * Group of a face: the name of the last `g`; without one the last `usemtl`; without that the last
+ * `o`; else "mesh". Names are the rest of their line. A backslash at the end joins two lines. */
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/file.h"
+#include "geometry/geometry_impl.h"
+
+#define MAX_FILE_BYTES ((size_t)1 << 30)
+#define BLANK          " \t"
+
+struct reader {
+  struct um_context *context;
+  struct um_geometry_patch *patch;
+  const char *path;
+  int line;
+  double scale;
+  const char *g, *usemtl, *o; /* names in force, or NULL */
+  /* faces are kept until all vertices are known: an index may point forward */
+  int64_t *index; /* all faces one after the other, 0-based */
+  size_t nindex, index_capacity;
+  struct face {
+    size_t begin, end;
+    uint32_t group;
+    int line;
+  } * faces;
+  size_t nface, faces_capacity;
+};
+
+#define FAIL(reader, ...) fail_at((reader), (reader)->line, __VA_ARGS__)
+
+static enum um_status fail_at(struct reader *r, int line, const char *format, ...) UM_PRINTF(3, 4);
+static enum um_status fail_at(struct reader *r, int line, const char *format, ...)
+{
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: %s", r->path, line, text);
+}
+
+static enum um_status read_vertex(struct reader *r, char *rest)
+{
+  double x[3];
+  char *save = NULL;
+  for (int k = 0; k < 3; k++) {
+    const char *token = strtok_r(k == 0 ? rest : NULL, BLANK, &save);
+    if (token == NULL) return FAIL(r, "vertex with %d of 3 coordinates", k);
+    if (!um_core_number_parse(token, &x[k]))
+      return FAIL(r, "vertex coordinate '%.40s' is not a finite number", token);
+    x[k] *= r->scale;
+    if (!isfinite(x[k])) return FAIL(r, "vertex coordinate '%.40s' is too large", token);
+  }
+  return um_geometry_patch_vertex(r->patch, um_vec3(x[0], x[1], x[2]), NULL);
+}
+
+/* "7", "7/1", "7//3", "7/1/3", "-1//-1": the first number, 0-based. */
+static enum um_status read_index(struct reader *r, const char *token, int64_t *index)
+{
+  char *end;
+  long long value = strtoll(token, &end, 10);
+  const char *tail = end;
+  if (end == token || !(isdigit((unsigned char)*token) || *token == '-'))
+    return FAIL(r, "'%.40s' is not a vertex index; accepted are 7, 7/1, 7//3, 7/1/3, -1", token);
+  for (; *tail != '\0'; tail++)
+    if (strchr("/-0123456789", *tail) == NULL)
+      return FAIL(r, "'%.40s' is not a vertex index; accepted are 7, 7/1, 7//3, 7/1/3, -1", token);
+  if (value == 0) return FAIL(r, "vertex index 0; indices begin at 1");
+  if (value < 0)
+    value += (long long)r->patch->nvertex; /* -1 is the latest */
+  else
+    value -= 1;
+  if (value < 0)
+    return FAIL(r, "vertex index '%.40s' goes back before the first of %zu vertices", token,
+                r->patch->nvertex);
+  *index = (int64_t)value;
+  return UM_OK;
+}
+
+static enum um_status read_face(struct reader *r, char *rest)
+{
+  if (r->nface == r->faces_capacity) {
+    size_t capacity = 2 * r->faces_capacity + 256;
+    UM_TRY(um_core_reallocate(r->context, capacity, sizeof *r->faces, (void *)&r->faces));
+    r->faces_capacity = capacity;
+  }
+  struct face *face = &r->faces[r->nface];
+  *face = (struct face){r->nindex, r->nindex, 0, r->line};
+  char *save = NULL;
+  for (const char *token = strtok_r(rest, BLANK, &save); token != NULL;
+       token = strtok_r(NULL, BLANK, &save)) {
+    if (r->nindex == r->index_capacity) {
+      size_t capacity = 2 * r->index_capacity + 1024;
+      UM_TRY(um_core_reallocate(r->context, capacity, sizeof *r->index, (void *)&r->index));
+      r->index_capacity = capacity;
+    }
+    int64_t index = 0;
+    UM_TRY(read_index(r, token, &index));
+    for (size_t k = face->begin; k < r->nindex; k++)
+      if (r->index[k] == index)
+        return FAIL(r, "the face uses vertex %lld twice: '%.40s'", (long long)index + 1, token);
+    r->index[r->nindex++] = index;
+  }
+  face->end = r->nindex;
+  if (face->end - face->begin < 3)
+    return FAIL(r, "incomplete face with %zu corners; at least 3 are needed",
+                face->end - face->begin);
+  const char *group = r->g != NULL ? r->g : r->usemtl != NULL ? r->usemtl : r->o;
+  UM_TRY(um_geometry_patch_group(r->patch, group != NULL ? group : "mesh", &face->group));
+  r->nface++;
+  return UM_OK;
+}
+
+static enum um_status read_line(struct reader *r, char *line)
+{
+  static const char *const passed_over[] = {"vt", "vn", "vp", "s", "l", "p", "mtllib"};
+  line += strspn(line, BLANK);
+  char *comment = strchr(line, '#');
+  if (comment != NULL) *comment = '\0';
+  size_t length = strlen(line);
+  while (length > 0 && strchr(BLANK "\r", line[length - 1]) != NULL) line[--length] = '\0';
+  if (length == 0) return UM_OK;
+  size_t n = strcspn(line, BLANK);
+  char *rest = line + n;
+  if (*rest != '\0') *rest++ = '\0';
+  rest += strspn(rest, BLANK);
+  if (strcmp(line, "v") == 0) return read_vertex(r, rest);
+  if (strcmp(line, "f") == 0) return read_face(r, rest);
+  const char *name = *rest != '\0' ? rest : NULL;
+  if (strcmp(line, "g") == 0)
+    r->g = name;
+  else if (strcmp(line, "o") == 0)
+    r->o = name;
+  else if (strcmp(line, "usemtl") == 0)
+    r->usemtl = name;
+  else {
+    for (size_t i = 0; i < sizeof passed_over / sizeof *passed_over; i++)
+      if (strcmp(line, passed_over[i]) == 0) return UM_OK;
+    return FAIL(r,
+                "'%.40s' is not a statement that is understood; accepted are v f g o usemtl "
+                "(vt vn vp s l p mtllib are passed over)",
+                line);
+  }
+  return UM_OK;
+}
+
+/* Splits the text in place and reads each logical line. */
+static enum um_status read_lines(struct reader *r, char *text, size_t length)
+{
+  char *at = text, *stop = text + length;
+  int physical = 0;
+  while (at < stop) {
+    char *line = at;
+    r->line = physical + 1;
+    for (;;) {
+      char *end = memchr(at, '\n', (size_t)(stop - at));
+      physical++;
+      if (end == NULL) {
+        char first = line[strspn(line, BLANK)];
+        if (first == 'v' || first == 'f')
+          return FAIL(r, "the last line has no line end: the file may be truncated; "
+                         "append one when it is whole");
+        at = stop;
+        break;
+      }
+      char *last = end;
+      if (last > line && last[-1] == '\r') last--;
+      at = end + 1;
+      if (last == line || last[-1] != '\\' || at == stop) {
+        *end = '\0';
+        break;
+      }
+      for (char *c = last - 1; c <= end; c++) *c = ' '; /* continued on the next line */
+    }
+    UM_TRY(read_line(r, line));
+  }
+  return UM_OK;
+}
+
+/* Triangles of one face into the patch. */
+static enum um_status add_face(struct reader *r, const struct face *face, struct um_vec3 *p,
+                               uint32_t *work, uint32_t (*triangle)[3])
+{
+  size_t n = face->end - face->begin;
+  const int64_t *index = r->index + face->begin;
+  for (size_t k = 0; k < n; k++) {
+    if (index[k] >= (int64_t)r->patch->nvertex)
+      return fail_at(r, face->line, "vertex index %lld is out of range; the file has %zu vertices",
+                     (long long)index[k] + 1, r->patch->nvertex);
+    p[k] = r->patch->vertex[index[k]];
+  }
+  if (!um_geometry_polygon_triangulate(p, n, work, triangle))
+    return fail_at(r, face->line,
+                   "degenerate facet: a face of %zu corners that has no area, crosses itself or "
+                   "is too long and concave",
+                   n);
+  for (size_t t = 0; t + 2 < n; t++)
+    UM_TRY(um_geometry_patch_facet(r->patch, (uint32_t)index[triangle[t][0]],
+                                   (uint32_t)index[triangle[t][1]], (uint32_t)index[triangle[t][2]],
+                                   face->group, face->line));
+  return UM_OK;
+}
+
+static enum um_status add_faces(struct reader *r)
+{
+  enum um_status status;
+  struct um_vec3 *p = NULL;
+  uint32_t *work = NULL, (*triangle)[3] = NULL;
+  size_t most = 3;
+  for (size_t i = 0; i < r->nface; i++) {
+    size_t n = r->faces[i].end - r->faces[i].begin;
+    if (n > most) most = n;
+  }
+  UM_CHECK(um_core_allocate(r->context, most, sizeof *p, (void *)&p));
+  UM_CHECK(um_core_allocate(r->context, most, sizeof *work, (void *)&work));
+  UM_CHECK(um_core_allocate(r->context, most, sizeof *triangle, (void *)&triangle));
+  for (size_t i = 0; i < r->nface; i++) UM_CHECK(add_face(r, &r->faces[i], p, work, triangle));
+done:
+  um_core_free(r->context, p);
+  um_core_free(r->context, work);
+  um_core_free(r->context, triangle);
+  return status;
+}
+
+enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path, double scale)
+{
+  enum um_status status;
+  char *text = NULL;
+  size_t length = 0;
+  struct reader r = {.context = patch->context, .patch = patch, .path = path, .scale = scale};
+  UM_CHECK(um_core_file_read(r.context, path, MAX_FILE_BYTES, &text, &length));
+  const char *nul = memchr(text, '\0', length);
+  if (nul != NULL) {
+    int line = 1;
+    for (const char *c = text; c < nul; c++) line += *c == '\n';
+    UM_CHECK(fail_at(&r, line, "NUL byte: this is not a text file; an OBJ file is accepted"));
+  }
+  UM_CHECK(read_lines(&r, text, length));
+  if (r.nface == 0) {
+    status = um_core_fail(r.context, UM_ERR_INPUT,
+                          "%s: no faces (%zu vertices): the file is empty or truncated", path,
+                          patch->nvertex);
+    goto done;
+  }
+  UM_CHECK(add_faces(&r));
+done:
+  um_core_free(r.context, text);
+  um_core_free(r.context, r.index);
+  um_core_free(r.context, r.faces);
+  return status;
+}

@@ -1,0 +1,132 @@
+/* Joints and positions. Frames are passive: part p is placed in its parent at `position`, turned by
+ * `rotation` (parent to part), and a joint turns the part's contents by +angle about its axis,
+ * which is the frame change um_quat_from_axis(axis, angle) after `rotation`. Children hang on the
+ * turned frame. */
+#include "geometry/geometry_impl.h"
+
+#define NO_PART ((size_t)-1)
+
+/* A Sun closer to the axis than this has no preferred angle [1]. */
+#define ALONG_AXIS 1e-9
+
+/* Where a part is: origin in body frame [m] and body-to-part rotation. */
+struct frame {
+  struct um_vec3 origin;
+  struct um_quat q;
+};
+
+static const struct frame body_frame = {{0, 0, 0}, {1, 0, 0, 0}};
+
+/* Frame of a part in its parent's, before its own joint turns it. */
+static struct frame unturned_frame(const struct um_geometry_part *part, struct frame parent)
+{
+  struct um_vec3 offset = um_quat_apply(um_quat_conjugate(parent.q), part->position);
+  return (struct frame){um_vec3_add(parent.origin, offset), um_quat_then(parent.q, part->rotation)};
+}
+
+static struct frame turned_frame(const struct um_geometry_part *part, struct frame frame,
+                                 double angle)
+{
+  frame.q = um_quat_normalize(um_quat_then(frame.q, um_quat_from_axis(part->joint_axis, angle)));
+  return frame;
+}
+
+/* Angle that brings n nearest to s when turned about the axis a:
+ * tan(angle) = a . (n x s) / (n . s - (a . n)(a . s)). */
+static double sun_angle(struct um_vec3 a, struct um_vec3 n, struct um_vec3 s)
+{
+  if (!(um_vec3_norm(um_vec3_cross(a, s)) > ALONG_AXIS)) return 0.0;
+  double sine = um_vec3_dot(a, um_vec3_cross(n, s));
+  double cosine = um_vec3_dot(n, s) - um_vec3_dot(a, n) * um_vec3_dot(a, s);
+  return atan2(sine, cosine);
+}
+
+/* Frame before the part's own joint turns, found by walking up; angles of its parents are known. */
+static struct frame frame_of(const struct um_geometry *geometry, size_t part, const double *angles)
+{
+  const struct um_geometry_part *p = &geometry->part[part];
+  struct frame parent = body_frame;
+  if (p->parent != NO_PART) {
+    parent = frame_of(geometry, p->parent, angles);
+    const struct um_geometry_part *up = &geometry->part[p->parent];
+    if (up->joint != NO_PART) parent = turned_frame(up, parent, angles[up->joint]);
+  }
+  return unturned_frame(p, parent);
+}
+
+size_t um_geometry_joint_count(const struct um_geometry *geometry) { return geometry->njoint; }
+
+bool um_geometry_joint_moves(const struct um_geometry *geometry)
+{
+  for (size_t i = 0; i < geometry->npart; i++)
+    if (geometry->part[i].joint_kind == UM_JOINT_SUN) return true;
+  return false;
+}
+
+void um_geometry_joint_angles(const struct um_geometry *geometry, struct um_vec3 sun_body,
+                              double *angles)
+{
+  for (size_t i = 0; i < geometry->npart; i++) {
+    size_t k = geometry->order[i];
+    const struct um_geometry_part *part = &geometry->part[k];
+    if (part->joint == NO_PART) continue;
+    double angle = part->joint_angle;
+    if (part->joint_kind == UM_JOINT_SUN) {
+      struct um_vec3 s = um_quat_apply(frame_of(geometry, k, angles).q, sun_body);
+      angle += sun_angle(part->joint_axis, part->joint_normal, s);
+    }
+    angles[part->joint] = angle;
+  }
+}
+
+enum um_status um_geometry_pose_create(struct um_context *context,
+                                       const struct um_geometry *geometry, const double *angles,
+                                       struct um_geometry_pose **out)
+{
+  enum um_status status;
+  struct um_geometry_pose *pose = NULL;
+  struct frame *frames = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, geometry->npart, sizeof *frames, (void *)&frames));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *pose, (void *)&pose));
+  UM_CHECK(um_core_allocate(context, geometry->mesh.nvertex, sizeof *pose->vertex,
+                            (void *)&pose->vertex));
+  UM_CHECK(um_core_allocate(context, geometry->mesh.nfacet, sizeof *pose->facet_normal,
+                            (void *)&pose->facet_normal));
+  for (size_t i = 0; i < geometry->npart; i++) {
+    size_t k = geometry->order[i];
+    const struct um_geometry_part *part = &geometry->part[k];
+    struct frame frame =
+        unturned_frame(part, part->parent == NO_PART ? body_frame : frames[part->parent]);
+    if (part->joint != NO_PART)
+      frame = turned_frame(part, frame, angles == NULL ? part->joint_angle : angles[part->joint]);
+    frames[k] = frame;
+    struct um_mat3 to_body = um_mat3_transpose(um_quat_matrix(frame.q));
+    for (size_t v = part->vertex_begin; v < part->vertex_end; v++)
+      pose->vertex[v] = um_vec3_add(frame.origin, um_mat3_apply(to_body, geometry->vertex[v]));
+    for (size_t f = part->facet_begin; f < part->facet_end; f++)
+      pose->facet_normal[f] = um_mat3_apply(to_body, geometry->normal[f]);
+  }
+  *out = pose;
+  pose = NULL;
+done:
+  um_core_free(context, frames);
+  um_geometry_pose_destroy(context, &pose);
+  return status;
+}
+
+void um_geometry_pose_destroy(struct um_context *context, struct um_geometry_pose **pose)
+{
+  if (pose == NULL || *pose == NULL) return;
+  um_core_free(context, (*pose)->vertex);
+  um_core_free(context, (*pose)->facet_normal);
+  um_core_free(context, *pose);
+  *pose = NULL;
+}
+
+struct um_vec3 um_geometry_surface_normal(const struct um_geometry_mesh *mesh,
+                                          const struct um_geometry_pose *pose, size_t surface)
+{
+  const struct um_geometry_surface *s = &mesh->surface[surface];
+  return um_vec3_scale(pose->facet_normal[s->facet], s->back ? -1.0 : 1.0);
+}
