@@ -1,0 +1,54 @@
+/* The umbra command: what its verbs share. */
+#ifndef UMBRA_APP_APP_H
+#define UMBRA_APP_APP_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "core/context.h"
+#include "model/model.h"
+
+#define UM_APP_VERSION "0.1.0"
+
+/* Exit codes: 0 done, 1 failed, 2 misuse. */
+enum um_app_exit { UM_APP_DONE = 0, UM_APP_FAILED = 1, UM_APP_MISUSE = 2 };
+
+/* Options that verbs have in common, as parsed; texts borrowed from argv. */
+struct um_app_options {
+  const char *positional[4];
+  int npositional;
+  const char *out;  /* --out, -o */
+  const char **set; /* --set KEY=VALUE */
+  size_t nset;
+  const char **with, **without;
+  size_t nwith, nwithout;
+  const char *time_utc, *band; /* --time, --band */
+  int width, samples;          /* --width, --samples */
+  bool force, json, thermal, optics, no_plots;
+  char *command; /* the command as typed */
+};
+
+struct um_app_verb {
+  const char *name, *usage, *summary;
+  int npositional_min, npositional_max;
+  const char *accepts; /* long options it takes, space separated, beside --threads */
+  int (*run)(struct um_context *context, const struct um_app_options *options);
+};
+
+/* Print the context's message as "umbra: message" on stderr; returns UM_APP_FAILED. */
+int um_app_fail(struct um_context *context);
+/* The part of the options that changes a scenario. */
+struct um_model_options um_app_model_options(const struct um_app_options *options);
+/* A JSON string literal. */
+void um_app_json_string(FILE *file, const char *text);
+
+int um_app_run(struct um_context *context, const struct um_app_options *options);
+int um_app_check(struct um_context *context, const struct um_app_options *options);
+int um_app_passes(struct um_context *context, const struct um_app_options *options);
+int um_app_materials(struct um_context *context, const struct um_app_options *options);
+int um_app_effects(struct um_context *context, const struct um_app_options *options);
+int um_app_render(struct um_context *context, const struct um_app_options *options);
+int um_app_validate(struct um_context *context, const struct um_app_options *options);
+int um_app_schema(struct um_context *context, const struct um_app_options *options);
+
+#endif

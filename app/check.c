@@ -1,0 +1,70 @@
+/* umbra check: read a scenario and report what was understood, without computing light curves. */
+#include <math.h>
+#include <string.h>
+
+#include "app/app.h"
+#include "core/constants.h"
+#include "orbit/time.h"
+
+static void print_parts(const struct um_model *model)
+{
+  const struct um_geometry *g = model->geometry;
+  printf("%-16s %8s %8s %11s %11s  %s\n", "part", "facets", "vertices", "area m2", "volume m3",
+         "surface");
+  for (size_t i = 0; i < um_geometry_part_count(g); i++) {
+    struct um_geometry_report r = um_geometry_report(g, i);
+    printf("%-16s %8zu %8zu %11.4f ", r.part, r.nfacet, r.nvertex, r.area);
+    if (isnan(r.volume))
+      printf("%11s", "-");
+    else
+      printf("%11.4f", r.volume);
+    printf("  %s", r.closed ? "closed" : "open");
+    if (r.ndegenerate > 0) printf(", %zu degenerate facets", r.ndegenerate);
+    if (r.nonmanifold_edge > 0) printf(", %zu edges of more than two facets", r.nonmanifold_edge);
+    if (r.sharpest_angle < 2.0 * UM_DEG)
+      printf(", sharpest angle %.2f deg", r.sharpest_angle / UM_DEG);
+    printf("\n");
+  }
+}
+
+static void print_materials(const struct um_model *model)
+{
+  const struct um_geometry *g = model->geometry;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(g);
+  printf("\n%-26s %11s %10s %10s\n", "material", "area m2", "solar abs.", "emittance");
+  for (size_t m = 0; m < um_geometry_material_count(g); m++) {
+    double area = 0.0;
+    for (size_t s = 0; s < mesh->nsurface; s++)
+      if (mesh->surface[s].material == m) area += mesh->area[mesh->surface[s].facet];
+    printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m), area,
+           um_materials_solar_absorptance(model->material[m], NULL),
+           um_materials_emittance(model->material[m], NULL, 300.0));
+  }
+}
+
+int um_app_check(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  char start[32], stop[32];
+  struct um_model_options changes = um_app_model_options(options);
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  const struct um_scenario_time *time = model->scenario->time;
+  struct um_environment_sample s;
+  UM_CHECK(um_model_sample_at(context, model, time->start, &s));
+  um_orbit_time_format(time->start, start);
+  um_orbit_time_format(time->stop, stop);
+  printf("%s: %s to %s every %g s\n", model->scenario->name, start, stop, time->step_s);
+  printf("at the start: altitude %.1f km, sunlit fraction %.3f, period %.1f s\n",
+         (um_vec3_norm(s.r) - model->environment.earth_radius) * 1e-3, s.sunlit_fraction,
+         um_orbit_trajectory_period(model->trajectory));
+  printf("\n");
+  print_parts(model);
+  print_materials(model);
+  printf("\n%zu surfaces, %zu heat nodes, %zu tetrahedra, %zu bands\n",
+         um_geometry_mesh(model->geometry)->nsurface,
+         um_thermal_network_nodes(model->body->network), model->body->ntetrahedron, model->nband);
+done:
+  um_model_destroy(context, &model);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

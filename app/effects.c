@@ -1,0 +1,57 @@
+/* umbra effects: the registry as a table or one effect in full. */
+#include <string.h>
+
+#include "app/app.h"
+#include "effects/effects.h"
+
+static void print_one(const struct um_effect *e)
+{
+  printf("%s\n  %s.\n  %s by default\n  valid: %s\n  reference: %s\n", e->name, e->summary,
+         e->on_by_default ? "on" : "off", e->validity, e->reference);
+  for (size_t i = 0; i < e->nparameter; i++) {
+    const struct um_effect_parameter *p = &e->parameters[i];
+    printf("  %s [%s], default %g, %g to %g, vanishes at %g: %s\n", p->name, p->unit, p->fallback,
+           p->minimum, p->maximum, p->null_value, p->help);
+  }
+}
+
+static void print_json(void)
+{
+  puts("[");
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    printf("  {\"name\": ");
+    um_app_json_string(stdout, e->name);
+    printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
+    um_app_json_string(stdout, e->summary);
+    printf(", \"reference\": ");
+    um_app_json_string(stdout, e->reference);
+    printf("}%s\n", i + 1 < um_effects_count() ? "," : "");
+  }
+  puts("]");
+}
+
+int um_app_effects(struct um_context *context, const struct um_app_options *options)
+{
+  if (options->npositional == 1) {
+    const struct um_effect *e = um_effects_find(options->positional[0]);
+    if (e == NULL) {
+      char names[512];
+      um_effects_names(names, sizeof names);
+      um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; known: %s",
+                   options->positional[0], names);
+      return um_app_fail(context);
+    }
+    print_one(e);
+    return UM_APP_DONE;
+  }
+  if (options->json) {
+    print_json();
+    return UM_APP_DONE;
+  }
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    printf("%-20s %-4s %s\n", e->name, e->on_by_default ? "on" : "off", e->summary);
+  }
+  return UM_APP_DONE;
+}

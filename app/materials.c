@@ -1,0 +1,118 @@
+/* umbra materials: what the records give when integrated, beside what catalogues say. */
+#include <math.h>
+#include <string.h>
+
+#include "app/app.h"
+
+#define ROOM 300.0 /* temperature of the emittances [K] */
+
+static void print_value(const char *format, double value)
+{
+  if (isnan(value))
+    printf("%10s", "-");
+  else
+    printf(format, value);
+}
+
+static void print_row(const struct um_materials_record *r)
+{
+  struct um_materials_catalogue c = um_materials_catalogue(r);
+  printf("%-26s", um_materials_name(r));
+  print_value("%10.3f", um_materials_solar_absorptance(r, NULL));
+  print_value("%10.3f", c.solar_absorptance);
+  print_value("%10.3f", um_materials_emittance(r, NULL, ROOM));
+  print_value("%10.3f", um_materials_normal_emittance(r, NULL, ROOM));
+  print_value("%10.3f", c.emittance);
+  printf("  %s\n", um_materials_is_grey(r) ? "grey" : "spectral");
+}
+
+static void print_one(const struct um_materials_record *r)
+{
+  struct um_materials_bulk b = um_materials_bulk(r);
+  struct um_materials_catalogue c = um_materials_catalogue(r);
+  printf("%s: %s\n", um_materials_name(r), um_materials_summary(r));
+  printf("  source: %s\n", um_materials_citation(r));
+  printf("  solar absorptance %.4f", um_materials_solar_absorptance(r, NULL));
+  if (!isnan(c.solar_absorptance))
+    printf(" (catalogue %.3f +- %.3f, %s)", c.solar_absorptance, c.solar_absorptance_tolerance,
+           c.source);
+  printf("\n  emittance at %.0f K: hemispherical %.4f, normal %.4f", ROOM,
+         um_materials_emittance(r, NULL, ROOM), um_materials_normal_emittance(r, NULL, ROOM));
+  if (!isnan(c.emittance))
+    printf(" (catalogue %.3f +- %.3f, %s)", c.emittance, c.emittance_tolerance, c.source);
+  printf("\n  normal emissivity at 8, 9, 10, 11, 12 um:");
+  for (int um = 8; um <= 12; um++)
+    printf(" %.3f", um_materials_emissivity(r, NULL, um * 1e-6, 1.0));
+  printf("\n  diffuse reflectance at 0.4, 0.5, 0.6, 0.7, 0.8 um:");
+  for (int i = 4; i <= 8; i++) printf(" %.3f", um_materials_diffuse_reflectance(r, NULL, i * 1e-7));
+  if (um_materials_has_lobe(r)) {
+    printf("\n  lobe: Beckmann alpha %.4f, F at 30 deg and 0.4 to 0.8 um:",
+           um_materials_roughness(r, NULL));
+    for (int i = 4; i <= 8; i++)
+      printf(" %.3f",
+             um_materials_specular_reflectance(r, NULL, i * 1e-7, cos(0.5235987755982988)));
+  }
+  printf("\n");
+  if (!isnan(b.density))
+    printf("  density %g kg/m3, specific heat %g J/kg/K, conductivity %g W/m/K\n", b.density,
+           b.specific_heat, b.conductivity);
+  if (!isnan(b.areal_heat_capacity))
+    printf("  areal heat capacity %g J/m2/K\n", b.areal_heat_capacity);
+}
+
+static void print_json(const struct um_materials_library *library)
+{
+  puts("[");
+  size_t n = um_materials_library_count(library);
+  for (size_t i = 0; i < n; i++) {
+    const struct um_materials_record *r = um_materials_library_at(library, i);
+    printf("  {\"name\": ");
+    um_app_json_string(stdout, um_materials_name(r));
+    printf(", \"solar_absorptance\": %.6g, \"emittance\": %.6g, \"normal_emittance\": %.6g, "
+           "\"grey\": %s}%s\n",
+           um_materials_solar_absorptance(r, NULL), um_materials_emittance(r, NULL, ROOM),
+           um_materials_normal_emittance(r, NULL, ROOM), um_materials_is_grey(r) ? "true" : "false",
+           i + 1 < n ? "," : "");
+  }
+  puts("]");
+}
+
+static void print_table(const struct um_materials_library *library)
+{
+  printf("%-26s%10s%10s%10s%10s%10s\n", "", "solar abs.", "catalogue", "emittance", "normal",
+         "catalogue");
+  for (size_t i = 0; i < um_materials_library_count(library); i++)
+    print_row(um_materials_library_at(library, i));
+  printf("Solar absorptance over ASTM E490 at normal incidence; emittance hemispherical and normal "
+         "at %.0f K.\n",
+         ROOM);
+}
+
+int um_app_materials(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  char *folder = NULL;
+  struct um_materials_library *library = NULL;
+  UM_CHECK(um_materials_library_create(context, &library));
+  UM_CHECK(um_materials_library_folder(context, &folder));
+  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  if (options->npositional == 1) {
+    const char *name = options->positional[0];
+    const struct um_materials_record *r = um_materials_library_find(library, name);
+    char near[256];
+    if (r == NULL) {
+      um_materials_library_suggest(library, name, near, sizeof near);
+      status = um_core_fail(context, UM_ERR_INPUT, "no material is called '%s'; %s", name, near);
+      goto done;
+    }
+    print_one(r);
+  } else if (options->json) {
+    print_json(library);
+  } else {
+    print_table(library);
+  }
+done:
+  um_core_free(context, folder);
+  um_materials_library_destroy(&library);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,72 @@
+/* Log and progress on the terminal: a bar with the time left, nothing of it in a pipe. */
+#include "app/terminal.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define BAR_WIDTH 28
+
+struct progress {
+  const char *task;
+  double began, drawn; /* [s] */
+};
+
+static double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void um_app_terminal_clear(void)
+{
+  if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
+}
+
+static void log_line(void *self, enum um_core_log_level level, const char *line)
+{
+  (void)self;
+  if (level < UM_LOG_INFO || (level == UM_LOG_INFO && !isatty(STDERR_FILENO))) return;
+  um_app_terminal_clear();
+  fprintf(stderr, "%s%s\n",
+          level == UM_LOG_WARNING ? "warning: "
+          : level == UM_LOG_ERROR ? "error: "
+                                  : "",
+          line);
+}
+
+static bool draw(void *self, const char *task, size_t done, size_t total)
+{
+  struct progress *p = self;
+  double t = now();
+  if (p->task != task || done == 0) {
+    p->task = task;
+    p->began = t;
+    p->drawn = 0.0;
+  }
+  if (done == total) {
+    um_app_terminal_clear();
+    return true;
+  }
+  if (t - p->began < 0.3 || t - p->drawn < 0.1) return true;
+  p->drawn = t;
+  char bar[BAR_WIDTH + 1];
+  size_t filled = total == 0 ? 0 : done * BAR_WIDTH / total;
+  memset(bar, '-', BAR_WIDTH);
+  memset(bar, '#', filled);
+  bar[BAR_WIDTH] = '\0';
+  double left = done == 0 ? 0.0 : (t - p->began) * (double)(total - done) / (double)done;
+  fprintf(stderr, "\r\033[K%s [%s] %3zu %%", task, bar, total == 0 ? 0 : 100 * done / total);
+  if (done > 0) fprintf(stderr, ", %.0f s left", left);
+  fflush(stderr);
+  return true;
+}
+
+void um_app_terminal_attach(struct um_context *context)
+{
+  static struct progress progress; /* one terminal, one bar */
+  um_core_log_set_sink(context, log_line, NULL);
+  if (isatty(STDERR_FILENO)) um_core_progress_set_sink(context, draw, &progress);
+}
