@@ -75,10 +75,11 @@ struct um_schema_object {
   const char *scalar_key;
 };
 
-/* Initialisers: UM_FIELD(struct T, member, "key_unit", TYPE, .required = true, ...). */
-#define UM_FIELD(structure, member, key_, type_, ...)                                              \
+/* Initialisers: UM_FIELD(struct T, member, "key_unit", TYPE) with more members of the field behind
+ * the type where needed: UM_FIELD(struct T, member, "key_unit", TYPE, .required = true). */
+#define UM_FIELD(structure, member, key_, ...)                                                     \
   {                                                                                                \
-    .key = (key_), .type = (type_), .offset = offsetof(structure, member), __VA_ARGS__             \
+    .key = (key_), .offset = offsetof(structure, member), .type = __VA_ARGS__                      \
   }
 #define UM_FIELD_COUNT(fields) (sizeof(fields) / sizeof((fields)[0]))
 
