@@ -117,6 +117,14 @@ struct um_model_result {
 /* Run on a trace made from the same model. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
                             const struct um_model_trace *trace, struct um_model_result **out);
+/* Picture of observation k in a band, up being away from the Earth; see um_optics_image_render.
+ * UM_ERR_INPUT without an observer. */
+enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
+                                const struct um_model_trace *trace,
+                                const struct um_model_result *result, size_t k, size_t band,
+                                int width, int samples_per_pixel, struct um_optics_image **out);
+/* Index of a band by name, (size_t)-1 when there is none. */
+size_t um_model_band_find(const struct um_model *model, const char *name);
 void um_model_result_destroy(struct um_context *context, struct um_model_result **result);
 
 #endif

@@ -1,0 +1,77 @@
+/* umbra render: one picture of one instant, every wavelength of a band, as OpenEXR. */
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/app.h"
+#include "output/output.h"
+
+#define DEFAULT_WIDTH   512
+#define DEFAULT_SAMPLES 16
+
+/* The scenario's overrides plus the one instant that is wanted. */
+static enum um_status overrides_of(struct um_context *context, const struct um_app_options *options,
+                                   const char ***out, char *at[2])
+{
+  UM_TRY(um_core_allocate(context, options->nset + 2, sizeof **out, out));
+  UM_TRY(um_core_asprintf(context, &at[0], "time.start_utc=%s", options->time_utc));
+  UM_TRY(um_core_asprintf(context, &at[1], "time.stop_utc=%s", options->time_utc));
+  for (size_t i = 0; i < options->nset; i++) (*out)[i] = options->set[i];
+  (*out)[options->nset] = at[0];
+  (*out)[options->nset + 1] = at[1];
+  return UM_OK;
+}
+
+static enum um_status render(struct um_context *context, const struct um_app_options *options,
+                             struct um_model *model)
+{
+  enum um_status status;
+  struct um_model_trace *trace = NULL;
+  struct um_model_result *result = NULL;
+  struct um_optics_image *image = NULL;
+  size_t band = um_model_band_find(model, options->band);
+  if (band == (size_t)-1)
+    return um_core_fail(context, UM_ERR_INPUT, "--band %s: %s has no such band", options->band,
+                        model->scenario->at.file);
+  UM_CHECK(um_model_trace_create(context, model, &trace));
+  UM_CHECK(um_model_run(context, model, trace, &result));
+  UM_CHECK(um_model_picture(context, model, trace, result, 0, band,
+                            options->width > 0 ? options->width : DEFAULT_WIDTH,
+                            options->samples > 0 ? options->samples : DEFAULT_SAMPLES, &image));
+  UM_CHECK(um_output_write_exr(context, image, options->out));
+  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths\n", options->out, image->width,
+         image->height, image->pixel_size, image->nbin);
+done:
+  um_optics_image_destroy(context, &image);
+  um_model_result_destroy(context, &result);
+  um_model_trace_destroy(context, &trace);
+  return status;
+}
+
+int um_app_render(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  const char **overrides = NULL;
+  char *at[2] = {NULL, NULL};
+  if (options->time_utc == NULL || options->band == NULL || options->out == NULL) {
+    fputs("umbra: render needs --time UTC, --band NAME and -o image.exr\n", stderr);
+    return UM_APP_MISUSE;
+  }
+  if (access(options->out, F_OK) == 0 && !options->force) {
+    status = um_core_fail(context, UM_ERR_IO, "%s exists; --force replaces it", options->out);
+    goto done;
+  }
+  struct um_model_options changes = um_app_model_options(options);
+  UM_CHECK(overrides_of(context, options, &overrides, at));
+  changes.overrides = overrides;
+  changes.noverride = options->nset + 2;
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(render(context, options, model));
+done:
+  um_model_destroy(context, &model);
+  um_core_free(context, (void *)overrides);
+  um_core_free(context, at[0]);
+  um_core_free(context, at[1]);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,191 @@
+/* umbra run: light curves and temperatures of a scenario into a folder. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "app/app.h"
+#include "core/constants.h"
+#include "orbit/time.h"
+#include "output/output.h"
+
+#define PANEL_COLUMNS 3
+#define PANEL_WIDTH   320 /* pixels */
+
+/* Radiant energy toward the observer per material over the run, one band [W s/sr]. */
+static void material_energy(const struct um_model_result *r, size_t band, double *out)
+{
+  for (size_t m = 0; m < r->nmaterial; m++) out[m] = 0.0;
+  for (size_t k = 0; k < r->nobs; k++)
+    for (size_t m = 0; m < r->nmaterial; m++)
+      for (int i = 0; i < UM_MECHANISM_COUNT; i++)
+        out[m] += r->intensity[((k * r->nband + band) * r->nmaterial + m) * UM_MECHANISM_COUNT +
+                               (size_t)i];
+}
+
+static double intensity_of(const struct um_model_result *r, size_t k, size_t band, int mechanism)
+{
+  double sum = 0.0;
+  for (size_t m = 0; m < r->nmaterial; m++)
+    for (int i = 0; i < UM_MECHANISM_COUNT; i++)
+      if (mechanism < 0 || i == mechanism)
+        sum += r->intensity[((k * r->nband + band) * r->nmaterial + m) * UM_MECHANISM_COUNT +
+                            (size_t)i];
+  return sum;
+}
+
+static void summarise_band(const struct um_model *model, const struct um_model_trace *trace,
+                           const struct um_model_result *r, size_t band, double *energy)
+{
+  double low = INFINITY, high = 0.0, error = 0.0, umbra_sun = 0.0, umbra_low = INFINITY, sum = 0.0;
+  size_t umbra = 0, best = 0;
+  for (size_t k = 0; k < r->nobs; k++) {
+    double total = intensity_of(r, k, band, -1);
+    low = fmin(low, total);
+    high = fmax(high, total);
+    if (total > 0.0) error = fmax(error, r->standard_error[k * r->nband + band] / total);
+    if (trace->sunlit[k] > 0.0) continue;
+    umbra++;
+    umbra_sun = fmax(umbra_sun, intensity_of(r, k, band, UM_MECHANISM_SUN));
+    umbra_low = fmin(umbra_low, total);
+  }
+  printf("%-5s %.4g to %.4g W/sr", model->band[band].name, low, high);
+  if (umbra > 0)
+    printf("; %zu of %zu instants in the umbra: Sun term %g W/sr, total at least %.4g W/sr", umbra,
+           r->nobs, umbra_sun, umbra_low);
+  printf("; Monte-Carlo error at most %.2g %%\n", 100.0 * error);
+  material_energy(r, band, energy);
+  for (size_t m = 0; m < r->nmaterial; m++) {
+    sum += energy[m];
+    if (energy[m] > energy[best]) best = m;
+  }
+  printf("      most of it over the run: %s,", um_geometry_material_name(model->geometry, best));
+  for (size_t m = 0; m < r->nmaterial; m++)
+    printf(" %s %.1f %%", um_geometry_material_name(model->geometry, m),
+           sum > 0.0 ? 100.0 * energy[m] / sum : 0.0);
+  printf("\n");
+}
+
+static void summarise_heat(const struct um_model_trace *trace, const struct um_model_result *r)
+{
+  printf("%-24s %10s %10s %10s %14s\n", "temperatures [K]", "mean", "lowest", "highest",
+         "drift/orbit");
+  for (size_t p = 0; p < r->nplace; p++) {
+    const struct um_model_place_history *h = &r->place[p];
+    double mean = 0.0, low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < r->nobs; k++) {
+      mean += h->mean[k] / (double)r->nobs;
+      low = fmin(low, h->minimum[k]);
+      high = fmax(high, h->maximum[k]);
+    }
+    printf("%-24s %10.2f %10.2f %10.2f ", h->name, mean, low, high);
+    if (isnan(h->drift))
+      printf("%14s\n", "-");
+    else
+      printf("%+14.3f\n", h->drift);
+  }
+  const struct um_thermal_heat *a = &r->audit;
+  printf("energy audit over %.2f orbits: in %.6g J, out %.6g J, stored %.6g J, error %.1e of the "
+         "turnover (limit 1e-6)\n",
+         (trace->loads->t[trace->loads->ntime - 1] - trace->t_start) / trace->period,
+         a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
+}
+
+static enum um_status pictures(struct um_context *context, const struct um_output_run *run,
+                               const char *folder)
+{
+  enum um_status status = UM_OK;
+  size_t nband = run->model->nband, n = nband * PANEL_COLUMNS;
+  struct um_output_panel *panels = NULL;
+  struct um_optics_image **images = NULL;
+  char(*captions)[32] = NULL, *path = NULL;
+  UM_TRY(um_core_allocate(context, n, sizeof *panels, &panels));
+  UM_CHECK(um_core_allocate(context, n, sizeof *images, &images));
+  UM_CHECK(um_core_allocate(context, PANEL_COLUMNS, sizeof *captions, &captions));
+  for (size_t c = 0; c < PANEL_COLUMNS; c++) {
+    size_t k = run->result->nobs * (2 * c + 1) / (2 * PANEL_COLUMNS);
+    um_orbit_time_format(run->trace->t_obs[k], captions[c]);
+    for (size_t b = 0; b < nband; b++) {
+      UM_CHECK(um_model_picture(context, run->model, run->trace, run->result, k, b, PANEL_WIDTH, 4,
+                                &images[b * PANEL_COLUMNS + c]));
+      panels[b * PANEL_COLUMNS + c] = (struct um_output_panel){
+          images[b * PANEL_COLUMNS + c], run->model->band[b].name, captions[c]};
+    }
+  }
+  UM_CHECK(um_core_asprintf(context, &path, "%s/satellite.png", folder));
+  UM_CHECK(um_output_write_panels(context, panels, nband, PANEL_COLUMNS, path));
+done:
+  for (size_t i = 0; images != NULL && i < n; i++) um_optics_image_destroy(context, &images[i]);
+  um_core_free(context, images);
+  um_core_free(context, panels);
+  um_core_free(context, captions);
+  um_core_free(context, path);
+  return status;
+}
+
+static enum um_status summarise(struct um_context *context, const struct um_output_run *run,
+                                const char *folder)
+{
+  double *energy = NULL;
+  printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
+         run->model->scenario->name, run->result->nobs, run->result->nsurface, run->result->nnode,
+         run->result->steps);
+  summarise_heat(run->trace, run->result);
+  if (run->result->nmaterial > 0) {
+    UM_TRY(um_core_allocate(context, run->result->nmaterial, sizeof *energy, &energy));
+    for (size_t b = 0; b < run->result->nband; b++)
+      summarise_band(run->model, run->trace, run->result, b, energy);
+    um_core_free(context, energy);
+  }
+  printf("results in %s\n", folder);
+  return UM_OK;
+}
+
+static double seconds(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int um_app_run(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_output_run run = {.command = options->command, .version = UM_APP_VERSION};
+  struct um_model *model = NULL;
+  struct um_model_trace *trace = NULL;
+  struct um_model_result *result = NULL;
+  struct um_core_folder *folder = NULL;
+  struct um_model_options changes = um_app_model_options(options);
+  char *out = NULL;
+  double began = seconds(), traced, computed;
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  if (options->out != NULL)
+    UM_CHECK(um_core_strdup(context, options->out, &out));
+  else
+    UM_CHECK(um_core_asprintf(context, &out, "out/%s", model->scenario->name));
+  UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
+  UM_CHECK(um_model_trace_create(context, model, &trace));
+  traced = seconds();
+  UM_CHECK(um_model_run(context, model, trace, &result));
+  computed = seconds();
+  run.model = model;
+  run.trace = trace;
+  run.result = result;
+  if (!options->no_plots && model->has_observer)
+    UM_CHECK(pictures(context, &run, um_core_folder_path(folder)));
+  um_core_log(context, UM_LOG_INFO, "geometry %.1f s, heat and light %.1f s, pictures %.1f s",
+              traced - began, computed - traced, seconds() - computed);
+  UM_CHECK(um_output_write_run(context, &run, folder));
+  if (!options->no_plots) UM_CHECK(um_output_plot_run(context, um_core_folder_path(folder), &run));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+  um_app_terminal_clear();
+  UM_CHECK(summarise(context, &run, out));
+done:
+  um_core_folder_abort(&folder);
+  um_model_result_destroy(context, &result);
+  um_model_trace_destroy(context, &trace);
+  um_model_destroy(context, &model);
+  um_core_free(context, out);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
