@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "app/app.h"
+#include "app/terminal.h"
 #include "core/constants.h"
 #include "orbit/time.h"
 #include "output/output.h"

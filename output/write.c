@@ -1,0 +1,55 @@
+/* All files of a run into one folder. */
+#include "output/output.h"
+
+typedef enum um_status (*writer)(const struct um_output_run *run, FILE *file);
+
+static enum um_status write_file(struct um_context *context, const struct um_output_run *run,
+                                 struct um_core_folder *folder, const char *name, writer write)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, name, &file));
+  enum um_status status = write(run, file);
+  enum um_status closed = um_core_file_close(context, name, &file);
+  return status != UM_OK ? status : closed;
+}
+
+static enum um_status write_text(struct um_context *context, struct um_core_folder *folder,
+                                 const char *name, const char *text)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, name, &file));
+  fputs(text, file);
+  return um_core_file_close(context, name, &file);
+}
+
+static enum um_status write_scenario(struct um_context *context, const struct um_output_run *run,
+                                     struct um_core_folder *folder)
+{
+  char *text = NULL;
+  UM_TRY(um_core_document_text(context, run->model->document, &text));
+  enum um_status status = write_text(context, folder, "scenario.yaml", text);
+  um_core_free(context, text);
+  return status;
+}
+
+enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
+                                   struct um_core_folder *folder)
+{
+  enum um_status status;
+  char *path = NULL;
+  if (run->model->has_observer) {
+    UM_TRY(write_file(context, run, folder, "lightcurve.csv", um_output_write_lightcurve));
+    UM_TRY(write_file(context, run, folder, "materials.csv", um_output_write_materials));
+  }
+  UM_TRY(write_file(context, run, folder, "temperatures.csv", um_output_write_temperatures));
+  UM_TRY(write_file(context, run, folder, "heat.csv", um_output_write_heat));
+  UM_TRY(write_file(context, run, folder, "temperatures.cic", um_output_write_cic));
+  UM_TRY(write_file(context, run, folder, "run.xdmf", um_output_write_xdmf));
+  UM_TRY(write_scenario(context, run, folder));
+  UM_TRY(um_core_asprintf(context, &path, "%s/run.nc", um_core_folder_path(folder)));
+  UM_CHECK(um_output_write_netcdf(context, run, path));
+  UM_CHECK(write_text(context, folder, "log.txt", um_core_log_text(context)));
+done:
+  um_core_free(context, path);
+  return status;
+}
