@@ -4,32 +4,28 @@
  *   planet   pi F M_IR / pi of the unobstructed plate (exact) * free share of the visible cap
  *   albedo   the same with the reflected radiance of the cap
  *
- * The free share is sum(w L cos free) / sum(w L cos) over the directions of the cap, free from the
- * sky of the body frame, which is kept per joint angles rounded to 1 deg. Surfaces before which
- * nothing stands need neither. The solar factor is geometric (the shadow of the Earth is in
+ * The free share is sum(w L cos free) / sum(w L cos) over the directions of the cap. A rigid body
+ * asks its sky, made once in body frame; where joints move, every sample has its own pose and rays
+ * go from points of the facet toward the cap. Surfaces before which nothing stands need neither. The
+ * solar factor is geometric (the shadow of the Earth is in
  * `sunlit`); in deep eclipse, farther than 120 s and one sample from sunlight, it is left 0. */
 #include "thermal/loads.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "core/sampling.h"
 
 #define DARK_MARGIN 120.0 /* [s] */
 #define SKY_SAMPLES 16
-#define BATCH       32  /* times whose scenes are alive together */
-#define SKIES       128 /* kept at once, > BATCH; the one not used for longest makes room */
+#define CAP_RAYS    2  /* per direction of the cap where joints move */
+#define BATCH       32 /* times whose scenes are alive together */
 
-/* A pose with its scene and, when Earth loads need it, its sky. */
+/* A pose with its scene and, on a rigid body with anything covered, its sky. */
 struct scene {
   struct um_geometry_pose *pose;
   struct um_geometry_visibility *visibility;
   struct um_geometry_sky *sky;
-};
-struct cached_sky {
-  int *degrees; /* [njoint]; NULL: not used yet */
-  size_t used;  /* the batch that asked for it last */
-  struct scene scene;
 };
 struct tracer {
   struct um_context *context;
@@ -44,22 +40,13 @@ struct tracer {
   uint32_t *normal_of; /* [nsurface] class of surfaces of one part that share a normal */
   uint32_t *example;   /* [nnormal] a surface of each class */
   size_t nnormal;
-  bool *bright;             /* [ntime] solar rays are wanted */
-  struct cached_sky *skies; /* [SKIES] when joints move */
-  size_t batch;
+  bool *bright;           /* [ntime] solar rays are wanted */
   struct scene fixed;     /* when nothing moves; else the pose of the first sample */
   double *angles;         /* [njoint] scratch */
   double *fraction;       /* [BATCH][nsurface] scratch */
   struct um_vec3 *normal; /* [BATCH][nnormal] scratch */
   struct um_environment_earth_flux *flux; /* [BATCH][nnormal] scratch */
 };
-/* What one time needs, prepared before the parallel loop. */
-struct task {
-  const struct scene *sun;   /* NULL: dark */
-  const struct scene *earth; /* sky to use */
-  struct scene own;          /* destroyed after the batch */
-};
-
 static void scene_destroy(struct tracer *t, struct scene *s)
 {
   um_geometry_sky_destroy(&s->sky);
@@ -142,7 +129,6 @@ static enum um_status tracer_prepare(struct tracer *t)
   UM_TRY(um_core_allocate(t->context, t->loads->ntime, sizeof *t->bright, &t->bright));
   UM_TRY(um_core_allocate(t->context, t->njoint, sizeof *t->angles, &t->angles));
   UM_TRY(um_core_allocate(t->context, BATCH * nsurface, sizeof *t->fraction, &t->fraction));
-  if (t->moves) UM_TRY(um_core_allocate(t->context, SKIES, sizeof *t->skies, &t->skies));
   find_bright(t);
   um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->angles);
   UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, !t->moves, &t->fixed));
@@ -151,101 +137,90 @@ static enum um_status tracer_prepare(struct tracer *t)
   return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
 }
 
-/* The sky at joint angles rounded to a degree, made when it is first asked for. */
-static enum um_status sky_find(struct tracer *t, const struct scene **out)
-{
-  struct cached_sky *oldest = &t->skies[0];
-  for (size_t i = 0; i < SKIES; i++) {
-    struct cached_sky *sky = &t->skies[i];
-    bool same = sky->degrees != NULL;
-    for (size_t j = 0; j < t->njoint && same; j++)
-      same = sky->degrees[j] == (int)lround(t->angles[j] / UM_DEG);
-    if (same) {
-      sky->used = t->batch;
-      *out = &sky->scene;
-      return UM_OK;
-    }
-    if (sky->used < oldest->used) oldest = sky;
-  }
-  scene_destroy(t, &oldest->scene);
-  if (oldest->degrees == NULL)
-    UM_TRY(um_core_allocate(t->context, t->njoint, sizeof *oldest->degrees, &oldest->degrees));
-  for (size_t j = 0; j < t->njoint; j++) {
-    oldest->degrees[j] = (int)lround(t->angles[j] / UM_DEG);
-    t->angles[j] = oldest->degrees[j] * UM_DEG;
-  }
-  oldest->used = t->batch;
-  *out = &oldest->scene;
-  return scene_create(t, t->angles, true, &oldest->scene);
-}
-
-static enum um_status task_prepare(struct tracer *t, size_t k, struct task *task)
-{
-  *task = (struct task){.sun = t->bright[k] ? &t->fixed : NULL, .earth = &t->fixed};
-  if (!t->moves) return UM_OK;
-  um_geometry_joint_angles(t->geometry, sun_body(&t->samples[k]), t->angles);
-  UM_TRY(um_geometry_pose_create(t->context, t->geometry, t->angles, &task->own.pose));
-  if (t->bright[k]) {
-    UM_TRY(
-        um_geometry_visibility_create(t->context, t->mesh, task->own.pose, &task->own.visibility));
-    task->sun = &task->own;
-  }
-  return sky_find(t, &task->earth);
-}
-
-static void trace_sun(const struct tracer *t, size_t k, const struct task *task, double *fraction)
+static void trace_sun(const struct tracer *t, size_t k, const struct scene *scene, double *fraction)
 {
   size_t nsurface = t->mesh->nsurface;
   float *out = &t->loads->sun[k * nsurface];
-  if (task->sun == NULL) return;
+  if (!t->bright[k]) return;
   struct um_vec3 sun = sun_body(&t->samples[k]);
-  um_geometry_visibility_toward(task->sun->visibility, sun, t->nsample, fraction);
+  um_geometry_visibility_toward(scene->visibility, sun, t->nsample, fraction);
   for (size_t s = 0; s < nsurface; s++) {
-    struct um_vec3 n = um_geometry_surface_normal(t->mesh, task->sun->pose, s);
+    struct um_vec3 n = um_geometry_surface_normal(t->mesh, scene->pose, s);
     out[s] = (float)(fraction[s] * fmax(um_vec3_dot(n, sun), 0.0));
   }
 }
 
-/* Free shares of the cap before a surface, for the reflected and for the emitted part. */
-static void free_share(const struct um_geometry_sky *sky, size_t surface, struct um_vec3 normal,
-                       const struct um_environment_cap_point *cap, size_t ncap, double *albedo,
-                       double *planet)
+/* How free direction i of the cap is from a surface: from the sky, or by rays of which each starts
+ * at its own point of the facet. free_of[ncap]. */
+static void look(const struct tracer *t, const struct scene *scene, size_t surface,
+                 struct um_vec3 normal, const struct um_environment_cap_point *cap, size_t ncap,
+                 double *free_of)
 {
-  double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0};
+  struct um_geometry_ray ray[CAP_RAYS * UM_EARTH_CAP_POINTS];
+  uint8_t occluded[CAP_RAYS * UM_EARTH_CAP_POINTS];
+  uint32_t facet = t->mesh->surface[surface].facet;
+  const uint32_t *v = t->mesh->corner[facet];
+  size_t n = 0;
+  for (size_t i = 0; i < ncap; i++) {
+    if (scene->sky != NULL)
+      free_of[i] = um_geometry_sky_free(scene->sky, surface, cap[i].direction);
+    if (scene->sky != NULL || !(um_vec3_dot(normal, cap[i].direction) > 0.0)) continue;
+    for (size_t j = 0; j < CAP_RAYS; j++, n++) {
+      double u[2], weight[3];
+      um_core_sample_2d(facet, i * CAP_RAYS + j, u);
+      um_core_sample_triangle(u, weight);
+      struct um_vec3 origin = um_vec3(0, 0, 0);
+      for (int c = 0; c < 3; c++)
+        origin = um_vec3_axpy(origin, weight[c], scene->pose->vertex[v[c]]);
+      ray[n] = (struct um_geometry_ray){origin, cap[i].direction, INFINITY, facet};
+    }
+  }
+  if (n == 0) return;
+  um_geometry_visibility_occluded(scene->visibility, ray, n, occluded);
+  n = 0;
+  for (size_t i = 0; i < ncap; i++) {
+    free_of[i] = 0.0;
+    if (!(um_vec3_dot(normal, cap[i].direction) > 0.0)) continue;
+    for (size_t j = 0; j < CAP_RAYS; j++) free_of[i] += (1.0 - occluded[n++]) / CAP_RAYS;
+  }
+}
+
+/* Free shares of the cap before a surface, for the reflected and for the emitted part. */
+static void free_share(const struct tracer *t, const struct scene *scene, size_t surface,
+                       struct um_vec3 normal, const struct um_environment_cap_point *cap,
+                       size_t ncap, double *albedo, double *planet)
+{
+  double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS] = {0.0};
+  look(t, scene, surface, normal, cap, ncap, free_of);
   for (size_t i = 0; i < ncap; i++) {
     double cosine = um_vec3_dot(normal, cap[i].direction);
     if (!(cosine > 0.0)) continue;
     double w = cosine * cap[i].solid_angle;
-    double f = um_geometry_sky_free(sky, surface, cap[i].direction);
     all[0] += w * cap[i].albedo_radiance;
-    open[0] += f * w * cap[i].albedo_radiance;
+    open[0] += free_of[i] * w * cap[i].albedo_radiance;
     all[1] += w;
-    open[1] += f * w;
+    open[1] += free_of[i] * w;
   }
   *planet = all[1] > 0.0 ? open[1] / all[1] : 1.0;
   *albedo = all[0] > 0.0 ? open[0] / all[0] : *planet;
 }
 
-static void trace_earth(const struct tracer *t, size_t k, const struct task *task, size_t slot)
+static void trace_earth(const struct tracer *t, size_t k, const struct scene *scene, size_t slot)
 {
   const struct um_environment_sample *sample = &t->samples[k];
   struct um_vec3 r = um_quat_apply(sample->q, sample->r), sun = sun_body(sample);
-  const struct um_geometry_pose *pose = t->moves ? task->own.pose : t->fixed.pose;
   struct um_vec3 *normal = &t->normal[slot * t->nnormal];
   struct um_environment_earth_flux *flux = &t->flux[slot * t->nnormal];
   for (size_t i = 0; i < t->nnormal; i++)
-    normal[i] = um_geometry_surface_normal(t->mesh, pose, t->example[i]);
+    normal[i] = um_geometry_surface_normal(t->mesh, scene->pose, t->example[i]);
   um_environment_earth_flux(t->environment, r, sun, sample->sun_distance, normal, t->nnormal, flux);
   struct um_environment_cap_point cap[UM_EARTH_CAP_POINTS];
-  size_t ncap = 0;
-  if (task->earth->sky != NULL)
-    ncap = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap);
+  size_t ncap = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap);
   for (size_t s = 0; s < t->mesh->nsurface; s++) {
     const struct um_environment_earth_flux *f = &flux[t->normal_of[s]];
     double albedo = 1.0, planet = 1.0;
-    if (ncap > 0 && f->view_factor > 0.0 &&
-        !um_geometry_visibility_is_open(task->earth->visibility, s))
-      free_share(task->earth->sky, s, normal[t->normal_of[s]], cap, ncap, &albedo, &planet);
+    if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s))
+      free_share(t, scene, s, normal[t->normal_of[s]], cap, ncap, &albedo, &planet);
     size_t at = k * t->mesh->nsurface + s;
     t->loads->albedo[at] = (float)(f->albedo * albedo);
     t->loads->planet[at] = (float)(f->planet * planet);
@@ -256,31 +231,29 @@ static void trace_earth(const struct tracer *t, size_t k, const struct task *tas
 /* Times [from, from + n) in parallel; every time is its own, so threads do not matter. */
 static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 {
-  struct task task[BATCH] = {{0}};
+  struct scene own[BATCH] = {{0}};
   enum um_status status = UM_OK;
-  t->batch++;
-  for (size_t i = 0; i < n && status == UM_OK; i++) status = task_prepare(t, from + i, &task[i]);
+  for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
+    um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
+    status = scene_create(t, t->angles, false, &own[i]);
+  }
   if (status == UM_OK) {
     long count = (long)n;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(t->context))
     for (long i = 0; i < count; i++) {
       size_t slot = (size_t)i;
-      trace_sun(t, from + slot, &task[slot], &t->fraction[slot * t->mesh->nsurface]);
-      trace_earth(t, from + slot, &task[slot], slot);
+      const struct scene *scene = t->moves ? &own[slot] : &t->fixed;
+      trace_sun(t, from + slot, scene, &t->fraction[slot * t->mesh->nsurface]);
+      trace_earth(t, from + slot, scene, slot);
     }
   }
-  for (size_t i = 0; i < n; i++) scene_destroy(t, &task[i].own);
+  for (size_t i = 0; i < n; i++) scene_destroy(t, &own[i]);
   return status;
 }
 
 static void tracer_free(struct tracer *t)
 {
-  for (size_t i = 0; t->skies != NULL && i < SKIES; i++) {
-    scene_destroy(t, &t->skies[i].scene);
-    um_core_free(t->context, t->skies[i].degrees);
-  }
   scene_destroy(t, &t->fixed);
-  um_core_free(t->context, t->skies);
   um_core_free(t->context, t->normal_of);
   um_core_free(t->context, t->example);
   um_core_free(t->context, t->bright);
