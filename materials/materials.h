@@ -10,8 +10,12 @@
 
 struct um_materials_record;  /* opaque, immutable after loading */
 struct um_materials_library; /* named records */
+struct um_schema_object;
 
-/* Changes that effects make to a record's optics; all null values leave it bit-identical. */
+/* Changes that effects make to a record's optics; all null values leave it bit-identical. Those
+ * that change absorption or emission keep reflectance + emissivity = 1 for spectral records;
+ * diffuse_scale, specular_scale and roughness_scale act on what is reflected only, not on
+ * absorptance, emittance or emissivity. */
 struct um_materials_adjustment {
   double absorptance_shift; /* added to solar absorptance; diffuse reflectance below 2.5 um falls
                                alike; null 0 */
@@ -36,8 +40,12 @@ enum um_status um_materials_library_read_file(struct um_context *context,
                                               struct um_materials_library *library,
                                               const char *path, const char *const *overrides,
                                               size_t noverride);
-/* The product's own folder: $UMBRA_DATA/materials, else beside the executable's build or install.
- */
+/* The product's own folder: $UMBRA_DATA/materials where that variable is set, else the installed
+ * one where it exists, else the one of the source tree that was built. The caller frees. UM_ERR_IO
+ * names what is missing. */
+enum um_status um_materials_library_folder(struct um_context *context, char **out);
+/* The keys of a record's file, for the reference page and the JSON Schema. */
+const struct um_schema_object *um_materials_schema(void);
 size_t um_materials_library_count(const struct um_materials_library *library);
 const struct um_materials_record *
 um_materials_library_at(const struct um_materials_library *library, size_t index);
@@ -55,7 +63,10 @@ bool um_materials_is_grey(const struct um_materials_record *record);
 
 /* --- optics; wavelength [m], cosines of angles from the normal; adjustment NULL for none -------
  * f_r(i, o, lambda) = rho_d(lambda)/pi + F(cos_h, lambda) D(h) G(i, o) / (4 cos_i cos_o)
- * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes). */
+ * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes).
+ * rho_d of a spectral record includes what the masking of the lobe loses (hemispherical mean), so
+ * that f_r integrates to 1 - hemispherical emissivity; a grey record's numbers are taken as given,
+ * its lobe exists below 2.5 um only. Spectral look-ups are tabulated: about 20 ns each. */
 double um_materials_diffuse_reflectance(const struct um_materials_record *record,
                                         const struct um_materials_adjustment *adjustment,
                                         double wavelength);
@@ -67,14 +78,16 @@ bool um_materials_has_lobe(const struct um_materials_record *record);
 /* Beckmann alpha [1], = sqrt(2) Rq/tau where the record gives Rq and tau. */
 double um_materials_roughness(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment);
-/* Directional spectral emissivity, Kirchhoff: 1 - rho_d - F-lobe's directional albedo (>= 0);
+/* Directional spectral emissivity, Kirchhoff: 1 - described Lambert part - F averaged over the
+ * facets that the lobe uses at cos_o (what masking loses is no absorption), >= 0;
  * grey records: their band emissivity where a band covers the wavelength, else emittance. */
 double um_materials_emissivity(const struct um_materials_record *record,
                                const struct um_materials_adjustment *adjustment, double wavelength,
                                double cos_o);
 /* True when the emissivity does not depend on cos_o. */
 bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record);
-/* Hemispherical-hemispherical reflectance at a wavelength = 1 - hemispherical emissivity. */
+/* Hemispherical-hemispherical reflectance at a wavelength = 1 - hemispherical emissivity (below
+ * 2.5 um a grey record's explicit reflectances). */
 double um_materials_hemispherical_reflectance(const struct um_materials_record *record,
                                               const struct um_materials_adjustment *adjustment,
                                               double wavelength);
@@ -94,6 +107,7 @@ double um_materials_normal_emittance(const struct um_materials_record *record,
 struct um_materials_catalogue {
   double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance;
   const char *source;
+  bool emittance_is_normal; /* compare with um_materials_normal_emittance, not the hemispherical */
 };
 struct um_materials_catalogue um_materials_catalogue(const struct um_materials_record *record);
 

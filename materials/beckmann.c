@@ -1,0 +1,107 @@
+/* Isotropic Beckmann facets with Smith masking.
+ *
+ *   D(h)  = exp(-tan^2 theta_h / alpha^2) / (pi alpha^2 cos^4 theta_h),  int D cos dw = 1
+ *   G1(v) = 1/(1 + Lambda),  Lambda = (erf(a) - 1)/2 + exp(-a^2)/(2 a sqrt(pi)),
+ *           a = 1/(alpha tan theta)
+ *   lobe  = D(h) G1(i) G1(o) / (4 cos_i cos_o)
+ * (Beckmann & Spizzichino 1963; Walter et al. 2007, eqs 20, 25 and appendix; Heitz 2014).
+ * alpha = sqrt(2) Rq / tau reproduces Table 1 of the Flying Laptop paper (tests/materials/bsdf). */
+#include <assert.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "core/constants.h"
+#include "materials/bsdf.h"
+#include "materials/lobe_impl.h"
+
+double um_materials_beckmann_distribution(double alpha, double cos_h)
+{
+  assert(alpha > 0.0);
+  if (!(cos_h > 0.0)) return 0.0;
+  double c2 = cos_h * cos_h, a2 = alpha * alpha;
+  return exp((c2 - 1.0) / (c2 * a2)) / (UM_PI * a2 * c2 * c2);
+}
+
+double um_materials_beckmann_masking(double alpha, double cos_theta)
+{
+  assert(alpha > 0.0);
+  if (!(cos_theta > 0.0)) return 0.0;
+  if (cos_theta >= 1.0) return 1.0;
+  double a = cos_theta / (alpha * sqrt((1.0 - cos_theta) * (1.0 + cos_theta)));
+  if (a > 6.0) return 1.0; /* Lambda < 1e-17 */
+  double lambda = -0.5 * erfc(a) + exp(-a * a) / (2.0 * a * sqrt(UM_PI));
+  return 1.0 / (1.0 + lambda);
+}
+
+double um_materials_beckmann_lobe(double alpha, double cos_h, double cos_i, double cos_o)
+{
+  if (!(cos_h > 0.0 && cos_i > 0.0 && cos_o > 0.0)) return 0.0;
+  double g =
+      um_materials_beckmann_masking(alpha, cos_i) * um_materials_beckmann_masking(alpha, cos_o);
+  return um_materials_beckmann_distribution(alpha, cos_h) * g / (4.0 * cos_i * cos_o);
+}
+
+double um_materials_roughness_alpha(double rq, double tau) { return sqrt(2.0) * rq / tau; }
+
+/* With tan theta_h = alpha r the facets' measure D cos_h dw_h is 2 r exp(-r^2) dr dphi/(2 pi), and
+ * f cos_i dw_i = G1(i) G1(o) (o.h) / (cos_o cos_h) of it (Walter et al. 2007, eq. 14). Midpoints in
+ * r and phi; the sample is handed on with its o.h. Returns the sum of the weights. */
+double um_materials_lobe_sample(double alpha, double cos_o, int nr, int nphi,
+                                um_materials_lobe_sink sink, void *self)
+{
+  const double r_end = 5.5; /* exp(-30) of the facets lie beyond */
+  double sin_o = sqrt((1.0 - cos_o) * (1.0 + cos_o)),
+         g_o = um_materials_beckmann_masking(alpha, cos_o);
+  double dr = r_end / nr, sum = 0.0;
+  for (int j = 0; j < nr; j++) {
+    double r = (j + 0.5) * dr, tan_h = alpha * r;
+    double cos_h = 1.0 / sqrt(1.0 + tan_h * tan_h), sin_h = tan_h * cos_h;
+    double facets = 2.0 * r * exp(-r * r) * dr / nphi;
+    for (int p = 0; p < nphi; p++) {
+      double phi = UM_PI * (p + 0.5) / nphi; /* the other half is its mirror image */
+      double oh = cos_o * cos_h + sin_o * sin_h * cos(phi);
+      double cos_i = 2.0 * oh * cos_h - cos_o;
+      if (!(oh > 0.0 && cos_i > 0.0)) continue;
+      double g = g_o * um_materials_beckmann_masking(alpha, cos_i);
+      double weight = facets * g * oh / (cos_o * cos_h);
+      sum += weight;
+      if (sink != NULL) sink(self, oh, weight);
+    }
+  }
+  /* Euler-Maclaurin term of the midpoint rule at r = 0, where the slope of the integrand is 2 g(0):
+   * there h = n, o.h = cos_o, G = G1(o)^2 */
+  double correction = -dr * dr / 12.0 * g_o * g_o;
+  if (sink != NULL) sink(self, cos_o, correction);
+  return sum + correction;
+}
+
+double um_materials_beckmann_albedo(double alpha, double cos_i)
+{
+  double c = cos_i > 1.0 ? 1.0 : cos_i;
+  if (!(c > 0.0)) return 0.0;
+  return fmin(1.0, um_materials_lobe_sample(alpha, c, 128, 128, NULL, NULL));
+}
+
+double um_materials_beckmann_loss(double alpha)
+{
+  /* 1 - 2 int E cos dcos at alpha = 0, 0.05 .. 1.5, by this file's own quadrature (tests/materials/
+   * bsdf.c repeats it) */
+  static const double loss[] = {
+      0.000000, 0.001200, 0.004783, 0.010692, 0.018841, 0.029122, 0.041406, 0.055556,
+      0.071428, 0.088877, 0.107756, 0.127922, 0.149233, 0.171547, 0.194724, 0.218621,
+      0.243091, 0.267988, 0.293166, 0.318480, 0.343791, 0.368965, 0.393884, 0.418434,
+      0.442523, 0.466066, 0.488995, 0.511253, 0.532801, 0.553605, 0.573645};
+  const int last = (int)(sizeof loss / sizeof loss[0]) - 1;
+  double x = alpha / 0.05;
+  if (!(x > 0.0)) return 0.0;
+  if (x >= last) return loss[last];
+  int i = (int)x;
+  double t = x - i;
+  /* the loss is even in alpha: loss[-1] = loss[1] */
+  double before = i > 0 ? loss[i - 1] : loss[1];
+  double after = i + 2 <= last ? loss[i + 2] : 2.0 * loss[last] - loss[last - 1];
+  /* Catmull-Rom cubic */
+  double a = loss[i], b = loss[i + 1], slope_a = 0.5 * (b - before), slope_b = 0.5 * (after - a);
+  return a + t * (slope_a + t * (3.0 * (b - a) - 2.0 * slope_a - slope_b +
+                                 t * (2.0 * (a - b) + slope_a + slope_b)));
+}

@@ -1,0 +1,244 @@
+/* Evaluation of a record, with and without adjustments.
+ *
+ *   f_r = rho_d/pi + F D G / (4 cos_i cos_o)
+ * rho_d is the Lambert part as described plus what the lobe's masking loses (spectrum.c). Without
+ * an adjustment, or with null values, the tabulated numbers come back bit for bit.
+ *
+ * Adjustments keep the books where they say that they change absorption or emission:
+ *   absorptance_shift a, below 2.5 um:  rho_d - a; what rho_d cannot give is taken from F.
+ *   emittance scales s, from 2.5 um up: emissivity s (1 - R). With phi = rho_d/(rho_d + mean F)
+ *       rho_d' = phi (1 - s) + s rho_d,  F' = (1 - phi)(1 - s) + s F,  so 1 - R' = s (1 - R).
+ * diffuse_scale, specular_scale and roughness_scale change what is reflected only. A reflectance is
+ * never negative and rho_d + F never above 1. */
+#include <assert.h>
+#include <math.h>
+
+#include "materials/bsdf.h"
+#include "materials/record_impl.h"
+
+const struct um_materials_adjustment um_materials_no_adjustment = {
+    .absorptance_shift = 0.0,
+    .emittance_scale = 1.0,
+    .band_emissivity_scale = 1.0,
+    .roughness_scale = 1.0,
+    .specular_scale = 1.0,
+    .diffuse_scale = 1.0,
+};
+
+static double unit_clamp(double x) { return x < 0.0 ? 0.0 : (x > 1.0 ? 1.0 : x); }
+
+static bool is_null(const struct um_materials_adjustment *a)
+{
+  return a == NULL || (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
+                       a->band_emissivity_scale == 1.0 && a->roughness_scale == 1.0 &&
+                       a->specular_scale == 1.0 && a->diffuse_scale == 1.0);
+}
+
+static double linear(const double *table, size_t i, double t)
+{
+  return table[i] + t * (table[i + 1] - table[i]);
+}
+
+/* Scale of the emissivity at a wavelength; 1 below the split. */
+static double emissivity_scale(const struct um_materials_adjustment *a, double wavelength)
+{
+  return wavelength < UM_MATERIALS_SPLIT ? 1.0 : a->emittance_scale * a->band_emissivity_scale;
+}
+
+/* --- grey records ---------------------------------------------------------------------------- */
+
+static double grey_emissivity(const struct um_materials_record *record,
+                              const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_grey *g = &record->explicit_values;
+  double value = g->emittance;
+  for (size_t i = 0; i < g->nband; i++)
+    if (wavelength >= g->bands[i].from && wavelength <= g->bands[i].to) {
+      value = g->bands[i].emissivity;
+      break;
+    }
+  return a == NULL ? value : unit_clamp(value * emissivity_scale(a, wavelength));
+}
+
+/* Explicit below the split; above it everything that is not emitted is scattered. */
+static double grey_diffuse(const struct um_materials_record *record,
+                           const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_grey *g = &record->explicit_values;
+  if (wavelength >= UM_MATERIALS_SPLIT) return 1.0 - grey_emissivity(record, a, wavelength);
+  if (a == NULL) return g->diffuse;
+  double shifted = fmax(0.0, g->diffuse - a->absorptance_shift);
+  return fmax(0.0, fmin(shifted * a->diffuse_scale, 1.0 - g->specular));
+}
+
+static double grey_specular(const struct um_materials_record *record,
+                            const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_grey *g = &record->explicit_values;
+  if (wavelength >= UM_MATERIALS_SPLIT) return 0.0;
+  if (a == NULL) return g->specular;
+  double rest = fmax(0.0, a->absorptance_shift - g->diffuse);
+  double f = fmax(0.0, g->specular - rest) * a->specular_scale;
+  return fmax(0.0, fmin(f, 1.0 - grey_diffuse(record, a, wavelength)));
+}
+
+/* --- spectral records ------------------------------------------------------------------------ */
+
+/* An adjustment at one wavelength: rho_d = described, F' = scale F + offset. */
+struct changed {
+  double diffuse, scale, offset;
+};
+
+static struct changed change(const struct um_materials_spectrum *s,
+                             const struct um_materials_adjustment *a, double wavelength, size_t i,
+                             double t)
+{
+  double diffuse = linear(s->diffuse, i, t);
+  struct changed c = {diffuse, 1.0, 0.0};
+  if (wavelength < UM_MATERIALS_SPLIT) {
+    c.diffuse = fmax(0.0, diffuse - a->absorptance_shift);
+    c.offset = -fmax(0.0, a->absorptance_shift - diffuse);
+    return c;
+  }
+  double scale = emissivity_scale(a, wavelength);
+  double reflectance = diffuse + linear(s->lobe_mean, i, t);
+  double phi = reflectance > 0.0 ? diffuse / reflectance : 1.0;
+  c.diffuse = unit_clamp(phi * (1.0 - scale) + scale * diffuse);
+  c.scale = scale;
+  c.offset = (1.0 - phi) * (1.0 - scale);
+  return c;
+}
+
+static double apply(const struct changed *c, double f)
+{
+  return fmax(0.0, fmin(c->scale * f + c->offset, 1.0 - c->diffuse));
+}
+
+static double spectral_diffuse(const struct um_materials_record *record,
+                               const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t;
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  if (a == NULL) return linear(s->diffuse, i, t) + linear(s->lost, i, t);
+  struct changed c = change(s, a, wavelength, i, t);
+  double lobe = apply(&c, linear(s->lobe_mean, i, t)) * a->specular_scale;
+  double lost = linear(s->lost, i, t);
+  if (a->roughness_scale != 1.0)
+    lost += lobe * (um_materials_beckmann_loss(record->alpha * a->roughness_scale) - record->loss);
+  double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
+  double normal = apply(&c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
+  return fmax(0.0, fmin(c.diffuse * scale + fmax(0.0, lost), 1.0 - normal));
+}
+
+static double spectral_specular(const struct um_materials_record *record,
+                                const struct um_materials_adjustment *a, double wavelength,
+                                double cos_h)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t;
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  double f = um_materials_spectrum_angular(s, s->facet, i, t, cos_h);
+  if (a == NULL) return f;
+  struct changed c = change(s, a, wavelength, i, t);
+  double room = 1.0 - spectral_diffuse(record, a, wavelength);
+  return fmax(0.0, fmin(apply(&c, f) * a->specular_scale, room));
+}
+
+/* 1 - rho_d - Fbar(cos_o), of the described surface, not of the optics-only scales. */
+static double spectral_emissivity(const struct um_materials_record *record,
+                                  const struct um_materials_adjustment *a, double wavelength,
+                                  double cos_o)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t;
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  double f = um_materials_spectrum_angular(s, s->lobe, i, t, cos_o);
+  if (a == NULL) return unit_clamp(1.0 - linear(s->diffuse, i, t) - f);
+  struct changed c = change(s, a, wavelength, i, t);
+  return unit_clamp(1.0 - c.diffuse - apply(&c, f));
+}
+
+static double spectral_hemispherical(const struct um_materials_record *record,
+                                     const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t;
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  double f = linear(s->lobe_mean, i, t);
+  if (a == NULL) return linear(s->diffuse, i, t) + f;
+  struct changed c = change(s, a, wavelength, i, t);
+  return c.diffuse + apply(&c, f);
+}
+
+/* --- public ---------------------------------------------------------------------------------- */
+
+double um_materials_diffuse_reflectance(const struct um_materials_record *record,
+                                        const struct um_materials_adjustment *adjustment,
+                                        double wavelength)
+{
+  const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
+  return record->grey ? grey_diffuse(record, a, wavelength)
+                      : spectral_diffuse(record, a, wavelength);
+}
+
+double um_materials_specular_reflectance(const struct um_materials_record *record,
+                                         const struct um_materials_adjustment *adjustment,
+                                         double wavelength, double cos_h)
+{
+  if (!um_materials_has_lobe(record)) return 0.0;
+  const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
+  return record->grey ? grey_specular(record, a, wavelength)
+                      : spectral_specular(record, a, wavelength, cos_h);
+}
+
+bool um_materials_has_lobe(const struct um_materials_record *record) { return record->alpha > 0.0; }
+
+double um_materials_roughness(const struct um_materials_record *record,
+                              const struct um_materials_adjustment *adjustment)
+{
+  return adjustment == NULL ? record->alpha : record->alpha * adjustment->roughness_scale;
+}
+
+double um_materials_emissivity(const struct um_materials_record *record,
+                               const struct um_materials_adjustment *adjustment, double wavelength,
+                               double cos_o)
+{
+  const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
+  return record->grey ? grey_emissivity(record, a, wavelength)
+                      : spectral_emissivity(record, a, wavelength, cos_o);
+}
+
+bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record)
+{
+  return record->grey || record->spectrum.ncos == 1;
+}
+
+double um_materials_hemispherical_reflectance(const struct um_materials_record *record,
+                                              const struct um_materials_adjustment *adjustment,
+                                              double wavelength)
+{
+  const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
+  if (record->grey)
+    return grey_diffuse(record, a, wavelength) + grey_specular(record, a, wavelength);
+  return spectral_hemispherical(record, a, wavelength);
+}
+
+const char *um_materials_name(const struct um_materials_record *record) { return record->name; }
+const char *um_materials_summary(const struct um_materials_record *record)
+{
+  return record->summary;
+}
+const char *um_materials_citation(const struct um_materials_record *record)
+{
+  return record->citation;
+}
+bool um_materials_is_grey(const struct um_materials_record *record) { return record->grey; }
+struct um_materials_catalogue um_materials_catalogue(const struct um_materials_record *record)
+{
+  return record->catalogue;
+}
+struct um_materials_bulk um_materials_bulk(const struct um_materials_record *record)
+{
+  return record->bulk;
+}

@@ -1,0 +1,94 @@
+/* Private: a material record in memory, its spectral grid, and how one is built. */
+#ifndef UMBRA_MATERIALS_RECORD_IMPL_H
+#define UMBRA_MATERIALS_RECORD_IMPL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/context.h"
+#include "materials/materials.h"
+
+#define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
+#define UM_MATERIALS_COSINES      49   /* nodes of the angular grid, cos = u^2, u uniform in 0..1 */
+#define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
+#define UM_MATERIALS_TEMPERATURES 33   /* nodes of the emittance tables, uniform in log T */
+#define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
+#define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
+
+struct um_materials_band {
+  double from, to;   /* [m] */
+  double emissivity; /* [1] */
+};
+
+/* Explicit numbers of a grey record. */
+struct um_materials_grey {
+  double solar_absorptance, emittance; /* [1] */
+  double diffuse, specular;            /* reflectances below 2.5 um [1] */
+  struct um_materials_band *bands;     /* [nband] ascending, without overlap */
+  size_t nband;
+};
+
+/* Reflectance on a grid; linear in wavelength, cubic in u = sqrt(cos); constant outside. */
+struct um_materials_spectrum {
+  size_t n, ncos;     /* ncos: 1 (no angular dependence) or UM_MATERIALS_COSINES */
+  double *wavelength; /* [n] [m] ascending */
+  double *diffuse;    /* [n] Lambert part as described */
+  double *lost;       /* [n] what the lobe's masking loses, hemispherical mean */
+  double *facet;      /* [n][ncos] F(cos_h) */
+  double *lobe;       /* [n][ncos] F averaged over the facets seen at cos_o */
+  double *lobe_mean;  /* [n] hemispherical mean of `lobe` */
+  uint32_t bucket[UM_MATERIALS_BUCKETS]; /* interval that holds each bucket's lower edge */
+  double log_first, buckets_per_log;
+};
+
+struct um_materials_record {
+  struct um_context *context;
+  char *name, *summary, *citation, *source;
+  bool grey;
+  double alpha; /* Beckmann [1]; 0 without a lobe */
+  double loss;  /* um_materials_beckmann_loss(alpha) */
+  struct um_materials_catalogue catalogue;
+  struct um_materials_bulk bulk;
+  struct um_materials_grey explicit_values; /* of a grey record */
+  struct um_materials_spectrum spectrum;    /* of the others */
+  double solar_absorptance;
+  double emittance[UM_MATERIALS_TEMPERATURES], normal_emittance[UM_MATERIALS_TEMPERATURES];
+};
+
+/* Reflectance R [1] of the surface at a wavelength [m] and cosine, split into what is scattered
+ * (Lambert; for a table) or left to be split by `diffuse_fraction` (NaN: use `diffuse`). */
+struct um_materials_law {
+  const double *nodes; /* [nnode] wavelengths that must be on the grid [m], ascending */
+  size_t nnode;
+  double first, last;       /* [m] the grid covers at least this range */
+  bool angular;             /* R depends on the angle */
+  double diffuse_fraction;  /* of the reflectance that is scattered; angular laws */
+  double absorption_factor; /* of 1 - R; angular laws */
+  void *self;
+  /* angular: reflectance at (wavelength, cos); else: specular, and the diffuse part in *diffuse */
+  double (*reflectance)(void *self, double wavelength, double cos_theta, double *diffuse);
+};
+
+/* Fill record->spectrum from a law; record->alpha is set before. UM_ERR_MEMORY. */
+enum um_status um_materials_spectrum_build(struct um_context *context,
+                                           struct um_materials_record *record,
+                                           const struct um_materials_law *law);
+void um_materials_spectrum_free(struct um_context *context, struct um_materials_spectrum *spectrum);
+/* Interval and fraction of a wavelength, clamped to the grid. */
+size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum, double wavelength,
+                                    double *fraction);
+/* Angular table [n][ncos] at interval i, fraction t, cosine. */
+double um_materials_spectrum_angular(const struct um_materials_spectrum *spectrum,
+                                     const double *table, size_t i, double t, double cosine);
+
+/* Fill solar_absorptance and the emittance tables from the optics. */
+void um_materials_integrals_build(struct um_materials_record *record);
+
+/* Read one file into a new record; the caller destroys. */
+enum um_status um_materials_record_read(struct um_context *context, const char *path,
+                                        const char *const *overrides, size_t noverride,
+                                        struct um_materials_record **out);
+void um_materials_record_destroy(struct um_materials_record **record);
+
+#endif

@@ -1,0 +1,65 @@
+/* Private: the structs that a record's file is bound into. */
+#ifndef UMBRA_MATERIALS_SCHEMA_IMPL_H
+#define UMBRA_MATERIALS_SCHEMA_IMPL_H
+
+#include "core/schema.h"
+#include "materials/materials.h"
+
+struct um_materials_band_input {
+  struct um_mark at;
+  double from_um, to_um; /* [um] */
+  double value;          /* [1] */
+};
+
+struct um_materials_grey_input {
+  struct um_mark at;
+  double solar_absorptance, emittance, diffuse, specular, alpha; /* [1] */
+  struct um_schema_list bands; /* of struct um_materials_band_input */
+};
+
+struct um_materials_reflectance_input {
+  struct um_mark at;
+  struct um_schema_list wavelength_um, diffuse, specular; /* of double: [um], [1], [1] */
+};
+
+/* Substrate and sheet. */
+struct um_materials_constants_input {
+  struct um_mark at;
+  struct um_schema_list wavelength_um, n, k; /* of double: [um], [1], [1] */
+  double thickness_um;                       /* [um] sheet only */
+};
+
+struct um_materials_surface_input {
+  struct um_mark at;
+  double diffuse_fraction, absorption_factor, alpha; /* [1] */
+  double rq_um, tau_um;                              /* [um] */
+};
+
+struct um_materials_thermal_input {
+  struct um_mark at;
+  double density;             /* [kg/m^3] */
+  double specific_heat;       /* [J/kg/K] */
+  double conductivity;        /* [W/m/K] */
+  double thickness_mm;        /* [mm] */
+  double areal_heat_capacity; /* [J/m^2/K] */
+};
+
+struct um_materials_catalogue_input {
+  struct um_mark at;
+  double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance; /* [1] */
+  int kind; /* 0 hemispherical, 1 normal */
+  const char *source;
+};
+
+struct um_materials_input {
+  struct um_mark at;
+  const char *name, *summary, *citation;
+  struct um_materials_grey_input *grey;
+  struct um_materials_reflectance_input *reflectance;
+  struct um_materials_constants_input *substrate, *sheet;
+  struct um_materials_surface_input *surface;
+  struct um_materials_thermal_input *thermal;
+  struct um_materials_catalogue_input *catalogue;
+};
+
+#endif
