@@ -26,8 +26,8 @@ enum dimension {
   NDIM
 };
 static const char *const dimension_names[NDIM] = {
-    "time", "facet",      "vertex",    "surface", "node",   "part",       "material",
-    "band", "wavelength", "mechanism", "xyz",     "corner", "quaternion", "name_length"};
+    "time",       "facet",     "vertex", "node",   "part",       "material",   "band",
+    "wavelength", "mechanism", "xyz",    "corner", "quaternion", "name_length"};
 
 struct writer {
   struct um_context *context;
@@ -116,8 +116,9 @@ static enum um_status open_file(struct writer *w, const struct um_output_run *ru
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
   const struct um_model_result *r = run->result;
   const size_t length[NDIM] = {
-      r->nobs,  mesh->nfacet, mesh->nvertex,      r->nsurface, r->nnode, r->nplace, r->nmaterial,
-      r->nband, r->nbin,      UM_MECHANISM_COUNT, 3,           3,        4,         NAME_LENGTH};
+      r->nobs,    mesh->nfacet, mesh->nvertex,      r->nnode, r->nplace, r->nmaterial,
+      r->nband,   r->nbin,      UM_MECHANISM_COUNT, 3,        3,         4,
+      NAME_LENGTH};
   memcpy(w->length, length, sizeof length);
   UM_TRY(check(w, nc_create(w->path, NC_NETCDF4 | NC_CLOBBER, &w->file)));
   for (int i = 0; i < NDIM; i++)
@@ -181,6 +182,45 @@ done:
   return status;
 }
 
+/* Surface of one side of a facet, UM_GEOMETRY_NONE where that side does not radiate. */
+static uint32_t side_surface(const struct um_geometry_mesh *mesh, size_t facet, int back)
+{
+  return back ? mesh->surface_of_back[facet] : mesh->surface_of_front[facet];
+}
+
+/* Materials and temperatures of the two sides of every facet; -1 and NaN where a side is none. */
+static enum um_status put_sides(const struct writer *w, const struct um_output_run *run)
+{
+  static const char *const names[2][4] = {{"front_material", "material of the front, -1 for none",
+                                           "front_temperature", "temperature of the front"},
+                                          {"back_material", "material of the back, -1 for none",
+                                           "back_temperature", "temperature of the back"}};
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
+  const struct um_model_result *r = run->result;
+  const enum dimension axes[2] = {TIME, FACET};
+  enum um_status status;
+  int *material = NULL, id;
+  double *t = NULL;
+  UM_TRY(um_core_allocate(w->context, mesh->nfacet, sizeof *material, &material));
+  UM_CHECK(um_core_allocate(w->context, r->nobs * mesh->nfacet, sizeof *t, &t));
+  for (int back = 0; back < 2; back++) {
+    for (size_t f = 0; f < mesh->nfacet; f++) {
+      uint32_t s = side_surface(mesh, f, back);
+      material[f] = s == UM_GEOMETRY_NONE ? -1 : (int)mesh->surface[s].material;
+      for (size_t k = 0; k < r->nobs; k++)
+        t[k * mesh->nfacet + f] =
+            s == UM_GEOMETRY_NONE ? (double)NAN : r->surface_temperature[k * r->nsurface + s];
+    }
+    UM_CHECK(define(w, names[back][0], NC_INT, axes + 1, 1, NULL, names[back][1], &id));
+    UM_CHECK(check(w, nc_put_var_int(w->file, id, material)));
+    UM_CHECK(put_double(w, names[back][2], axes, 2, "K", names[back][3], t));
+  }
+done:
+  um_core_free(w->context, material);
+  um_core_free(w->context, t);
+  return status;
+}
+
 static enum um_status put_geometry(const struct writer *w, const struct um_output_run *run)
 {
   enum um_status status;
@@ -188,8 +228,7 @@ static enum um_status put_geometry(const struct writer *w, const struct um_outpu
   size_t njoint = um_geometry_joint_count(run->model->geometry);
   struct um_geometry_pose *pose = NULL;
   double *angles = NULL, *xyz = NULL;
-  uint32_t *index = NULL;
-  const enum dimension vx[2] = {VERTEX, XYZ}, fc[2] = {FACET, CORNER}, f = FACET, s = SURFACE;
+  const enum dimension vx[2] = {VERTEX, XYZ}, fc[2] = {FACET, CORNER}, f = FACET;
   const struct um_environment_sample *first = &run->trace->sample[run->trace->nsub / 2];
   UM_CHECK(um_core_allocate(w->context, njoint, sizeof *angles, &angles));
   um_geometry_joint_angles(run->model->geometry, um_quat_apply(first->q, first->sun), angles);
@@ -205,17 +244,10 @@ static enum um_status put_geometry(const struct writer *w, const struct um_outpu
   UM_CHECK(put_index(w, "facet_vertex", fc, 2, "corners of each facet", mesh->corner[0]));
   UM_CHECK(put_double(w, "facet_area", &f, 1, "m2", "area of one side", mesh->area));
   UM_CHECK(put_index(w, "facet_part", &f, 1, "index of the part of each facet", mesh->facet_part));
-  UM_CHECK(um_core_allocate(w->context, mesh->nsurface, sizeof *index, &index));
-  for (size_t i = 0; i < mesh->nsurface; i++) index[i] = mesh->surface[i].facet;
-  UM_CHECK(put_index(w, "surface_facet", &s, 1, "facet of each radiating side", index));
-  for (size_t i = 0; i < mesh->nsurface; i++) index[i] = mesh->surface[i].back;
-  UM_CHECK(put_index(w, "surface_side", &s, 1, "0 front, 1 back", index));
-  for (size_t i = 0; i < mesh->nsurface; i++) index[i] = mesh->surface[i].material;
-  UM_CHECK(put_index(w, "surface_material", &s, 1, "material of each radiating side", index));
+  UM_CHECK(put_sides(w, run));
 done:
   um_core_free(w->context, angles);
   um_core_free(w->context, xyz);
-  um_core_free(w->context, index);
   um_geometry_pose_destroy(w->context, &pose);
   return status;
 }
@@ -225,11 +257,9 @@ static enum um_status put_temperatures(const struct writer *w, const struct um_o
   const struct um_model_result *r = run->result;
   enum um_status status;
   double *v = NULL;
-  const enum dimension ts[2] = {TIME, SURFACE}, tn[2] = {TIME, NODE}, tp[2] = {TIME, PLACE};
+  const enum dimension tn[2] = {TIME, NODE}, tp[2] = {TIME, PLACE};
   UM_TRY(put_names(w, run, "part_name", PLACE, "parts, sides, groups, interiors and materials",
                    place_name));
-  UM_TRY(put_double(w, "surface_temperature", ts, 2, "K", "temperature of each radiating side",
-                    r->surface_temperature));
   UM_TRY(put_double(w, "node_temperature", tn, 2, "K", "temperature of each heat node",
                     r->node_temperature));
   UM_TRY(um_core_allocate(w->context, r->nobs * r->nplace, sizeof *v, &v));
