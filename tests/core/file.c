@@ -1,0 +1,274 @@
+/* Whole files, names, and output folders that appear whole or not at all. Everything happens in a
+ * fresh folder below the working folder of the test. */
+#include "core/file.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/core/cmocka_all.h"
+
+static struct um_context *context;
+static char base[] = "umbra-test-XXXXXX";
+
+static int set_up(void **state)
+{
+  (void)state;
+  if (mkdtemp(base) == NULL || chdir(base) != 0) return -1;
+  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+  (void)state;
+  um_core_context_destroy(&context);
+  return chdir("..") == 0 && rmdir(base) == 0 ? 0 : -1;
+}
+
+static bool exists(const char *path)
+{
+  struct stat st;
+  return lstat(path, &st) == 0;
+}
+
+static void write_file(const char *path, const char *text)
+{
+  FILE *file = fopen(path, "wb");
+  assert_non_null(file);
+  fputs(text, file);
+  assert_int_equal(fclose(file), 0);
+}
+
+/* Number of entries of a folder, hidden ones included. */
+static int entries(const char *path)
+{
+  int count = 0;
+  DIR *dir = opendir(path);
+  assert_non_null(dir);
+  struct dirent *e;
+  while ((e = readdir(dir)) != NULL)
+    if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0) count++;
+  closedir(dir);
+  return count;
+}
+
+/* Begin, write one file, commit. */
+static void make_folder(const char *path, bool force, const char *name, const char *text)
+{
+  struct um_core_folder *folder;
+  FILE *file;
+  assert_int_equal(um_core_folder_begin(context, path, force, &folder), UM_OK);
+  assert_int_equal(um_core_folder_open(context, folder, name, &file), UM_OK);
+  fputs(text, file);
+  assert_int_equal(um_core_file_close(context, name, &file), UM_OK);
+  assert_null(file);
+  assert_int_equal(um_core_folder_commit(context, &folder), UM_OK);
+  assert_null(folder);
+}
+
+static void refused(const char *path, bool force, const char *message)
+{
+  struct um_core_folder *folder;
+  um_core_message_clear(context);
+  assert_int_equal(um_core_folder_begin(context, path, force, &folder), UM_ERR_IO);
+  assert_null(folder);
+  assert_string_equal(um_core_message(context), message);
+}
+
+static void test_read(void **state)
+{
+  (void)state;
+  char *text;
+  size_t length;
+  write_file("a.txt", "hello");
+  assert_int_equal(um_core_file_read(context, "a.txt", 5, &text, &length), UM_OK);
+  assert_int_equal(length, 5);
+  assert_string_equal(text, "hello");
+  um_core_free(context, text);
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_read(context, "a.txt", 4, &text, &length), UM_ERR_IO);
+  assert_string_equal(um_core_message(context), "a.txt: larger than the 4 bytes accepted");
+  assert_null(text);
+  write_file("a.txt", "");
+  assert_int_equal(um_core_file_read(context, "a.txt", 4, &text, &length), UM_OK);
+  assert_int_equal(length, 0);
+  assert_string_equal(text, "");
+  um_core_free(context, text);
+  /* a file whose size is not known beforehand and which exceeds the limit */
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_read(context, "/dev/zero", 100000, &text, &length), UM_ERR_IO);
+  assert_string_equal(um_core_message(context), "/dev/zero: larger than the 100000 bytes accepted");
+  remove("a.txt");
+}
+
+static void test_names(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *base, *relative, *expected;
+  } cases[] = {{"dir/s.yaml", "mesh.obj", "dir/mesh.obj"},
+               {"s.yaml", "mesh.obj", "mesh.obj"},
+               {"/a/b/s.yaml", "../m.csv", "/a/b/../m.csv"},
+               {"/s.yaml", "m.csv", "/m.csv"},
+               {"dir/s.yaml", "/abs/m.csv", "/abs/m.csv"}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char *out;
+    assert_int_equal(um_core_path_resolve(context, cases[i].base, cases[i].relative, &out), UM_OK);
+    assert_string_equal(out, cases[i].expected);
+    um_core_free(context, out);
+  }
+  assert_true(um_core_path_is_plain("run.nc"));
+  assert_true(um_core_path_is_plain("..."));
+  assert_false(um_core_path_is_plain(""));
+  assert_false(um_core_path_is_plain("."));
+  assert_false(um_core_path_is_plain(".."));
+  assert_false(um_core_path_is_plain("a/b"));
+}
+
+static void test_commit_and_replace(void **state)
+{
+  (void)state;
+  make_folder("deep/er/out//", false, "one.csv", "1");
+  assert_true(exists("deep/er/out/one.csv"));
+  assert_true(exists("deep/er/out/.umbra"));
+  assert_int_equal(entries("deep/er"), 1);
+  /* a later run replaces it: what the first wrote is gone */
+  make_folder("deep/er/out", false, "two.csv", "2");
+  assert_false(exists("deep/er/out/one.csv"));
+  assert_true(exists("deep/er/out/two.csv"));
+  assert_int_equal(entries("deep/er"), 1);
+  assert_int_equal(entries("deep/er/out"), 2);
+  remove("deep/er/out/two.csv");
+  remove("deep/er/out/.umbra");
+  rmdir("deep/er/out");
+  rmdir("deep/er");
+  rmdir("deep");
+}
+
+static void test_nothing_before_commit(void **state)
+{
+  (void)state;
+  make_folder("out", false, "old.csv", "1");
+  struct um_core_folder *folder, *other;
+  FILE *file;
+  assert_int_equal(um_core_folder_begin(context, "out", false, &folder), UM_OK);
+  assert_int_equal(um_core_folder_begin(context, "out", false, &other), UM_OK);
+  assert_string_not_equal(um_core_folder_path(folder), um_core_folder_path(other));
+  assert_int_equal(um_core_folder_open(context, folder, "new.csv", &file), UM_OK);
+  assert_int_equal(um_core_file_close(context, "new.csv", &file), UM_OK);
+  assert_true(exists("out/old.csv"));
+  assert_false(exists("out/new.csv"));
+  /* names inside cannot lead outside */
+  um_core_message_clear(context);
+  assert_int_equal(um_core_folder_open(context, folder, "../x", &file), UM_ERR_INPUT);
+  assert_string_equal(um_core_message(context),
+                      "'../x' cannot name an output file; accepted: a name without '/'");
+  um_core_folder_abort(&folder);
+  assert_null(folder);
+  um_core_folder_abort(&folder);
+  um_core_folder_abort(NULL);
+  um_core_folder_abort(&other);
+  assert_int_equal(entries("."), 1);
+  assert_true(exists("out/old.csv"));
+  remove("out/old.csv");
+  remove("out/.umbra");
+  rmdir("out");
+}
+
+static void test_abort_removes_parents_made(void **state)
+{
+  (void)state;
+  struct um_core_folder *folder;
+  mkdir("kept", 0777);
+  assert_int_equal(um_core_folder_begin(context, "kept/a/b/out", false, &folder), UM_OK);
+  assert_true(exists("kept/a/b"));
+  um_core_folder_abort(&folder);
+  assert_true(exists("kept"));
+  assert_false(exists("kept/a"));
+  rmdir("kept");
+}
+
+static void test_refusals(void **state)
+{
+  (void)state;
+  mkdir("mine", 0777);
+  write_file("mine/thesis.txt", "x");
+  refused("mine", false,
+          "mine: exists and was not written by Umbra; accepted: a new name, an Umbra folder, or "
+          "--force to replace it");
+  assert_true(exists("mine/thesis.txt"));
+  refused("mine/thesis.txt", true,
+          "mine/thesis.txt: exists and is not a folder; accepted: a new name or an Umbra folder");
+  refused("mine/thesis.txt/out", false,
+          "mine/thesis.txt/out: cannot be an output folder: Not a directory");
+  refused("", false, ": cannot be an output folder; accepted: a path that ends in a name");
+  refused("..", true, "..: cannot be an output folder; accepted: a path that ends in a name");
+  refused("mine/.", true,
+          "mine/.: cannot be an output folder; accepted: a path that ends in a name");
+  refused("/", true, "/: cannot be an output folder; accepted: a path that ends in a name");
+  assert_int_equal(entries("."), 1);
+  /* a folder that holds the working folder is not replaced even with force */
+  char here[4096], above[4200];
+  assert_non_null(getcwd(here, sizeof here));
+  snprintf(above, sizeof above, "../%s", strrchr(here, '/') + 1);
+  struct um_core_folder *folder;
+  assert_int_equal(um_core_folder_begin(context, above, true, &folder), UM_ERR_IO);
+  assert_true(exists("mine/thesis.txt"));
+  make_folder("mine", true, "run.nc", "1");
+  assert_false(exists("mine/thesis.txt"));
+  remove("mine/run.nc");
+  remove("mine/.umbra");
+  rmdir("mine");
+}
+
+/* What stood in the way appeared after begin: commit must not destroy it. */
+static void test_target_appears_meanwhile(void **state)
+{
+  (void)state;
+  struct um_core_folder *folder;
+  assert_int_equal(um_core_folder_begin(context, "out", false, &folder), UM_OK);
+  mkdir("out", 0777);
+  write_file("out/precious.txt", "x");
+  assert_int_equal(um_core_folder_commit(context, &folder), UM_ERR_IO);
+  assert_null(folder);
+  assert_true(exists("out/precious.txt"));
+  assert_int_equal(entries("."), 1);
+  remove("out/precious.txt");
+  rmdir("out");
+}
+
+/* /dev/full refuses every write when the buffer is flushed. */
+static void test_disk_full(void **state)
+{
+  (void)state;
+  FILE *file = fopen("/dev/full", "wb");
+  if (file == NULL) {
+    print_message("skipped: this system has no /dev/full\n");
+    skip();
+  }
+  fputs("data", file);
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_close(context, "run.nc", &file), UM_ERR_IO);
+  assert_null(file);
+  assert_string_equal(um_core_message(context),
+                      "run.nc: cannot be written: No space left on device");
+  assert_int_equal(um_core_file_close(context, "run.nc", &file), UM_OK);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_read),
+      cmocka_unit_test(test_names),
+      cmocka_unit_test(test_commit_and_replace),
+      cmocka_unit_test(test_nothing_before_commit),
+      cmocka_unit_test(test_abort_removes_parents_made),
+      cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_target_appears_meanwhile),
+      cmocka_unit_test(test_disk_full),
+  };
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}

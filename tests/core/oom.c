@@ -1,0 +1,186 @@
+/* Memory that runs out: every allocation of the context fails once, at each place in turn. Each
+ * time the call must return UM_ERR_MEMORY, leave nothing behind, and work when tried again.
+ * (Allocations inside libfyaml do not pass through the context and do not fail here.) */
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/file.h"
+#include "tests/core/cmocka_all.h"
+#include "tests/core/sample_schema.h"
+
+struct source {
+  int alive;     /* blocks handed out and not returned */
+  int calls;     /* so far */
+  int fail_call; /* this one fails; 0: none */
+};
+
+static void *source_allocate(void *self, size_t bytes)
+{
+  struct source *s = self;
+  if (++s->calls == s->fail_call) return NULL;
+  s->alive++;
+  return malloc(bytes);
+}
+static void *source_reallocate(void *self, void *block, size_t bytes)
+{
+  struct source *s = self;
+  if (++s->calls == s->fail_call) return NULL;
+  if (block == NULL) s->alive++;
+  return realloc(block, bytes);
+}
+static void source_release(void *self, void *block)
+{
+  struct source *s = self;
+  if (block == NULL) return;
+  s->alive--;
+  free(block);
+}
+
+static enum um_status use_csv(struct um_context *context)
+{
+  char text[4096] = "a,b\n";
+  for (int i = 0; i < 300; i++) strcat(text, "1,\"2\"\n"); /* makes the tables grow */
+  struct um_core_csv *csv;
+  enum um_status status = um_core_csv_parse(context, "t.csv", text, strlen(text), &csv);
+  um_core_csv_destroy(&csv);
+  return status;
+}
+
+static enum um_status use_document(struct um_context *context)
+{
+  static const char *const sets[] = {"parts.bus.shell.thickness_m=1", "altitude_km=3",
+                                     "effects.panel:bus.off=true"};
+  struct um_document *document;
+  void *root;
+  char *text = NULL;
+  UM_TRY(um_core_document_parse(context, "s.yaml", sample_text, &sample_schema, sets, 3, &document,
+                                &root));
+  enum um_status status = um_core_document_text(context, document, &text);
+  um_core_free(context, text);
+  um_core_document_destroy(&document);
+  return status;
+}
+
+/* The text is written anew. */
+static enum um_status use_rewriting(struct um_context *context)
+{
+  static const char *const set = "parts.bus={name: x}";
+  struct um_document *document;
+  void *root;
+  char *text = NULL;
+  UM_TRY(um_core_document_parse(context, "s.yaml", sample_text, &sample_schema, &set, 1, &document,
+                                &root));
+  enum um_status status = um_core_document_text(context, document, &text);
+  um_core_free(context, text);
+  um_core_document_destroy(&document);
+  return status;
+}
+
+/* A document larger than the first block of memory. */
+static enum um_status use_large_document(struct um_context *context)
+{
+  static char text[60000];
+  strcpy(text, "name: a\ntle: b\ntime: {start: T0+1}\nlevels: [1");
+  char *p = text + strlen(text);
+  for (int i = 0; i < 700; i++, p += 3) memcpy(p, ", 2", 4);
+  strcpy(p, "]\n");
+  struct um_document *document;
+  void *root;
+  UM_TRY(
+      um_core_document_parse(context, "s.yaml", text, &sample_schema, NULL, 0, &document, &root));
+  um_core_document_destroy(&document);
+  return UM_OK;
+}
+
+static enum um_status use_refusal(struct um_context *context)
+{
+  static const char *const set = "parts.bux.x=1";
+  struct um_document *document;
+  void *root;
+  enum um_status status = um_core_document_parse(context, "s.yaml", sample_text, &sample_schema,
+                                                 &set, 1, &document, &root);
+  return status == UM_ERR_INPUT ? UM_OK : status;
+}
+
+static enum um_status use_folder(struct um_context *context)
+{
+  struct um_core_folder *folder;
+  FILE *file;
+  enum um_status status;
+  UM_TRY(um_core_folder_begin(context, "oom-out/deep", false, &folder));
+  UM_CHECK(um_core_folder_open(context, folder, "a.csv", &file));
+  UM_CHECK(um_core_file_close(context, "a.csv", &file));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+  UM_CHECK(um_core_folder_begin(context, "oom-out/deep", false, &folder));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+done:
+  um_core_folder_abort(&folder);
+  remove("oom-out/deep/.umbra");
+  remove("oom-out/deep/a.csv");
+  remove("oom-out/deep");
+  if (remove("oom-out") != 0 && status == UM_OK) status = UM_ERR_IO;
+  return status;
+}
+
+static enum um_status use_log(struct um_context *context)
+{
+  /* a log line that finds no memory is lost; the run goes on */
+  um_core_log(context, UM_LOG_INFO, "line");
+  return UM_OK;
+}
+
+/* Returns the number of allocations of a use that succeeds. */
+static int run(enum um_status (*use)(struct um_context *), bool survives)
+{
+  for (int k = 1;; k++) {
+    struct source source = {0, 0, k};
+    struct um_core_allocator allocator = {&source, source_allocate, source_reallocate,
+                                          source_release};
+    struct um_context *context;
+    enum um_status status = um_core_context_create(&allocator, &context);
+    if (status == UM_OK) {
+      int before = source.alive;
+      status = use(context);
+      if (!survives) assert_int_equal(source.alive, before);
+      if (status != UM_OK) {
+        assert_true(strlen(um_core_message(context)) > 0);
+        source.fail_call = 0;
+        um_core_message_clear(context);
+        assert_int_equal(use(context), UM_OK);
+      }
+    }
+    um_core_context_destroy(&context);
+    assert_int_equal(source.alive, 0);
+    if (source.calls < k) {
+      assert_int_equal(status, UM_OK);
+      return source.calls;
+    }
+    if (!survives || k == 1) assert_int_equal(status, UM_ERR_MEMORY);
+  }
+}
+
+static void test_every_allocation_fails(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *name;
+    enum um_status (*use)(struct um_context *);
+    bool survives;
+  } uses[] = {{"csv", use_csv, false},
+              {"document", use_document, false},
+              {"rewriting", use_rewriting, false},
+              {"large document", use_large_document, false},
+              {"refusal", use_refusal, false},
+              {"folder", use_folder, false},
+              {"log", use_log, true}};
+  for (size_t i = 0; i < sizeof uses / sizeof uses[0]; i++)
+    print_message("%s: each of %d allocations failed once\n", uses[i].name,
+                  run(uses[i].use, uses[i].survives));
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation_fails)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
