@@ -1,10 +1,10 @@
 /* Which fraction of a surface is free toward a direction, and which also sees the Sun.
  *
  * Points on a facet are those of the R2 sequence keyed by the facet, mapped to the triangle; the
- * points on the Sun's disc are keyed by facet too, so that a fraction is a smooth function of pose
- * and direction and repeated calls agree. A point of the disc below the surface's own horizon is
- * mirrored through the disc's centre to one above: the cosine at the centre, which callers use, is
- * the mean over the disc, the part below counted negative.
+ * points on the Sun's disc, of a sequence independent of it, are keyed by facet too, so that a
+ * fraction is a smooth function of pose and direction and repeated calls agree. A point of the disc
+ * below the surface's own horizon is mirrored through the disc's centre to one above: the cosine at
+ * the centre, which callers use, is the mean over the disc, the part below counted negative.
  *
  * Standard error of a fraction f of n > 1 points: sample deviation over sqrt(n),
  * e = sqrt(f (1 - f) / (n - 1)), that of independent points and above the true error of these
@@ -34,6 +34,16 @@ struct um_vec3 um_geometry_sample_point(const struct um_geometry_visibility *vis
   /* from corner a, so that points of a plane facet lie in it to the last place */
   struct um_vec3 p = um_vec3_axpy(a, w[1], um_vec3_sub(vertex[c[1]], a));
   return um_vec3_axpy(p, w[2], um_vec3_sub(vertex[c[2]], a));
+}
+
+/* Kronecker sequence with the steps sqrt 2 and sqrt 3 modulo 1 (64-bit fixed point), shifted by
+ * key. With those of R2, which lie in a cubic field, they are independent over the rationals: all
+ * four together fill the cube evenly (Weyl 1916). */
+void um_geometry_sample_second(uint64_t key, uint64_t index, double out[2])
+{
+  const uint64_t step_x = UINT64_C(0x6a09e667f3bcc908), step_y = UINT64_C(0xbb67ae8584caa73b);
+  out[0] = um_core_hash_uniform((index + 1) * step_x + um_core_hash(key, 1));
+  out[1] = um_core_hash_uniform((index + 1) * step_y + um_core_hash(key, 2));
 }
 
 /* Rays on their way to be traced, with the surface and sample that each belongs to. */
@@ -69,7 +79,7 @@ static struct um_vec3 sun_direction(const struct task *task, uint32_t facet, int
 {
   if (!(task->tangent > 0.0)) return task->s;
   double u[2], xy[2];
-  um_core_sample_2d(um_core_hash(KEY_DISC, facet), (uint64_t)sample, u);
+  um_geometry_sample_second(um_core_hash(KEY_DISC, facet), (uint64_t)sample, u);
   um_core_sample_disc(u, xy);
   struct um_vec3 across =
       um_vec3_axpy(um_vec3_scale(task->t, task->tangent * xy[0]), task->tangent * xy[1], task->b);

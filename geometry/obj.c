@@ -154,6 +154,7 @@ static enum um_status read_line(struct reader *r, char *line)
 static enum um_status read_lines(struct reader *r, char *text, size_t length)
 {
   char *at = text, *stop = text + length;
+  if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) at += 3; /* UTF-8 mark */
   int physical = 0;
   while (at < stop) {
     char *line = at;

@@ -96,14 +96,14 @@ static void fill_surface(const struct um_geometry_visibility *v, size_t surface,
   for (size_t cell = 0; cell < NCELL; cell++) {
     if (!cell_rises(cell, n)) continue;
     for (int k = 0; k < nsample; k++) {
+      /* indices go on from cell to cell: each has its own points, all are evenly spread */
+      uint64_t index = (uint64_t)cell * (uint64_t)nsample + (uint64_t)k;
       double u[2];
-      um_core_sample_2d(um_core_hash(key, cell), (uint64_t)k, u);
+      um_geometry_sample_second(um_core_hash(key, cell), index, u);
       struct um_vec3 d = direction_of(cell, u[0], u[1]);
       double height = um_vec3_dot(n, d);
       if (height <= 0.0) d = um_vec3_axpy(d, -2.0 * height, n);
-      /* points go on from cell to cell: each cell gets its own, evenly spread over all cells */
-      struct um_vec3 origin =
-          um_geometry_sample_point(v, facet, (uint64_t)cell * (uint64_t)nsample + (uint64_t)k);
+      struct um_vec3 origin = um_geometry_sample_point(v, facet, index);
       if (batch.n == BATCH) trace(v, &batch, count);
       batch.ray[batch.n] = (struct um_geometry_ray){origin, d, INFINITY, facet};
       batch.cell[batch.n++] = cell;

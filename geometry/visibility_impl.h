@@ -24,6 +24,11 @@ enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibilit
 struct um_vec3 um_geometry_sample_point(const struct um_geometry_visibility *visibility,
                                         uint32_t facet, uint64_t sample);
 
+/* Point `index` in [0,1)^2 of a second sequence, to be paired with um_core_sample_2d at the same
+ * index: two R2 sequences differ by a shift only, so that a pair of them would fill no more than a
+ * plane of the four-dimensional cube. */
+void um_geometry_sample_second(uint64_t key, uint64_t index, double out[2]);
+
 /* um_geometry_visibility_occluded for rays that run nearly side by side. */
 void um_geometry_visibility_occluded_coherent(const struct um_geometry_visibility *visibility,
                                               const struct um_geometry_ray *rays, size_t n,

@@ -1,0 +1,106 @@
+/* Refinement: no edge too long, area and volume kept, conforming. */
+#include "tests/geometry/support.h"
+
+/* An L-shaped prism with sliver triangles, through a file, so that refine.c does the work. */
+static const char prism[] =
+    "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 2.5 0\nv 0 2.5 0\n"
+    "v 0 0 3\nv 4 0 3\nv 4 1 3\nv 1 1 3\nv 1 2.5 3\nv 0 2.5 3\n"
+    "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\n"
+    "f 6 1 7 12\n";
+
+/* Floor area 4 + 1.5 = 5.5, perimeter 13: area 2 x 5.5 + 3 x 13 = 50 m^2, volume 16.5 m^3. */
+static void prism_keeps_area_and_volume(void **state)
+{
+  (void)state;
+  static const double size[] = {0.0, 2.0, 0.5, 0.13};
+  double sharpest = 0.0;
+  for (int i = 0; i < 4; i++) {
+    char path[] = "/tmp/umbra-refine-XXXXXX";
+    int fd = mkstemp(path);
+    FILE *file = fdopen(fd, "w");
+    assert_non_null(file);
+    fputs(prism, file);
+    fclose(file);
+    struct um_geometry_part_spec spec = {.name = "prism",
+                                         .shape = UM_SHAPE_MESH,
+                                         .mesh_path = path,
+                                         .skins = &support_closed,
+                                         .nskin = 1,
+                                         .solid = true,
+                                         .facet_size = size[i]};
+    struct support s = support_create(&spec, 1);
+    remove(path);
+    struct um_geometry_report report = um_geometry_report(s.geometry, 0);
+    assert_close(report.area, 50.0, 1e-10);
+    assert_close(report.volume, 16.5, 1e-10);
+    assert_int_equal(report.nboundary_edge, 0);
+    assert_int_equal(report.nonmanifold_edge, 0);
+    /* closed surface of genus 0: V - E + F = 2 with E = 3 F / 2 (Euler): no T-junction, no spare
+     * vertex */
+    assert_int_equal(2 * report.nvertex, report.nfacet + 4);
+    /* Rivara: angles stay above half the smallest one */
+    if (i == 0)
+      sharpest = report.sharpest_angle;
+    else
+      assert_true(report.sharpest_angle >= 0.5 * sharpest - 1e-12);
+    for (size_t f = 0; i > 0 && f < s.mesh->nfacet; f++)
+      for (int k = 0; k < 3; k++) {
+        struct um_vec3 a = s.pose->vertex[s.mesh->corner[f][k]];
+        struct um_vec3 b = s.pose->vertex[s.mesh->corner[f][(k + 1) % 3]];
+        assert_true(um_vec3_norm(um_vec3_sub(b, a)) <= size[i] * (1.0 + 1e-8));
+      }
+    support_destroy(&s);
+  }
+}
+
+/* All closed primitives stay closed, whatever the size. */
+static void primitives_stay_closed(void **state)
+{
+  (void)state;
+  for (int i = 1; i <= 6; i++) {
+    struct um_geometry_part_spec parts[4] = {
+        support_box("box", 1.0, 0.31, 2.2),
+        {.name = "cylinder", .shape = UM_SHAPE_CYLINDER, .radius = 0.4, .height = 1.7},
+        {.name = "cone", .shape = UM_SHAPE_CONE, .radius = 0.5, .radius_top = 0.05, .height = 0.3},
+        {.name = "ball", .shape = UM_SHAPE_SPHERE, .radius = 0.45}};
+    for (int k = 0; k < 4; k++) {
+      parts[k].skins = &support_closed;
+      parts[k].nskin = 1;
+      parts[k].solid = true;
+      parts[k].facet_size = 0.7 / (i * i);
+    }
+    struct support s = support_create(parts, 4);
+    for (size_t k = 0; k < 4; k++) {
+      struct um_geometry_report report = um_geometry_report(s.geometry, k);
+      assert_true(report.closed);
+      assert_int_equal(2 * report.nvertex, report.nfacet + 4);
+      /* the narrow end of the cone keeps the 24 segments of the wide one: 0.013 m by 0.54 m */
+      assert_true(report.sharpest_angle > (k == 2 ? 0.02 : 0.1));
+    }
+    support_destroy(&s);
+  }
+}
+
+/* A size typed in the wrong unit is refused before memory is. */
+static void tiny_size_is_refused(void **state)
+{
+  (void)state;
+  struct um_geometry_part_spec parts[4] = {support_box("box", 1, 1, 1),
+                                           support_plate("plate", 14, 5, um_vec3(0, 0, 0)),
+                                           {.name = "ball", .shape = UM_SHAPE_SPHERE, .radius = 1},
+                                           {.name = "disc", .shape = UM_SHAPE_DISC, .radius = 1}};
+  for (int k = 0; k < 4; k++) {
+    parts[k].skins = &support_open;
+    parts[k].nskin = 1;
+    parts[k].facet_size = 1e-6;
+    support_refused(&parts[k], 1, "a facet size of 1e-06 m needs");
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(prism_keeps_area_and_volume),
+                                     cmocka_unit_test(primitives_stay_closed),
+                                     cmocka_unit_test(tiny_size_is_refused)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
