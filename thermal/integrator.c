@@ -22,7 +22,7 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #define MAX_STEP_INTERVALS 2.0
-#define NEWTON_SHARE       0.01
+#define NEWTON_SHARE       1e-4
 #define SHORTEST_SEGMENT   1e-6 /* [s] stops closer than this are one */
 
 struct um_thermal_integrator {
@@ -186,6 +186,7 @@ static enum um_status cvodes_set_up(struct um_thermal_integrator *integrator)
   SUN_CHECK(CVodeSStolerances(cvodes, options->relative_tolerance, options->absolute_tolerance));
   SUN_CHECK(CVodeSetLinearSolver(cvodes, integrator->solver, integrator->matrix));
   SUN_CHECK(CVodeSetJacFn(cvodes, jacobian_callback));
+  SUN_CHECK(CVodeSetJacEvalFrequency(cvodes, 1)); /* fresh at every factorisation: it is cheap */
   SUN_CHECK(CVodeSetNonlinConvCoef(cvodes, NEWTON_SHARE));
   SUN_CHECK(CVodeSetMaxErrTestFails(cvodes, 20));
   SUN_CHECK(CVodeQuadInit(cvodes, audit_callback, integrator->quadrature));

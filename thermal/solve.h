@@ -28,8 +28,8 @@ struct um_thermal_history {
 };
 
 /* Integrate from `from` (start temperatures of the network) and report at times[ntime] in
- * [from, last load time], ascending. loads may be NULL (none). UM_ERR_NUMERIC when CVODES fails,
- * with its words; NaN loads are refused first. */
+ * [from, last load time], ascending. loads may be NULL (none). Two grid times may be equal: a jump.
+ * UM_ERR_NUMERIC when CVODES fails, with its words; NaN loads are refused first. */
 enum um_status um_thermal_solve(struct um_context *context,
                                 const struct um_thermal_network *network,
                                 const struct um_thermal_loads *loads,
@@ -39,14 +39,32 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
 
 /* Start temperatures [nnode] such that the state repeats after one period: T(from + period) =
  * T(from) under the loads of [from, from + period]; KINSOL fixed point with Anderson acceleration
- * from the network's own start temperatures. drift: largest remaining |dT| [K], must fall below
- * tolerance [K] or UM_ERR_NUMERIC. */
+ * from the network's own start temperatures. The estimated distance of every node from the periodic
+ * state, not only its drift per orbit, falls below tolerance [K], or UM_ERR_NUMERIC: a node with a
+ * time constant of 300 orbits that drifts 0.01 K is 3 K away. drift: largest remaining |dT| [K].
+ * The loads need not be periodic (a spin that is not commensurate): the window is always the same,
+ * so nodes that follow the load within it settle in one pass. */
 enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
                                          const struct um_thermal_loads *loads,
                                          const struct um_thermal_solve_options *options,
                                          double from, double period, double tolerance,
                                          double *temperature, double *drift);
+/* What a periodic solution says about itself. */
+struct um_thermal_periodic {
+  double drift;      /* largest |T(from + period) - T(from)| of a node [K] */
+  size_t drift_node; /* that node */
+  double distance;   /* estimated largest distance of a node from the periodic state [K] */
+  size_t orbits;     /* integrated */
+};
+/* The same with the signed drift of every node [nnode] [K] (or NULL) and a report (or NULL). */
+enum um_status um_thermal_solve_periodic_report(struct um_context *context,
+                                                const struct um_thermal_network *network,
+                                                const struct um_thermal_loads *loads,
+                                                const struct um_thermal_solve_options *options,
+                                                double from, double period, double tolerance,
+                                                double *temperature, double *drift,
+                                                struct um_thermal_periodic *report);
 /* Steady state of the network under constant loads (row `time` of loads); KINSOL Newton. */
 enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,

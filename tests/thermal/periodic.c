@@ -1,0 +1,193 @@
+/* Quasi-steady orbits.
+ *
+ *        Sun ->     o   isothermal sphere, circular orbit at 765 km, beta 0, period P
+ *               (Earth)   shadow |u - pi| < 63.24049 deg (cylinder), u = 0 over the sub-solar point
+ *
+ * Loads per unit of sphere area: alpha S/4 in sunlight, alpha 0.3 F S max(cos u, 0),
+ * eps 237 F; F = 0.2748766, S = 1361 W/m^2. The load table has rows at both sides of the shadow's
+ * edges at the same time, so the Sun jumps exactly. Expected temperatures: an independent
+ * integration of the same equation (scipy, to 1e-10), printed to 0.1 mK. */
+#include <stdlib.h>
+
+#include "tests/thermal/network_help.h"
+
+#define GRID 2000 /* cos u is interpolated to (2 pi / GRID)^2 / 8 = 1.2e-6 of 112 W/m^2 */
+
+static double orbit_period(void)
+{
+  return 2.0 * UM_PI * sqrt(pow(6378.137e3 + 765e3, 3) / UM_EARTH_GM);
+}
+
+/* Loads of `orbits` orbits on `nsurface` surfaces, all as on the sphere. */
+static struct um_thermal_loads *sphere_loads(size_t orbits, size_t nsurface)
+{
+  const double factor = 0.2748766, half = 63.24049 * UM_DEG, period = orbit_period();
+  struct um_thermal_loads *loads = NULL;
+  size_t ntime = orbits * (GRID + 4) + 1, k = 0, edges = 0;
+  OK(um_thermal_loads_create(help_context, ntime, nsurface, 2 * orbits, &loads));
+  const double edge[2] = {(UM_PI - half) / (2.0 * UM_PI), (UM_PI + half) / (2.0 * UM_PI)};
+  for (size_t orbit = 0; orbit < orbits; orbit++) {
+    double sunlit = 1.0;
+    int passed = 0;
+    for (size_t g = 0; g < GRID + (orbit + 1 == orbits); g++) {
+      double phase = (double)g / GRID;
+      while (passed < 2 && edge[passed] <= phase) {
+        loads->edge[edges++] = ((double)orbit + edge[passed]) * period;
+        for (int side = 0; side < 2; side++) {
+          loads->t[k] = ((double)orbit + edge[passed]) * period;
+          loads->sunlit[k++] = side == 0 ? sunlit : 1.0 - sunlit;
+        }
+        sunlit = 1.0 - sunlit;
+        passed++;
+      }
+      loads->t[k] = ((double)orbit + phase) * period;
+      loads->sunlit[k++] = sunlit;
+    }
+  }
+  assert_int_equal(k, ntime);
+  for (k = 0; k < ntime; k++) {
+    double u = 2.0 * UM_PI * loads->t[k] / period;
+    loads->irradiance[k] = 1361.0;
+    for (size_t s = 0; s < nsurface; s++) {
+      loads->sun[k * nsurface + s] = 0.25f;
+      loads->albedo[k * nsurface + s] = (float)(0.3 * factor * 1361.0 * fmax(cos(u), 0.0));
+      loads->planet[k * nsurface + s] = (float)(237.0 * factor);
+    }
+  }
+  return loads;
+}
+
+static struct um_thermal_network *sphere(double capacity, double absorptance, double emittance)
+{
+  struct um_thermal_network *network = help_network();
+  uint32_t node = help_node(network, capacity, 280.0);
+  help_surface(network, 0, node, 1.0, absorptance, emittance);
+  return network;
+}
+
+/* 280 K at u = 0: temperature after one, two, three orbits. */
+static void test_waiting(void **state)
+{
+  (void)state;
+  const double expected[3] = {289.4761, 289.5773, 289.5784};
+  struct um_thermal_loads *loads = sphere_loads(3, 1);
+  struct um_thermal_network *network = sphere(4860.0, 0.8, 0.8);
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  double times[3];
+  for (int k = 0; k < 3; k++) times[k] = (k + 1) * orbit_period();
+  struct um_thermal_history *history = NULL;
+  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, 3, &history));
+  for (int k = 0; k < 3; k++) {
+    print_message("after orbit %d: %.4f K (expected %.4f)\n", k + 1, history->temperature[k],
+                  expected[k]);
+    NEAR("end of orbit", history->temperature[k], expected[k], 5e-3);
+  }
+  print_message("audit %.2e, %zu steps, %zu rhs, %zu Jacobians\n", history->audit_error,
+                history->steps, history->rhs_evaluations, history->jacobians);
+  if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
+  um_thermal_history_destroy(help_context, &history);
+  um_thermal_network_destroy(&network);
+  um_thermal_loads_destroy(help_context, &loads);
+}
+
+/* The periodic orbit: extremes and mean. */
+static void test_sphere(void **state)
+{
+  (void)state;
+  static const struct {
+    double capacity, absorptance, emittance, highest, lowest, mean, at; /* 0: not stated */
+  } rows[3] = {{4860.0, 0.8, 0.8, 299.6970, 230.8374, 271.5632, 0.1736},
+               {77.39, 0.38, 0.78, 266.3944, 184.1063, 0.0, 0.0},
+               {4860.0, 0.2, 0.8, 226.8721, 206.8098, 0.0, 0.0}};
+  struct um_thermal_loads *loads = sphere_loads(1, 1);
+  double period = orbit_period();
+  for (int c = 0; c < 3; c++) {
+    struct um_thermal_network *network =
+        sphere(rows[c].capacity, rows[c].absorptance, rows[c].emittance);
+    struct um_thermal_solve_options options;
+    um_thermal_solve_defaults(&options);
+    double start, drift;
+    OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, period, 1e-3, &start,
+                                 &drift));
+    if (!(drift <= 1e-3)) fail_msg("drift %g", drift);
+    um_thermal_network_temperatures_set(network, &start);
+    /* 10000 times: an extreme between two is missed by less than 1e-4 K */
+    const size_t ntime = 10001;
+    double *times = calloc(ntime, sizeof *times);
+    assert_non_null(times);
+    for (size_t k = 0; k < ntime; k++) times[k] = period * (double)k / (double)(ntime - 1);
+    struct um_thermal_history *history = NULL;
+    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, ntime, &history));
+    double highest = 0.0, lowest = 1e9, mean = 0.0, at = 0.0;
+    for (size_t k = 0; k < ntime; k++) {
+      double t = history->temperature[k];
+      if (t > highest) at = times[k] / period;
+      highest = fmax(highest, t);
+      lowest = fmin(lowest, t);
+      mean += t * (k == 0 || k + 1 == ntime ? 0.5 : 1.0) / (double)(ntime - 1);
+    }
+    print_message("max %.4f min %.4f mean %.4f at %.4f, audit %.1e, %zu steps\n", highest, lowest,
+                  mean, at, history->audit_error, history->steps);
+    NEAR("highest", highest, rows[c].highest, 5e-3);
+    NEAR("lowest", lowest, rows[c].lowest, 5e-3);
+    if (rows[c].mean > 0.0) {
+      NEAR("mean", mean, rows[c].mean, 5e-3);
+      NEAR("u/2pi of the highest", at, rows[c].at, 2e-4);
+    }
+    if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
+    um_thermal_history_destroy(help_context, &history);
+    um_thermal_network_destroy(&network);
+    free(times);
+  }
+  um_thermal_loads_destroy(help_context, &loads);
+}
+
+/* An interior behind MLI: tau = C / (4 e* sigma A T^3) of some 300 orbits. The periodic state is
+ * checked against its definition: the orbit-mean heat through the blanket equals the power, and a
+ * start from 150 K, from 293 K and from the answer agree. */
+static struct um_thermal_network *wrapped(double effective_emittance, double start, double power)
+{
+  const double area = 150.0, capacity = 7900.0 * 900.0;
+  struct um_thermal_network *network = help_network();
+  uint32_t skin = help_node(network, 77.39 * area, 280.0);
+  uint32_t interior = help_node(network, capacity, start);
+  help_surface(network, 0, skin, area, 0.38, 0.78);
+  OK(um_thermal_network_radiator_add(network, skin, interior, effective_emittance * area));
+  um_thermal_network_power_set(network, interior, power);
+  return network;
+}
+static void test_wrapped_interior(void **state)
+{
+  (void)state;
+  struct um_thermal_loads *loads = sphere_loads(1, 1);
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  const double emittance[2] = {0.005, 0.05}, starts[3] = {293.0, 150.0, 230.0};
+  for (int e = 0; e < 2; e++) {
+    double found[3];
+    for (int s = 0; s < 3; s++) {
+      struct um_thermal_network *network = wrapped(emittance[e], starts[s], 100.0);
+      double temperature[2], drift[2];
+      struct um_thermal_periodic report;
+      OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0,
+                                          orbit_period(), 1e-2, temperature, drift, &report));
+      found[s] = temperature[1];
+      print_message("e* %.3f from %.0f K: %.4f K after %zu orbits, drift %.1e K, distance %.1e K\n",
+                    emittance[e], starts[s], found[s], report.orbits, report.drift,
+                    report.distance);
+      assert_true(report.orbits <= 10);
+      um_thermal_network_destroy(&network);
+    }
+    NEAR("independent of the start", found[1], found[0], 2e-2);
+    NEAR("independent of the start", found[2], found[0], 2e-2);
+  }
+  um_thermal_loads_destroy(help_context, &loads);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_waiting), cmocka_unit_test(test_sphere),
+                                     cmocka_unit_test(test_wrapped_interior)};
+  return cmocka_run_group_tests(tests, help_setup, help_teardown);
+}

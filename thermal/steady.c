@@ -1,0 +1,168 @@
+/* Steady state: H_i(T) = 0 for every node that is not a boundary (equation in system.c), by KINSOL:
+ * Newton with line search, exact Jacobian at every iteration, KLU. Residuals are scaled by the
+ * node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so they are
+ * temperatures [K]. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include "thermal/system_impl.h"
+
+#define RESIDUAL   1e-9 /* [K] */
+#define ITERATIONS 400
+
+struct steady {
+  struct um_thermal_system *system;
+  SUNContext sun;
+  N_Vector y, y_scale, f_scale;
+  SUNMatrix matrix;
+  SUNLinearSolver solver;
+  void *kinsol;
+  char words[256]; /* of KINSOL */
+};
+
+static void words_keep(int code, const char *module, const char *function, char *message,
+                       void *self)
+{
+  struct steady *steady = self;
+  (void)code;
+  snprintf(steady->words, sizeof steady->words, "%s %s: %s", module, function, message);
+}
+
+static int heat_callback(N_Vector y, N_Vector heat, void *self)
+{
+  struct steady *steady = self;
+  struct um_thermal_system *system = steady->system;
+  if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
+  um_thermal_system_rate(system, N_VGetArrayPointer(heat));
+  return 0;
+}
+
+static int jacobian_callback(N_Vector y, N_Vector heat, SUNMatrix matrix, void *self,
+                             N_Vector work1, N_Vector work2)
+{
+  (void)heat, (void)work1, (void)work2;
+  struct steady *steady = self;
+  struct um_thermal_system *system = steady->system;
+  sunindextype *column = SUNSparseMatrix_IndexPointers(matrix);
+  sunindextype *row = SUNSparseMatrix_IndexValues(matrix);
+  for (size_t k = 0; k <= system->nunknown; k++) column[k] = (sunindextype)system->column[k];
+  for (size_t k = 0; k < system->nnonzero; k++) row[k] = (sunindextype)system->row[k];
+  if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
+  return um_thermal_system_jacobian(system, SUNSparseMatrix_Data(matrix)) ? 0 : 1;
+}
+
+static enum um_status vectors_create(struct steady *steady)
+{
+  const struct um_thermal_system *system = steady->system;
+  sunindextype n = (sunindextype)system->nunknown;
+  if (SUNContext_Create(NULL, &steady->sun) != 0) goto memory;
+  steady->y = N_VNew_Serial(n, steady->sun);
+  steady->y_scale = N_VNew_Serial(n, steady->sun);
+  steady->f_scale = N_VNew_Serial(n, steady->sun);
+  steady->matrix = SUNSparseMatrix(n, n, (sunindextype)system->nnonzero, CSC_MAT, steady->sun);
+  if (steady->y == NULL || steady->y_scale == NULL || steady->f_scale == NULL ||
+      steady->matrix == NULL)
+    goto memory;
+  steady->solver = SUNLinSol_KLU(steady->y, steady->matrix, steady->sun);
+  steady->kinsol = KINCreate(steady->sun);
+  if (steady->solver == NULL || steady->kinsol == NULL) goto memory;
+  return UM_OK;
+memory:
+  return um_core_fail(system->context, UM_ERR_MEMORY, "out of memory in the steady heat balance");
+}
+
+static void steady_free(struct steady *steady)
+{
+  if (steady->kinsol != NULL) KINFree(&steady->kinsol);
+  if (steady->solver != NULL) SUNLinSolFree(steady->solver);
+  if (steady->matrix != NULL) SUNMatDestroy(steady->matrix);
+  if (steady->y != NULL) N_VDestroy(steady->y);
+  if (steady->y_scale != NULL) N_VDestroy(steady->y_scale);
+  if (steady->f_scale != NULL) N_VDestroy(steady->f_scale);
+  if (steady->sun != NULL) SUNContext_Free(&steady->sun);
+}
+
+/* Start temperatures, and G_i at 300 K as scale; a node that nothing holds is refused. */
+static enum um_status start_set(struct steady *steady)
+{
+  const struct um_thermal_system *system = steady->system;
+  double *y = N_VGetArrayPointer(steady->y), *scale = N_VGetArrayPointer(steady->f_scale);
+  const double slope = 4.0 * 300.0 * 300.0 * 300.0; /* d(T^4)/dT [K^3] */
+  for (size_t k = 0; k < system->nunknown; k++) {
+    size_t i = system->node[k];
+    y[k] = system->temperature[i];
+    double g = system->space[i] * slope;
+    for (size_t e = system->start[i]; e < system->start[i + 1]; e++)
+      g += fabs(system->linear[e]) + system->fourth[e] * slope;
+    char label[96];
+    if (!(g > 0.0))
+      return um_core_fail(
+          system->context, UM_ERR_INPUT,
+          "%s has no steady temperature: nothing conducts or radiates from it",
+          um_thermal_network_label(system->network, (uint32_t)i, label, sizeof label));
+    /* radiation has no slope at 0 K */
+    if (y[k] < 10.0) y[k] = 10.0;
+    scale[k] = 1.0 / g;
+  }
+  N_VConst(1.0 / 300.0, steady->y_scale);
+  return UM_OK;
+}
+
+static enum um_status kinsol_run(struct steady *steady)
+{
+  void *k = steady->kinsol;
+  int code = KINSetErrHandlerFn(k, words_keep, steady);
+  if (code >= 0) code = KINInit(k, heat_callback, steady->y);
+  if (code >= 0) code = KINSetUserData(k, steady);
+  if (code >= 0) code = KINSetLinearSolver(k, steady->solver, steady->matrix);
+  if (code >= 0) code = SUNLinSol_KLUSetOrdering(steady->solver, 0); /* AMD */
+  if (code >= 0) code = KINSetJacFn(k, jacobian_callback);
+  if (code >= 0) code = KINSetMaxSetupCalls(k, 1);
+  if (code >= 0) code = KINSetNumMaxIters(k, ITERATIONS);
+  if (code >= 0) code = KINSetFuncNormTol(k, RESIDUAL);
+  if (code >= 0) code = KINSetScaledStepTol(k, 1e-13);
+  if (code >= 0) code = KINSol(k, steady->y, KIN_LINESEARCH, steady->y_scale, steady->f_scale);
+  double residual = NAN;
+  if (code >= 0) code = KINGetFuncNorm(k, &residual);
+  /* a step too small to take is a success when the residual is met */
+  if (code < 0 || !(residual <= 100.0 * RESIDUAL))
+    return um_core_fail(steady->system->context, UM_ERR_NUMERIC,
+                        "no steady heat balance found (KINSOL code %d, residual %.3g K): %s", code,
+                        residual, steady->words[0] != '\0' ? steady->words : "no message");
+  return UM_OK;
+}
+
+enum um_status um_thermal_solve_steady(struct um_context *context,
+                                       const struct um_thermal_network *network,
+                                       const struct um_thermal_loads *loads, size_t time,
+                                       const struct um_thermal_solve_options *options,
+                                       double *temperature)
+{
+  enum um_status status;
+  struct steady steady = {0};
+  if (loads != NULL && time >= loads->ntime)
+    return um_core_fail(context, UM_ERR_INPUT, "steady state at row %zu of %zu rows of heat loads",
+                        time, loads->ntime);
+  double from = loads != NULL ? loads->t[time] : 0.0;
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, true, &steady.system));
+  if (loads != NULL) um_thermal_system_hold(steady.system, time);
+  UM_CHECK(vectors_create(&steady));
+  UM_CHECK(start_set(&steady));
+  UM_CHECK(kinsol_run(&steady));
+  struct um_thermal_system *system = steady.system;
+  if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(steady.y))) {
+    status = um_core_fail(context, UM_ERR_NUMERIC, "no steady heat balance found");
+    goto done;
+  }
+  memcpy(temperature, system->temperature, system->n * sizeof *temperature);
+done:
+  steady_free(&steady);
+  um_thermal_system_destroy(&steady.system);
+  return status;
+}
