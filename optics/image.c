@@ -4,14 +4,14 @@
 #include <omp.h>
 #include <string.h>
 
-#include "core/sampling.h"
 #include "optics/interreflection_impl.h"
+#include "optics/sampling_impl.h"
 
 #define WIDTH_MAX   16384
 #define SAMPLES_MAX 4096
 #define MARGIN      0.03 /* of the body's larger extent, on each side */
 
-enum { KEY_PIXEL = 0x70697865, KEY_DISC = 0x64697363 };
+enum { KEY_PIXEL = 0x70697865 };
 
 struct camera {
   struct um_vec3 right, up, toward; /* unit, body frame; toward the observer */
@@ -132,9 +132,9 @@ static void shadow_rays(const struct um_geometry_mesh *mesh, const struct um_geo
     struct um_vec3 p = um_vec3(0.0, 0.0, 0.0);
     for (int k = 0; k < 3 && hit->facet != UM_GEOMETRY_NONE; k++)
       p = um_vec3_axpy(p, hit->weight[k], pose->vertex[mesh->corner[hit->facet][k]]);
-    double u[2], xy[2];
-    um_core_sample_2d(um_core_hash(KEY_DISC, key), i, u);
-    um_core_sample_disc(u, xy);
+    double u[4], xy[2];
+    um_optics_sample_4d(key, i, u);
+    um_core_sample_disc(u + 2, xy);
     struct um_vec3 d = um_vec3_axpy(now->sun_body, size * xy[0], t);
     d = um_vec3_unit(um_vec3_axpy(d, size * xy[1], b));
     pencil->ray[i] = (struct um_geometry_ray){p, d, INFINITY, hit->facet};
@@ -147,10 +147,11 @@ static void render_pixel(const struct um_optics_set *set, const struct um_geomet
                          struct pencil *pencil, struct um_optics_image *image)
 {
   size_t nbin = image->nbin, pixel = (size_t)y * (size_t)image->width + (size_t)x;
+  uint64_t key = um_core_hash(KEY_PIXEL, pixel);
   pencil->ray[nsample] = camera_ray(camera, image->pixel_size, x + 0.5, y + 0.5);
   for (size_t i = 0; i < nsample; i++) {
-    double u[2];
-    um_core_sample_2d(um_core_hash(KEY_PIXEL, pixel), i, u);
+    double u[4];
+    um_optics_sample_4d(key, i, u);
     pencil->ray[i] = camera_ray(camera, image->pixel_size, x + u[0], y + u[1]);
   }
   um_geometry_visibility_closest(set->visibility, pencil->ray, nsample + 1, pencil->hit);
@@ -164,7 +165,7 @@ static void render_pixel(const struct um_optics_set *set, const struct um_geomet
   }
   if (!any) return;
   if (now->sun > 0.0) {
-    shadow_rays(mesh, set->pose, now, pixel, nsample, pencil);
+    shadow_rays(mesh, set->pose, now, key, nsample, pencil);
     um_geometry_visibility_occluded(set->visibility, pencil->ray, nsample, pencil->occluded);
   } else {
     memset(pencil->occluded, 1, nsample);

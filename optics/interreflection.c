@@ -14,13 +14,13 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "core/sampling.h"
+#include "optics/sampling_impl.h"
 
 #define CHUNK        256    /* surfaces traced between two growths of the list */
 #define THERMAL_FROM 2.5e-6 /* [m] */
 
 /* Keys that keep the point sequences of different uses apart. */
-enum { KEY_POINT = 0x706f696e, KEY_DIRECTION = 0x64697265, KEY_DISC = 0x64697363 };
+enum { KEY_RAY = 0x726179, KEY_DISC = 0x64697363 };
 
 struct bounce {
   uint32_t sample;      /* which point of the first surface */
@@ -46,14 +46,18 @@ static struct um_vec3 facet_point(const struct um_geometry_mesh *mesh,
   return um_vec3_axpy(p, weight[2], pose->vertex[corner[2]]);
 }
 
-static struct um_vec3 sample_point(const struct um_geometry_mesh *mesh,
-                                   const struct um_geometry_pose *pose, size_t surface,
-                                   uint32_t sample)
+/* Origin and direction of a sample of a surface. */
+static struct um_geometry_ray sample_ray(const struct um_geometry_mesh *mesh,
+                                         const struct um_geometry_pose *pose, size_t surface,
+                                         uint32_t sample)
 {
-  double u[2], weight[3];
-  um_core_sample_2d(um_core_hash(KEY_POINT, surface), sample, u);
+  double u[4], weight[3];
+  uint32_t facet = mesh->surface[surface].facet;
+  um_optics_sample_4d(um_core_hash(KEY_RAY, surface), sample, u);
   um_core_sample_triangle(u, weight);
-  return facet_point(mesh, pose, mesh->surface[surface].facet, weight);
+  struct um_vec3 normal = um_geometry_surface_normal(mesh, pose, surface);
+  return (struct um_geometry_ray){facet_point(mesh, pose, facet, weight),
+                                  um_core_sample_cosine(u + 2, normal), INFINITY, facet};
 }
 
 /* Rays of one surface; bounce[nsample], returns how many met a surface. */
@@ -62,15 +66,7 @@ static size_t trace_surface(const struct um_geometry_mesh *mesh, const struct um
                             struct um_geometry_hit *hit, struct bounce *bounce)
 {
   if (um_geometry_visibility_is_open(set->visibility, surface)) return 0;
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, surface);
-  for (int i = 0; i < nsample; i++) {
-    double u[2];
-    um_core_sample_2d(um_core_hash(KEY_DIRECTION, surface), (uint64_t)i, u);
-    ray[i].origin = sample_point(mesh, set->pose, surface, (uint32_t)i);
-    ray[i].direction = um_core_sample_cosine(u, normal);
-    ray[i].limit = INFINITY;
-    ray[i].from_facet = mesh->surface[surface].facet;
-  }
+  for (int i = 0; i < nsample; i++) ray[i] = sample_ray(mesh, set->pose, surface, (uint32_t)i);
   um_geometry_visibility_closest(set->visibility, ray, (size_t)nsample, hit);
   size_t count = 0;
   for (int i = 0; i < nsample; i++) {
@@ -159,13 +155,15 @@ bool um_optics_exchange_has(const struct um_optics_exchange *exchange, size_t su
   return exchange != NULL && exchange->first[surface + 1] > exchange->first[surface];
 }
 
-/* A direction into the Sun's disc, keyed by surface and sample. */
+/* A direction into the Sun's disc, keyed by surface and sample; hashed, independent of the ray. */
 static struct um_vec3 disc_direction(const struct um_optics_instant *instant, size_t surface,
                                      uint32_t sample)
 {
   double u[2], xy[2];
   struct um_vec3 t, b;
-  um_core_sample_2d(um_core_hash(KEY_DISC, surface), sample, u);
+  uint64_t key = um_core_hash(um_core_hash(KEY_DISC, surface), sample);
+  u[0] = um_core_hash_uniform(um_core_hash(key, 1));
+  u[1] = um_core_hash_uniform(um_core_hash(key, 2));
   um_core_sample_disc(u, xy);
   um_core_vec3_frame(instant->sun_body, &t, &b);
   double size = tan(instant->sun_radius);
@@ -183,10 +181,10 @@ static void trace_ends(const struct um_optics_instant *instant, const struct um_
   memset(work->hidden, 0, n);
   memset(work->occluded, 1, n);
   if (seen < 1.0) {
-    for (size_t i = 0; i < n; i++)
-      work->ray[i] =
-          (struct um_geometry_ray){sample_point(mesh, set->pose, surface, bounce[i].sample),
-                                   instant->observer_body, INFINITY, mesh->surface[surface].facet};
+    for (size_t i = 0; i < n; i++) {
+      work->ray[i] = sample_ray(mesh, set->pose, surface, bounce[i].sample);
+      work->ray[i].direction = instant->observer_body;
+    }
     um_geometry_visibility_occluded(set->visibility, work->ray, n, work->hidden);
   }
   if (!(instant->sun > 0.0)) return;

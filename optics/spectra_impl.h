@@ -5,8 +5,9 @@
 
 #include "optics/optics.h"
 
-/* Nodes of the emissivity tables, uniform in the square root of the cosine. */
-#define UM_OPTICS_ANGLE_NODES 65
+/* Nodes of the emissivity tables, uniform in the square root of the cosine, like those of records.
+ */
+#define UM_OPTICS_ANGLE_NODES 49
 
 /* Bin means of B_lambda on a uniform grid of x = 1/T, for one band. */
 struct um_optics_planck {
@@ -42,7 +43,7 @@ enum um_status um_optics_spectra_create(struct um_context *context,
 void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spectra **spectra);
 
 /* Black-body radiance per bin at a temperature [K]; row[nbin] [W/m^2/sr/m]. Relative error below
- * 4e-9 at the short end of each band. */
+ * 5e-9. */
 void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
                               double *row);
 /* Emissivity per bin of a material toward a cosine; a row of the table, or `row` filled. */

@@ -1,0 +1,160 @@
+/* A small scene for the optics tests. */
+#include "fixture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/constants.h"
+
+const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20};
+const struct um_optics_band fixture_lwir = {"lwir", 8e-6, 12e-6, 40};
+
+void fixture_create(struct fixture *f)
+{
+  memset(f, 0, sizeof *f);
+  assert_int_equal(um_core_context_create(NULL, &f->context), UM_OK);
+  FIXTURE_OK(f, um_materials_library_create(f->context, &f->library));
+  um_environment_defaults(&f->environment);
+}
+
+static void scene_free(struct fixture *f)
+{
+  um_optics_lightcurve_destroy(f->context, &f->curve);
+  um_optics_view_destroy(f->context, &f->view);
+  um_geometry_destroy(&f->geometry);
+  free(f->samples);
+  free(f->temperature);
+  free(f->albedo);
+  free(f->view_factor);
+  f->samples = NULL;
+  f->temperature = NULL;
+  f->albedo = f->view_factor = NULL;
+}
+
+void fixture_destroy(struct fixture *f)
+{
+  scene_free(f);
+  um_materials_library_destroy(&f->library);
+  um_core_context_destroy(&f->context);
+}
+
+static void read_record(struct fixture *f, const char *text)
+{
+  char path[] = "optics_material_XXXXXX";
+  int descriptor = mkstemp(path);
+  assert_true(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  assert_non_null(file);
+  assert_true(fputs(text, file) >= 0 && fclose(file) == 0);
+  enum um_status status = um_materials_library_read_file(f->context, f->library, path, NULL, 0);
+  unlink(path);
+  FIXTURE_OK(f, status);
+}
+
+void fixture_material(struct fixture *f, const char *name, double diffuse, double specular,
+                      double alpha, double emissivity)
+{
+  char lobe[160] = "", text[1024];
+  if (alpha > 0.0)
+    snprintf(lobe, sizeof lobe, "  specular_reflectance: %.17g\n  beckmann_alpha: %.17g\n",
+             specular, alpha);
+  snprintf(text, sizeof text,
+           "name: %s\nsummary: test\ncitation: test\ngrey:\n"
+           "  solar_absorptance: %.17g\n  emittance: %.17g\n"
+           "  band_emissivity:\n    - {from_um: 7.0, to_um: 14.0, value: %.17g}\n"
+           "  vis_reflectance_diffuse: %.17g\n%s",
+           name, 1.0 - diffuse - specular, emissivity, emissivity, diffuse, lobe);
+  read_record(f, text);
+}
+
+void fixture_metal(struct fixture *f, const char *name, double n, double k, double alpha)
+{
+  char text[1024];
+  snprintf(text, sizeof text,
+           "name: %s\nsummary: test\ncitation: test\nsubstrate:\n"
+           "  wavelength_um: [0.2, 50.0]\n  n: [%.17g, %.17g]\n  k: [%.17g, %.17g]\n"
+           "surface:\n  beckmann_alpha: %.17g\n",
+           name, n, n, k, k, alpha);
+  read_record(f, text);
+}
+
+struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_shape shape,
+                                          const struct um_geometry_skin *skin)
+{
+  return (struct um_geometry_part_spec){
+      .name = name, .shape = shape, .rotation = {1.0, 0.0, 0.0, 0.0}, .skins = skin, .nskin = 1};
+}
+
+void fixture_scene(struct fixture *f, const struct um_geometry_part_spec *parts, size_t npart,
+                   size_t ntime)
+{
+  scene_free(f);
+  FIXTURE_OK(f, um_geometry_create(f->context, parts, npart, &f->geometry));
+  size_t nmaterial = um_geometry_material_count(f->geometry);
+  size_t n = um_geometry_mesh(f->geometry)->nsurface;
+  assert_true(nmaterial <= FIXTURE_MATERIALS);
+  for (size_t m = 0; m < nmaterial; m++) {
+    f->record[m] = um_materials_library_find(f->library, um_geometry_material_name(f->geometry, m));
+    assert_non_null(f->record[m]);
+  }
+  f->ntime = ntime;
+  f->samples = calloc(ntime, sizeof *f->samples);
+  f->temperature = calloc(ntime * n, sizeof *f->temperature);
+  f->albedo = calloc(ntime * n, sizeof *f->albedo);
+  f->view_factor = calloc(ntime * n, sizeof *f->view_factor);
+  assert_true(f->samples && f->temperature && f->albedo && f->view_factor);
+  for (size_t i = 0; i < ntime * n; i++) f->temperature[i] = 300.0;
+  for (size_t t = 0; t < ntime; t++) {
+    struct um_environment_sample *s = &f->samples[t];
+    s->r = um_vec3(7.0e6, 0.0, 0.0);
+    s->q = (struct um_quat){1.0, 0.0, 0.0, 0.0};
+    s->sun = s->to_observer = s->pole = um_vec3(0.0, 0.0, 1.0);
+    s->sun_distance = UM_AU;
+    s->sunlit_fraction = 1.0;
+    s->range = FIXTURE_RANGE;
+  }
+  f->scene = (struct um_optics_scene){.geometry = f->geometry,
+                                      .environment = &f->environment,
+                                      .samples = f->samples,
+                                      .material = f->record,
+                                      .temperature = f->temperature,
+                                      .albedo = f->albedo,
+                                      .view_factor = f->view_factor};
+}
+
+void fixture_run(struct fixture *f, int nsample, const struct um_optics_band *bands, size_t nband)
+{
+  um_optics_lightcurve_destroy(f->context, &f->curve);
+  um_optics_view_destroy(f->context, &f->view);
+  FIXTURE_OK(
+      f, um_optics_view_trace(f->context, f->geometry, f->samples, f->ntime, nsample, &f->view));
+  f->scene.view = f->view;
+  FIXTURE_OK(f, um_optics_lightcurve_compute(f->context, &f->scene, bands, nband, &f->curve));
+}
+
+double fixture_intensity(const struct fixture *f, size_t time, size_t band,
+                         enum um_optics_mechanism mechanism)
+{
+  const struct um_optics_lightcurve *c = f->curve;
+  double sum = 0.0;
+  for (size_t m = 0; m < c->nmaterial; m++)
+    sum += c->intensity[((time * c->nband + band) * c->nmaterial + m) * UM_MECHANISM_COUNT +
+                        (size_t)mechanism];
+  return sum;
+}
+
+double fixture_sun(const struct fixture *f, const struct um_optics_band *band)
+{
+  return um_environment_solar_band(&f->environment, band->from, band->to);
+}
+
+void fixture_close(const char *what, double value, double expected, double relative)
+{
+  double error = fabs(value - expected) / fabs(expected);
+  print_message("%-46s %.9g expected %.9g relative %.2g (accepted %.2g)\n", what, value, expected,
+                error, relative);
+  if (!(error <= relative)) fail_msg("%s", what);
+}

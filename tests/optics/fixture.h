@@ -1,0 +1,66 @@
+/* A small scene for the optics tests: grey materials, parts, samples, and the two calls. */
+#ifndef UMBRA_TESTS_OPTICS_FIXTURE_H
+#define UMBRA_TESTS_OPTICS_FIXTURE_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h> /* needs those above */
+
+#include "optics/optics.h"
+
+#define FIXTURE_MATERIALS 16
+#define FIXTURE_RANGE     1.0e6 /* [m] */
+
+struct fixture {
+  struct um_context *context;
+  struct um_materials_library *library;
+  struct um_geometry *geometry;
+  struct um_environment environment;
+  struct um_environment_sample *samples; /* [ntime] */
+  size_t ntime;
+  const struct um_materials_record *record[FIXTURE_MATERIALS];
+  double *temperature; /* [ntime][nsurface] */
+  float *albedo, *view_factor;
+  struct um_optics_view *view;
+  struct um_optics_lightcurve *curve;
+  struct um_optics_scene scene;
+};
+
+extern const struct um_optics_band fixture_vis;  /* 0.38-0.78 um, 20 bins */
+extern const struct um_optics_band fixture_lwir; /* 8-12 um, 40 bins */
+
+/* Fails the test with Umbra's message unless the call succeeds. */
+#define FIXTURE_OK(fixture, call)                                                                  \
+  do {                                                                                             \
+    if ((call) != UM_OK) fail_msg("%s", um_core_message((fixture)->context));                      \
+  } while (0)
+
+void fixture_create(struct fixture *f);
+void fixture_destroy(struct fixture *f);
+/* A grey record: rho_d and constant F of a lobe of `alpha` (0: no lobe) in VIS, emissivity in LWIR.
+ */
+void fixture_material(struct fixture *f, const char *name, double diffuse, double specular,
+                      double alpha, double emissivity);
+/* An opaque body of index n + i k at all wavelengths, with a lobe of `alpha`. */
+void fixture_metal(struct fixture *f, const char *name, double n, double k, double alpha);
+/* Spec of a part with one material on both sides (back only where the shape is open). */
+struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_shape shape,
+                                          const struct um_geometry_skin *skin);
+/* Geometry of the parts and ntime samples: identity attitude, 1 au, full sunlight, observer and Sun
+ * toward +z, range 1000 km; all at 300 K without light from the Earth. */
+void fixture_scene(struct fixture *f, const struct um_geometry_part_spec *parts, size_t npart,
+                   size_t ntime);
+/* Trace and compute, replacing earlier results. */
+void fixture_run(struct fixture *f, int nsample, const struct um_optics_band *bands, size_t nband);
+/* Band intensity of a mechanism summed over materials [W/sr]. */
+double fixture_intensity(const struct fixture *f, size_t time, size_t band,
+                         enum um_optics_mechanism mechanism);
+/* Exact solar irradiance of a band at 1 au [W/m^2]. */
+double fixture_sun(const struct fixture *f, const struct um_optics_band *band);
+/* Fails unless |value - expected| <= relative * |expected|; prints both. */
+void fixture_close(const char *what, double value, double expected, double relative);
+
+#endif
