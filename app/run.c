@@ -99,7 +99,7 @@ static enum um_status pictures(struct um_context *context, const struct um_outpu
   size_t nband = run->model->nband, n = nband * PANEL_COLUMNS;
   struct um_output_panel *panels = NULL;
   struct um_optics_image **images = NULL;
-  char(*captions)[32] = NULL, *path = NULL;
+  char(*captions)[32] = NULL;
   UM_TRY(um_core_allocate(context, n, sizeof *panels, &panels));
   UM_CHECK(um_core_allocate(context, n, sizeof *images, &images));
   UM_CHECK(um_core_allocate(context, PANEL_COLUMNS, sizeof *captions, &captions));
@@ -113,14 +113,12 @@ static enum um_status pictures(struct um_context *context, const struct um_outpu
           images[b * PANEL_COLUMNS + c], run->model->band[b].name, captions[c]};
     }
   }
-  UM_CHECK(um_core_asprintf(context, &path, "%s/satellite.png", folder));
-  UM_CHECK(um_output_write_panels(context, panels, nband, PANEL_COLUMNS, path));
+  UM_CHECK(um_output_plot_panels(context, panels, nband, PANEL_COLUMNS, folder));
 done:
   for (size_t i = 0; images != NULL && i < n; i++) um_optics_image_destroy(context, &images[i]);
   um_core_free(context, images);
   um_core_free(context, panels);
   um_core_free(context, captions);
-  um_core_free(context, path);
   return status;
 }
 

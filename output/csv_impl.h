@@ -8,7 +8,7 @@
 #include "orbit/time.h"
 
 /* ",value" with nine significant digits; an empty field for NaN. */
-static inline void um_csv_number(FILE *file, double value)
+static inline void um_output_csv_number(FILE *file, double value)
 {
   if (isnan(value))
     fputc(',', file);
@@ -17,7 +17,7 @@ static inline void um_csv_number(FILE *file, double value)
 }
 
 /* The first field of a row: UTC to the millisecond. */
-static inline void um_csv_time(FILE *file, double t_tai)
+static inline void um_output_csv_time(FILE *file, double t_tai)
 {
   char text[32];
   um_orbit_time_format(t_tai, text);

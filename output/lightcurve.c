@@ -48,22 +48,22 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
   for (size_t k = 0; k < trace->nobs; k++) {
     const struct um_orbit_look *look = &trace->look[middle(trace, k)];
     const struct um_environment_sample *s = &trace->sample[middle(trace, k)];
-    um_csv_time(file, trace->t_obs[k]);
-    um_csv_number(file, look->azimuth / UM_DEG);
-    um_csv_number(file, look->elevation / UM_DEG);
-    um_csv_number(file, look->range * 1e-3);
-    um_csv_number(file, um_optics_airmass(look->elevation));
-    um_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
-    um_csv_number(file, trace->sunlit[k]);
-    um_csv_number(file, look->sun_elevation / UM_DEG);
+    um_output_csv_time(file, trace->t_obs[k]);
+    um_output_csv_number(file, look->azimuth / UM_DEG);
+    um_output_csv_number(file, look->elevation / UM_DEG);
+    um_output_csv_number(file, look->range * 1e-3);
+    um_output_csv_number(file, um_optics_airmass(look->elevation));
+    um_output_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
+    um_output_csv_number(file, trace->sunlit[k]);
+    um_output_csv_number(file, look->sun_elevation / UM_DEG);
     for (size_t b = 0; b < r->nband; b++) {
       double part[UM_MECHANISM_COUNT], total = 0.0;
       for (int m = 0; m < UM_MECHANISM_COUNT; m++) total += part[m] = by_mechanism(r, k, b, m);
-      um_csv_number(file, total);
-      for (int m = 0; m < UM_MECHANISM_COUNT; m++) um_csv_number(file, part[m]);
-      um_csv_number(file, r->standard_error[k * r->nband + b]);
-      um_csv_number(file, r->irradiance[k * r->nband + b]);
-      um_csv_number(file, r->magnitude_ab[k * r->nband + b]);
+      um_output_csv_number(file, total);
+      for (int m = 0; m < UM_MECHANISM_COUNT; m++) um_output_csv_number(file, part[m]);
+      um_output_csv_number(file, r->standard_error[k * r->nband + b]);
+      um_output_csv_number(file, r->irradiance[k * r->nband + b]);
+      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b]);
     }
     fputc('\n', file);
   }
@@ -79,10 +79,10 @@ enum um_status um_output_write_materials(const struct um_output_run *run, FILE *
       for (size_t m = 0; m < r->nmaterial; m++) {
         const double *at =
             r->intensity + ((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT;
-        um_csv_time(file, run->trace->t_obs[k]);
+        um_output_csv_time(file, run->trace->t_obs[k]);
         fprintf(file, ",%s,%s", run->model->band[b].name,
                 um_geometry_material_name(run->model->geometry, m));
-        for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_csv_number(file, at[i]);
+        for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_output_csv_number(file, at[i]);
         fputc('\n', file);
       }
   return UM_OK;

@@ -43,14 +43,16 @@ enum um_status um_output_plot_run(struct um_context *context, const char *folder
  * radiance in W/m^2/sr/nm) and an RGB preview. */
 enum um_status um_output_write_exr(struct um_context *context, const struct um_optics_image *image,
                                    const char *path);
-/* The satellite as seen in every band at several observations: one PNG, a row per band, a column
- * per instant, false colour with a scale in band radiance [W/m^2/sr]. */
+/* The satellite as seen in every band at several observations: satellite.png in `folder`, a row per
+ * band, a column per instant, each row on one scale of band radiance [W/m^2/sr]; logarithmic over
+ * four decades where the brightest pixel outshines the mean a hundredfold. panels[rows * columns].
+ */
 struct um_output_panel {
   const struct um_optics_image *image;
   const char *band, *caption;
 };
-enum um_status um_output_write_panels(struct um_context *context,
-                                      const struct um_output_panel *panels, size_t rows,
-                                      size_t columns, const char *path);
+enum um_status um_output_plot_panels(struct um_context *context,
+                                     const struct um_output_panel *panels, size_t rows,
+                                     size_t columns, const char *folder);
 
 #endif

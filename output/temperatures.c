@@ -16,11 +16,11 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   }
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
-    um_csv_time(file, run->trace->t_obs[k]);
+    um_output_csv_time(file, run->trace->t_obs[k]);
     for (size_t p = 0; p < r->nplace; p++) {
-      um_csv_number(file, r->place[p].mean[k]);
-      um_csv_number(file, r->place[p].minimum[k]);
-      um_csv_number(file, r->place[p].maximum[k]);
+      um_output_csv_number(file, r->place[p].mean[k]);
+      um_output_csv_number(file, r->place[p].minimum[k]);
+      um_output_csv_number(file, r->place[p].maximum[k]);
     }
     fputc('\n', file);
   }
@@ -42,11 +42,12 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
     for (size_t p = 0; p < r->nplace; p++) {
       if (!owns_its_nodes(r->place[p].name)) continue;
       const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
-      um_csv_time(file, run->trace->t_obs[k]);
+      um_output_csv_time(file, run->trace->t_obs[k]);
       fprintf(file, ",%s", r->place[p].name);
       const double value[] = {h->solar,     h->albedo,   h->planet,    h->internal,
                               h->conducted, h->radiated, h->exchanged, h->stored};
-      for (size_t i = 0; i < sizeof value / sizeof value[0]; i++) um_csv_number(file, value[i]);
+      for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
+        um_output_csv_number(file, value[i]);
       fputc('\n', file);
     }
   return UM_OK;
