@@ -45,7 +45,7 @@ struct um_environment_earth_view um_environment_earth_view(const struct um_envir
   view.cos_zenith = -um_vec3_dot(sun, view.nadir);
   struct um_vec3 across = um_vec3_axpy(sun, view.cos_zenith, view.nadir);
   view.sin_zenith = um_vec3_norm(across);
-  if (view.sin_zenith > 1e-12) {
+  if (view.sin_zenith > 1e-8) {
     view.sunward = um_vec3_scale(across, 1.0 / view.sin_zenith);
     view.side = um_vec3_cross(view.nadir, view.sunward);
   } else {
@@ -222,6 +222,7 @@ static double plate_view_factor(double h, double c)
 {
   double h2 = h * h, root = sqrt(fmax(h2 - 1.0, 0.0));
   double s = sqrt(fmax((1.0 - c) * (1.0 + c), 0.0));
+  if (isnan(c)) return NAN;
   /* the whole Earth is before the plate, tilt <= acos(1/h), or behind it */
   if (h * s <= root) return c > 0.0 ? c / h2 : 0.0;
   double kept = c * acos(fmin(fmax(-root * c / s, -1.0), 1.0));
@@ -253,13 +254,13 @@ void um_environment_earth_flux(const struct um_environment *environment, struct 
 
   for (size_t i = 0; i < n; i++) {
     struct plate plate = plate_of(&view, normals[i]);
-    double sum = 0.0;
+    double sum = isnan(plate.c + view.cos_zenith) ? NAN : 0.0;
     if (plate.c > 0.0) { /* E(n) = E(-n) + n.V */
       sum = plate.c * vector_nadir + plate.s * plate.cos_d * vector_sunward;
       plate = plate_opposite(plate);
     }
     if (plate.s > limb) sum += away_flux(&view, terminator, &plate);
-    out[i].albedo = scale * fmax(sum, 0.0);
+    out[i].albedo = scale * (sum < 0.0 ? 0.0 : sum);
     out[i].view_factor = plate_view_factor(view.h, um_vec3_dot(normals[i], view.nadir));
     out[i].planet = environment->outgoing_longwave * out[i].view_factor;
   }

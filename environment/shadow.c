@@ -47,7 +47,7 @@ static struct limb limb_find(const struct um_environment *environment, struct um
   if (environment->shadow == UM_SHADOW_OBLATE) limb.stretch = 1.0 / (1.0 - UM_EARTH_FLATTENING);
   limb.sr = stretched(um_vec3_scale(r, 1.0 / environment->shadow_radius), pole, limb.stretch);
   limb.d = um_vec3_dot(limb.sr, limb.sr) - 1.0;
-  if (!(limb.d > 0.0)) { /* inside the Earth it is dark */
+  if (limb.d <= 0.0) { /* inside the Earth it is dark */
     limb.angle = -0.5 * UM_PI;
     return limb;
   }
@@ -56,7 +56,7 @@ static struct limb limb_find(const struct um_environment *environment, struct um
   struct um_vec3 n = um_vec3_unit(um_vec3_scale(r, -1.0)), e, unused;
   struct um_vec3 across = um_vec3_axpy(sun, -um_vec3_dot(sun, n), n);
   double sine = um_vec3_norm(across);
-  if (sine > 0.0)
+  if (sine > 1e-8) /* below, rounding would turn e */
     e = um_vec3_scale(across, 1.0 / sine);
   else
     um_core_vec3_frame(n, &e, &unused);
@@ -172,6 +172,7 @@ double um_environment_sunlit_fraction(const struct um_environment *environment, 
 {
   if (environment->shadow == UM_SHADOW_NONE) return 1.0;
   struct limb limb = limb_find(environment, r, sun, pole);
+  if (isnan(limb.angle)) return NAN;
   if (environment->shadow == UM_SHADOW_CYLINDER || environment->disc == UM_DISC_POINT)
     return limb.angle > 0.0 ? 1.0 : 0.0;
   double a = sun_angular_radius(distance);
