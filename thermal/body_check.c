@@ -1,5 +1,10 @@
 /* Specs of a body against the geometry, and their ranges; messages name the user's part. */
+#include <stdio.h>
+
 #include "thermal/body_impl.h"
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+static const double huge = 1e300;
 
 struct range {
   const char *what, *unit;
@@ -11,15 +16,19 @@ static enum um_status check_ranges(struct um_context *context, const char *part,
 {
   for (size_t i = 0; i < n; i++) {
     if (r[i].value >= r[i].low && r[i].value <= r[i].high) continue;
-    return um_core_fail(context, UM_ERR_INPUT, "part %s%s%s: %s %g %s; accepted: %g to %g", part,
+    char accepted[64];
+    if (r[i].high < huge)
+      snprintf(accepted, sizeof accepted, "%g to %g", r[i].low, r[i].high);
+    else if (r[i].low > -huge)
+      snprintf(accepted, sizeof accepted, "%g or more", r[i].low);
+    else
+      snprintf(accepted, sizeof accepted, "finite");
+    return um_core_fail(context, UM_ERR_INPUT, "part %s%s%s: %s %g%s%s; accepted: %s", part,
                         group == NULL ? "" : ", group ", group == NULL ? "" : group, r[i].what,
-                        r[i].value, r[i].unit, r[i].low, r[i].high);
+                        r[i].value, *r[i].unit == '\0' ? "" : " ", r[i].unit, accepted);
   }
   return UM_OK;
 }
-
-#define COUNT(array) (sizeof(array) / sizeof(array)[0])
-static const double huge = 1e300;
 
 static enum um_status check_shell(struct um_context *context, const char *part, const char *group,
                                   const struct um_thermal_shell *s)
