@@ -6,13 +6,13 @@
 #define UM_DEG    (UM_PI / 180.0)    /* [rad] per degree */
 #define UM_ARCSEC (UM_PI / 648000.0) /* [rad] per arc second */
 
-#define UM_PLANCK           6.62607015e-34        /* h [J s], SI 2019 exact */
-#define UM_LIGHT_SPEED      299792458.0           /* c [m/s], SI exact */
-#define UM_BOLTZMANN        1.380649e-23          /* k [J/K], SI 2019 exact */
-#define UM_STEFAN_BOLTZMANN 5.670374419e-8        /* sigma [W/m^2/K^4], CODATA 2018 */
-#define UM_RADIATION_C1L    1.191042972397188e-16 /* 2 h c^2 [W m^2 / sr], from the exact constants \
-                                                   */
-#define UM_RADIATION_C2 1.438776877503933e-2      /* h c / k [m K], from the exact constants */
+#define UM_PLANCK           6.62607015e-34 /* h [J s], SI 2019 exact */
+#define UM_LIGHT_SPEED      299792458.0    /* c [m/s], SI exact */
+#define UM_BOLTZMANN        1.380649e-23   /* k [J/K], SI 2019 exact */
+#define UM_STEFAN_BOLTZMANN 5.670374419e-8 /* sigma [W/m^2/K^4], CODATA 2018 */
+/* from the exact constants: 2 h c^2 [W m^2 / sr] and h c / k [m K] */
+#define UM_RADIATION_C1L 1.19104297239718838e-16
+#define UM_RADIATION_C2  1.43877687750393387e-2
 
 #define UM_SOLAR_IRRADIANCE  1361.0         /* at 1 au [W/m^2], Kopp & Lean 2011 */
 #define UM_SOLAR_RADIUS      695700.0e3     /* nominal [m], IAU 2015 B3 */
