@@ -158,6 +158,7 @@ enum um_status um_core_strdup(struct um_context *context, const char *text, char
 
 enum um_status um_core_asprintf(struct um_context *context, char **out, const char *format, ...)
 {
+  if (format == NULL) format = ""; /* lets the checks of sanitizers and compiler agree */
   va_list arguments, again;
   va_start(arguments, format);
   va_copy(again, arguments);
