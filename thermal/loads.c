@@ -6,9 +6,9 @@
  *
  * The free share is sum(w L cos free) / sum(w L cos) over the directions of the cap. A rigid body
  * asks its sky, made once in body frame; where joints move, every sample has its own pose and rays
- * go from points of the facet toward the cap. Surfaces before which nothing stands need neither. The
- * solar factor is geometric (the shadow of the Earth is in
- * `sunlit`); in deep eclipse, farther than 120 s and one sample from sunlight, it is left 0. */
+ * go from points of the facet toward the cap. Surfaces before which nothing stands need neither.
+ * The solar factor is geometric (the shadow of the Earth is in `sunlit`); in deep eclipse, farther
+ * than 120 s and one sample from sunlight, it is left 0. */
 #include "thermal/loads.h"
 
 #include <math.h>
@@ -150,21 +150,52 @@ static void trace_sun(const struct tracer *t, size_t k, const struct scene *scen
   }
 }
 
-/* How free direction i of the cap is from a surface: from the sky, or by rays of which each starts
- * at its own point of the facet. free_of[ncap]. */
-static void look(const struct tracer *t, const struct scene *scene, size_t surface,
-                 struct um_vec3 normal, const struct um_environment_cap_point *cap, size_t ncap,
-                 double *free_of)
+/* The visible cap; every direction also as four within its cell, since cells of the sky and of the
+ * cap are of one size and would beat. */
+struct cap {
+  struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
+  struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
+  size_t n;
+};
+
+static void cap_spread(struct cap *cap)
+{
+  for (size_t i = 0; i < cap->n; i++) {
+    struct um_vec3 across, along, d = cap->point[i].direction;
+    um_core_vec3_frame(d, &across, &along);
+    double a = 0.25 * sqrt(cap->point[i].solid_angle);
+    for (int j = 0; j < 4; j++)
+      cap->four[i][j] = um_vec3_unit(
+          um_vec3_axpy(um_vec3_axpy(d, j & 1 ? a : -a, across), j & 2 ? a : -a, along));
+  }
+}
+
+/* How free the directions of the cap are from a surface, by the sky of a rigid body. */
+static void look_at_sky(const struct scene *scene, size_t surface, struct um_vec3 normal,
+                        const struct cap *cap, double *free_of)
+{
+  for (size_t i = 0; i < cap->n; i++) {
+    double sum = 0.0, n = 0.0;
+    for (int j = 0; j < 4; j++) {
+      if (!(um_vec3_dot(cap->four[i][j], normal) > 0.0)) continue;
+      sum += um_geometry_sky_free(scene->sky, surface, cap->four[i][j]);
+      n += 1.0;
+    }
+    free_of[i] = n > 0.0 ? sum / n : 0.0;
+  }
+}
+
+/* The same by rays, each from a point of the facet of its own. */
+static void look_by_rays(const struct tracer *t, const struct scene *scene, size_t surface,
+                         struct um_vec3 normal, const struct cap *cap, double *free_of)
 {
   struct um_geometry_ray ray[CAP_RAYS * UM_EARTH_CAP_POINTS];
   uint8_t occluded[CAP_RAYS * UM_EARTH_CAP_POINTS];
   uint32_t facet = t->mesh->surface[surface].facet;
   const uint32_t *v = t->mesh->corner[facet];
   size_t n = 0;
-  for (size_t i = 0; i < ncap; i++) {
-    if (scene->sky != NULL)
-      free_of[i] = um_geometry_sky_free(scene->sky, surface, cap[i].direction);
-    if (scene->sky != NULL || !(um_vec3_dot(normal, cap[i].direction) > 0.0)) continue;
+  for (size_t i = 0; i < cap->n; i++) {
+    if (!(um_vec3_dot(normal, cap->point[i].direction) > 0.0)) continue;
     for (size_t j = 0; j < CAP_RAYS; j++, n++) {
       double u[2], weight[3];
       um_core_sample_2d(facet, i * CAP_RAYS + j, u);
@@ -172,32 +203,33 @@ static void look(const struct tracer *t, const struct scene *scene, size_t surfa
       struct um_vec3 origin = um_vec3(0, 0, 0);
       for (int c = 0; c < 3; c++)
         origin = um_vec3_axpy(origin, weight[c], scene->pose->vertex[v[c]]);
-      ray[n] = (struct um_geometry_ray){origin, cap[i].direction, INFINITY, facet};
+      ray[n] = (struct um_geometry_ray){origin, cap->point[i].direction, INFINITY, facet};
     }
   }
-  if (n == 0) return;
   um_geometry_visibility_occluded(scene->visibility, ray, n, occluded);
   n = 0;
-  for (size_t i = 0; i < ncap; i++) {
+  for (size_t i = 0; i < cap->n; i++) {
     free_of[i] = 0.0;
-    if (!(um_vec3_dot(normal, cap[i].direction) > 0.0)) continue;
+    if (!(um_vec3_dot(normal, cap->point[i].direction) > 0.0)) continue;
     for (size_t j = 0; j < CAP_RAYS; j++) free_of[i] += (1.0 - occluded[n++]) / CAP_RAYS;
   }
 }
 
 /* Free shares of the cap before a surface, for the reflected and for the emitted part. */
 static void free_share(const struct tracer *t, const struct scene *scene, size_t surface,
-                       struct um_vec3 normal, const struct um_environment_cap_point *cap,
-                       size_t ncap, double *albedo, double *planet)
+                       struct um_vec3 normal, const struct cap *cap, double *albedo, double *planet)
 {
   double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS] = {0.0};
-  look(t, scene, surface, normal, cap, ncap, free_of);
-  for (size_t i = 0; i < ncap; i++) {
-    double cosine = um_vec3_dot(normal, cap[i].direction);
+  if (scene->sky != NULL)
+    look_at_sky(scene, surface, normal, cap, free_of);
+  else
+    look_by_rays(t, scene, surface, normal, cap, free_of);
+  for (size_t i = 0; i < cap->n; i++) {
+    double cosine = um_vec3_dot(normal, cap->point[i].direction);
     if (!(cosine > 0.0)) continue;
-    double w = cosine * cap[i].solid_angle;
-    all[0] += w * cap[i].albedo_radiance;
-    open[0] += free_of[i] * w * cap[i].albedo_radiance;
+    double w = cosine * cap->point[i].solid_angle;
+    all[0] += w * cap->point[i].albedo_radiance;
+    open[0] += free_of[i] * w * cap->point[i].albedo_radiance;
     all[1] += w;
     open[1] += free_of[i] * w;
   }
@@ -214,13 +246,14 @@ static void trace_earth(const struct tracer *t, size_t k, const struct scene *sc
   for (size_t i = 0; i < t->nnormal; i++)
     normal[i] = um_geometry_surface_normal(t->mesh, scene->pose, t->example[i]);
   um_environment_earth_flux(t->environment, r, sun, sample->sun_distance, normal, t->nnormal, flux);
-  struct um_environment_cap_point cap[UM_EARTH_CAP_POINTS];
-  size_t ncap = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap);
+  struct cap cap;
+  cap.n = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap.point);
+  if (scene->sky != NULL) cap_spread(&cap);
   for (size_t s = 0; s < t->mesh->nsurface; s++) {
     const struct um_environment_earth_flux *f = &flux[t->normal_of[s]];
     double albedo = 1.0, planet = 1.0;
     if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s))
-      free_share(t, scene, s, normal[t->normal_of[s]], cap, ncap, &albedo, &planet);
+      free_share(t, scene, s, normal[t->normal_of[s]], &cap, &albedo, &planet);
     size_t at = k * t->mesh->nsurface + s;
     t->loads->albedo[at] = (float)(f->albedo * albedo);
     t->loads->planet[at] = (float)(f->planet * planet);
