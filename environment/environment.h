@@ -96,7 +96,7 @@ struct um_environment_earth_flux {
  * (GCRS). Albedo integrates a S max(cos SZA, 0) over the visible cap (Earth-central half-angle
  * acos(R/r)); it acts in eclipse too. View factors are exact (Howell; Juul 1979). Switches
  * albedo_on/planet_on do NOT act here: the caller applies them. Accuracy of the albedo, relative to
- * a nadir plate at the same place: 3e-5 for any plate from 200 km up (1e-6 from 765 km), 1e-9 for
+ * a nadir plate at the same place: 3e-5 for any plate from 200 km up (3e-6 from 765 km), 1e-9 for
  * plates that see the whole cap; test: environment/earth. About 0.4 us a plate. out[n]. */
 void um_environment_earth_flux(const struct um_environment *environment, struct um_vec3 r,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,
