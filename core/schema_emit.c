@@ -90,8 +90,9 @@ static bool write_section(FILE *file, struct queue *q, size_t index)
   const struct um_schema_object *object = q->objects[index];
   const char *path = q->paths[index];
   fprintf(file, "%s %s\n\n", index == 0 ? "#" : "##", object->name);
-  if (path[0] != '\0') fprintf(file, "Stands at `%s`. ", path);
-  if (object->help != NULL) write_text(file, object->help);
+  if (path[0] != '\0') fprintf(file, "Stands at `%s`.", path);
+  if (path[0] != '\0' && object->help != NULL) fputc(' ', file);
+  write_text(file, object->help);
   if (object->scalar_key != NULL)
     fprintf(file, " A plain value stands for `{%s: value}`.", object->scalar_key);
   fputs("\n\n| key | accepted | default | meaning |\n|---|---|---|---|\n", file);
