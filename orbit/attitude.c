@@ -1,0 +1,291 @@
+/* Attitude laws. q is GCRS to body, passive, scalar first.
+ *
+ *   LVLH    z = -r/|r|, y = -(r x v)/|r x v|, x = y x z; body = Rx(roll) Ry(pitch) Rz(yaw) LVLH
+ *   SUN     axis_body along the Sun, clock_body in the half plane of Sun and orbit normal
+ *   TARGET  the same with the observer in place of the Sun
+ *   SPIN    frame F -> smallest rotation that lays axis_body on the axis -> turn about it by
+ *           phase + 2 pi (t - t0) / period; F is GCRS, or LVLH of the instant
+ * Reference: Wertz 1978, Spacecraft Attitude Determination and Control, appendix E. */
+#include "orbit/attitude.h"
+
+#include "core/constants.h"
+#include "orbit/attitude_impl.h"
+
+/* Close above a station the direction to it turns faster than the orbit does: v / h against v / r,
+ * 17 times at 400 km. */
+static const double TARGET_RATE_FACTOR = 20.0;
+
+struct law {
+  struct um_orbit_attitude_law law; /* axes are unit; table_path is not kept */
+  struct um_orbit_attitude_table table;
+};
+
+struct um_orbit_attitude {
+  struct um_context *context; /* owns the memory */
+  size_t n;
+  struct law *law; /* shape [n], in order of from_tai */
+};
+
+static enum um_status unit_axis(struct um_context *context, const char *name, struct um_vec3 *axis)
+{
+  double norm = um_vec3_norm(*axis);
+  if (!(norm > 0.0 && norm < INFINITY))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "attitude: %s is (%g, %g, %g); a direction with finite components, not all "
+                        "zero, is accepted",
+                        name, axis->x, axis->y, axis->z);
+  *axis = um_vec3_scale(*axis, 1.0 / norm);
+  return UM_OK;
+}
+
+static enum um_status unit_quaternion(struct um_context *context, struct um_quat *q)
+{
+  double norm = sqrt(q->w * q->w + q->x * q->x + q->y * q->y + q->z * q->z);
+  if (!(fabs(norm - 1.0) <= 1e-3))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "attitude: the quaternion (%g, %g, %g, %g) has norm %.6g, 1 within 0.001 is "
+        "accepted",
+        q->w, q->x, q->y, q->z, norm);
+  *q = um_quat_normalize(*q);
+  return UM_OK;
+}
+
+static enum um_status pointing_check(struct um_context *context, struct um_orbit_attitude_law *law)
+{
+  UM_TRY(unit_axis(context, "axis_body", &law->axis_body));
+  UM_TRY(unit_axis(context, "clock_body", &law->clock_body));
+  double across = um_vec3_norm(um_vec3_cross(law->axis_body, law->clock_body));
+  if (!(across > 1e-6))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "attitude: clock_body is parallel to axis_body; an axis beside it is accepted");
+  return UM_OK;
+}
+
+static enum um_status spin_check(struct um_context *context, struct um_orbit_attitude_law *law)
+{
+  UM_TRY(unit_axis(context, "the spin axis", &law->axis));
+  if (law->axis_frame == UM_AXIS_BODY)
+    UM_TRY(unit_quaternion(context, &law->q));
+  else
+    UM_TRY(unit_axis(context, "axis_body", &law->axis_body));
+  if (!(fabs(law->period) > 0.0 && fabs(law->period) < INFINITY))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "attitude: spin period %g s, a finite number other than 0 is accepted",
+                        law->period);
+  if (!isfinite(law->phase + law->at_tai))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "attitude: spin phase and reference time must be finite numbers");
+  return UM_OK;
+}
+
+static enum um_status law_check(struct um_context *context, struct law *law)
+{
+  switch (law->law.kind) {
+  case UM_ATTITUDE_FIXED:
+    return unit_quaternion(context, &law->law.q);
+  case UM_ATTITUDE_LVLH:
+    if (isfinite(law->law.roll + law->law.pitch + law->law.yaw)) return UM_OK;
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "attitude: roll, pitch and yaw must be finite numbers");
+  case UM_ATTITUDE_SUN:
+  case UM_ATTITUDE_TARGET:
+    return pointing_check(context, &law->law);
+  case UM_ATTITUDE_SPIN:
+    return spin_check(context, &law->law);
+  case UM_ATTITUDE_TABLE:
+    break;
+  }
+  return um_orbit_attitude_table_read(context, law->law.table_path, law->law.max_gap, &law->table);
+}
+
+enum um_status um_orbit_attitude_create(struct um_context *context,
+                                        const struct um_orbit_attitude_law *laws, size_t n,
+                                        struct um_orbit_attitude **out)
+{
+  enum um_status status;
+  struct um_orbit_attitude *attitude = NULL;
+  *out = NULL;
+  if (n == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "attitude: no law given, at least one is accepted");
+  UM_CHECK(um_core_allocate(context, 1, sizeof *attitude, &attitude));
+  attitude->context = context;
+  UM_CHECK(um_core_allocate(context, n, sizeof *attitude->law, &attitude->law));
+  attitude->n = n;
+  for (size_t i = 0; i < n; i++) {
+    attitude->law[i].law = laws[i];
+    if (i > 0 && !(laws[i].from_tai > laws[i - 1].from_tai && laws[i].from_tai < INFINITY)) {
+      status = um_core_fail(context, UM_ERR_INPUT,
+                            "attitude: law %zu does not begin after the law before it; ascending "
+                            "times are accepted",
+                            i + 1);
+      goto done;
+    }
+    UM_CHECK(law_check(context, &attitude->law[i]));
+    attitude->law[i].law.table_path = NULL; /* borrowed from the caller, not needed any more */
+  }
+done:
+  if (status != UM_OK) um_orbit_attitude_destroy(&attitude);
+  *out = attitude;
+  return status;
+}
+
+void um_orbit_attitude_destroy(struct um_orbit_attitude **attitude)
+{
+  if (!attitude || !*attitude) return;
+  struct um_context *context = (*attitude)->context;
+  for (size_t i = 0; i < (*attitude)->n; i++)
+    um_orbit_attitude_table_clear(context, &(*attitude)->law[i].table);
+  um_core_free(context, (*attitude)->law);
+  um_core_free(context, *attitude);
+  *attitude = NULL;
+}
+
+/* Quaternion GCRS -> LVLH of the instant. */
+static enum um_status lvlh(struct um_context *context, const struct um_orbit_attitude_input *input,
+                           struct um_quat *q)
+{
+  struct um_vec3 normal = um_vec3_cross(input->r, input->v);
+  if (!(um_vec3_norm(normal) > 0.0))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "attitude: the orbital frame needs a satellite that moves across its radius");
+  struct um_vec3 z = um_vec3_scale(um_vec3_unit(input->r), -1.0);
+  struct um_vec3 y = um_vec3_scale(um_vec3_unit(normal), -1.0);
+  *q = um_core_quat_from_matrix(um_mat3_from_axes(um_vec3_cross(y, z), y, z));
+  return UM_OK;
+}
+
+/* body = Rx(roll) Ry(pitch) Rz(yaw) applied to LVLH: yaw first. */
+static struct um_quat roll_pitch_yaw(const struct um_orbit_attitude_law *law)
+{
+  struct um_quat yaw = um_quat_from_axis(um_vec3(0, 0, 1), law->yaw);
+  struct um_quat pitch = um_quat_from_axis(um_vec3(0, 1, 0), law->pitch);
+  struct um_quat roll = um_quat_from_axis(um_vec3(1, 0, 0), law->roll);
+  return um_quat_then(um_quat_then(yaw, pitch), roll);
+}
+
+/* Part of v across the unit vector axis, unit; `fallback` (in turn) when there is none. */
+static struct um_vec3 across(struct um_vec3 v, struct um_vec3 axis, struct um_vec3 fallback)
+{
+  struct um_vec3 part = um_vec3_axpy(v, -um_vec3_dot(v, axis), axis);
+  if (um_vec3_norm(part) > 1e-9) return um_vec3_unit(part);
+  part = um_vec3_axpy(fallback, -um_vec3_dot(fallback, axis), axis);
+  if (um_vec3_norm(part) > 1e-9) return um_vec3_unit(part);
+  struct um_vec3 b;
+  um_core_vec3_frame(axis, &part, &b);
+  return part;
+}
+
+/* Lay axis_body on `aim` and clock_body toward the orbit normal (GCRS z for a point at rest; the
+ * satellite's radius when the normal is along the aim). With the triads
+ *   B = [a, c, a x c] in body, G = [aim, n, aim x n] in GCRS:  R = B^T G  (rows are axes) */
+static struct um_quat pointing(const struct um_orbit_attitude_law *law,
+                               const struct um_orbit_attitude_input *input, struct um_vec3 aim)
+{
+  struct um_vec3 normal = um_vec3_cross(input->r, input->v);
+  double size = um_vec3_norm(normal);
+  normal = size > 0.0 ? um_vec3_scale(normal, 1.0 / size) : um_vec3(0, 0, 1);
+  struct um_vec3 n = across(normal, aim, um_vec3_unit(input->r));
+  struct um_vec3 a = law->axis_body, c = across(law->clock_body, a, a);
+  struct um_mat3 body = um_mat3_from_axes(a, c, um_vec3_cross(a, c));
+  struct um_mat3 gcrs = um_mat3_from_axes(aim, n, um_vec3_cross(aim, n));
+  return um_core_quat_from_matrix(um_mat3_multiply(um_mat3_transpose(body), gcrs));
+}
+
+/* The smallest rotation of a frame after which `axis_body`, read in the turned frame, is the
+ * direction `axis` of the first frame: about axis_body x axis by the angle between them; any
+ * perpendicular serves for opposite directions. */
+static struct um_quat smallest_rotation(struct um_vec3 axis_body, struct um_vec3 axis)
+{
+  struct um_vec3 cross = um_vec3_cross(axis_body, axis), t, b;
+  double sine = um_vec3_norm(cross);
+  if (sine > 1e-12)
+    return um_quat_from_axis(um_vec3_scale(cross, 1.0 / sine), um_vec3_angle(axis_body, axis));
+  if (um_vec3_dot(axis_body, axis) > 0.0) return (struct um_quat){1.0, 0.0, 0.0, 0.0};
+  um_core_vec3_frame(axis_body, &t, &b);
+  return um_quat_from_axis(t, UM_PI);
+}
+
+static enum um_status spin(struct um_context *context, const struct um_orbit_attitude_law *law,
+                           const struct um_orbit_attitude_input *input, struct um_quat *q)
+{
+  /* whole turns are taken off before the angle is formed, so that long spans keep their digits */
+  double turns = (input->t_tai - law->at_tai) / law->period;
+  double angle = law->phase + 2.0 * UM_PI * (turns - floor(turns));
+  struct um_quat base = {1.0, 0.0, 0.0, 0.0};
+  if (law->axis_frame == UM_AXIS_BODY) {
+    *q = um_quat_then(law->q, um_quat_from_axis(law->axis, angle));
+    return UM_OK;
+  }
+  if (law->axis_frame == UM_AXIS_LVLH) UM_TRY(lvlh(context, input, &base));
+  base = um_quat_then(base, smallest_rotation(law->axis_body, law->axis));
+  *q = um_quat_then(base, um_quat_from_axis(law->axis_body, angle));
+  return UM_OK;
+}
+
+static const struct law *law_at(const struct um_orbit_attitude *attitude, double t_tai)
+{
+  size_t i = 0;
+  while (i + 1 < attitude->n && attitude->law[i + 1].law.from_tai <= t_tai) i++;
+  return &attitude->law[i];
+}
+
+enum um_status um_orbit_attitude_at(struct um_context *context,
+                                    const struct um_orbit_attitude *attitude,
+                                    const struct um_orbit_attitude_input *input, struct um_quat *q)
+{
+  const struct law *now = law_at(attitude, input->t_tai);
+  const struct um_orbit_attitude_law *law = &now->law;
+  switch (law->kind) {
+  case UM_ATTITUDE_FIXED:
+    *q = law->q;
+    return UM_OK;
+  case UM_ATTITUDE_LVLH:
+    UM_TRY(lvlh(context, input, q));
+    *q = um_quat_then(*q, roll_pitch_yaw(law));
+    return UM_OK;
+  case UM_ATTITUDE_SUN:
+    *q = pointing(law, input, input->sun);
+    return UM_OK;
+  case UM_ATTITUDE_TARGET:
+    if (!(um_vec3_norm(input->observer) > 0.5))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "attitude: the law 'target' needs an observer in the scenario");
+    *q = pointing(law, input, input->observer);
+    return UM_OK;
+  case UM_ATTITUDE_SPIN:
+    return spin(context, law, input, q);
+  case UM_ATTITUDE_TABLE:
+    break;
+  }
+  return um_orbit_attitude_table_at(context, &now->table, input->t_tai, q);
+}
+
+static double law_rate(const struct law *now, double orbital_rate)
+{
+  const struct um_orbit_attitude_law *law = &now->law;
+  switch (law->kind) {
+  case UM_ATTITUDE_FIXED:
+    return 0.0;
+  case UM_ATTITUDE_LVLH:
+  case UM_ATTITUDE_SUN:
+    return orbital_rate;
+  case UM_ATTITUDE_TARGET:
+    return TARGET_RATE_FACTOR * orbital_rate;
+  case UM_ATTITUDE_SPIN:
+    return 2.0 * UM_PI / fabs(law->period) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
+  case UM_ATTITUDE_TABLE:
+    break;
+  }
+  return um_orbit_attitude_table_rate(&now->table);
+}
+
+double um_orbit_attitude_rate(const struct um_orbit_attitude *attitude, double orbital_rate)
+{
+  double fastest = 0.0;
+  for (size_t i = 0; i < attitude->n; i++)
+    fastest = fmax(fastest, law_rate(&attitude->law[i], orbital_rate));
+  return fastest;
+}

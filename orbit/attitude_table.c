@@ -1,0 +1,127 @@
+/* Attitude from a table of quaternions: time_utc,q0,q1,q2,q3, GCRS to body, scalar first, slerp
+ * between rows (Shoemake 1985). A gap longer than the limit is an error of the file. */
+#include "core/csv.h"
+#include "core/interpolation.h"
+#include "orbit/attitude_impl.h"
+#include "orbit/time.h"
+#include "orbit/trajectory_impl.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double NORM_TOLERANCE = 1e-3; /* of |q| from 1, rounding of short columns */
+static const double DEFAULT_GAP = 10.0;    /* in median steps */
+
+void um_orbit_attitude_table_clear(struct um_context *context,
+                                   struct um_orbit_attitude_table *table)
+{
+  um_core_free(context, table->path);
+  um_core_free(context, table->t);
+  um_core_free(context, table->q);
+  *table = (struct um_orbit_attitude_table){0};
+}
+
+static enum um_status quaternions_read(struct um_context *context, const struct um_core_csv *csv,
+                                       struct um_quat *q)
+{
+  static const char *const name[4] = {"q0", "q1", "q2", "q3"};
+  size_t column[4];
+  for (size_t k = 0; k < 4; k++) UM_TRY(um_core_csv_require(context, csv, name[k], &column[k]));
+  if (um_core_csv_columns(csv) != 5)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: %zu columns; time_utc,q0,q1,q2,q3 are accepted",
+                        um_core_csv_name(csv), um_core_csv_columns(csv));
+  for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
+    double x[4];
+    for (size_t k = 0; k < 4; k++) UM_TRY(um_core_csv_number(context, csv, i, column[k], &x[k]));
+    double norm = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
+    if (!(fabs(norm - 1.0) <= NORM_TOLERANCE))
+      return um_core_csv_fail(context, csv, i, column[0],
+                              "the quaternion has norm %.6g, 1 within %g is accepted", norm,
+                              NORM_TOLERANCE);
+    q[i] = um_quat_normalize((struct um_quat){x[0], x[1], x[2], x[3]});
+  }
+  return UM_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Median of the steps of t; n >= 2. */
+static enum um_status median_step(struct um_context *context, const double *t, size_t n,
+                                  double *median)
+{
+  double *step = NULL;
+  UM_TRY(um_core_allocate(context, n - 1, sizeof *step, &step));
+  for (size_t i = 0; i + 1 < n; i++) step[i] = t[i + 1] - t[i];
+  qsort(step, n - 1, sizeof *step, ascending);
+  *median = step[(n - 1) / 2];
+  um_core_free(context, step);
+  return UM_OK;
+}
+
+static enum um_status gaps_check(struct um_context *context, const struct um_core_csv *csv,
+                                 const double *t, double max_gap)
+{
+  size_t n = um_core_csv_rows(csv), column = um_core_csv_find(csv, "time_utc");
+  if (!(max_gap > 0.0)) {
+    UM_TRY(median_step(context, t, n, &max_gap));
+    max_gap *= DEFAULT_GAP;
+  }
+  for (size_t i = 1; i < n; i++)
+    if (!(t[i] - t[i - 1] <= max_gap))
+      return um_core_csv_fail(context, csv, i, column,
+                              "a gap of %.3f s before %s, at most %.3f s is accepted",
+                              t[i] - t[i - 1], um_core_csv_text(csv, i, column), max_gap);
+  return UM_OK;
+}
+
+enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
+                                            double max_gap, struct um_orbit_attitude_table *table)
+{
+  enum um_status status;
+  struct um_core_csv *csv = NULL;
+  UM_TRY(um_core_csv_read(context, path, &csv));
+  UM_CHECK(um_core_strdup(context, path, &table->path));
+  UM_CHECK(um_orbit_time_column(context, csv, 2, &table->t));
+  table->n = um_core_csv_rows(csv);
+  UM_CHECK(um_core_allocate(context, table->n, sizeof *table->q, &table->q));
+  UM_CHECK(quaternions_read(context, csv, table->q));
+  UM_CHECK(gaps_check(context, csv, table->t, max_gap));
+done:
+  um_core_csv_destroy(&csv);
+  return status;
+}
+
+enum um_status um_orbit_attitude_table_at(struct um_context *context,
+                                          const struct um_orbit_attitude_table *table, double t_tai,
+                                          struct um_quat *q)
+{
+  if (!(t_tai >= table->t[0] && t_tai <= table->t[table->n - 1])) {
+    char at[32], first[32], last[32];
+    um_orbit_time_format(t_tai, at);
+    um_orbit_time_format(table->t[0], first);
+    um_orbit_time_format(table->t[table->n - 1], last);
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: an attitude is wanted at %s; the table covers %s to %s", table->path,
+                        at, first, last);
+  }
+  size_t i = um_core_interval_find(table->t, table->n, t_tai);
+  double u = (t_tai - table->t[i]) / (table->t[i + 1] - table->t[i]);
+  *q = um_core_quat_slerp(table->q[i], table->q[i + 1], u);
+  return UM_OK;
+}
+
+double um_orbit_attitude_table_rate(const struct um_orbit_attitude_table *table)
+{
+  double fastest = 0.0;
+  for (size_t i = 0; i + 1 < table->n; i++) {
+    struct um_quat turn = um_quat_then(um_quat_conjugate(table->q[i]), table->q[i + 1]);
+    double s = sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    double angle = 2.0 * atan2(s, fabs(turn.w)); /* [rad] */
+    fastest = fmax(fastest, angle / (table->t[i + 1] - table->t[i]));
+  }
+  return fastest;
+}

@@ -1,0 +1,314 @@
+/* ENVISAT over Graz on 2016-09-21, computed from a public TLE with independent programs (astropy
+ * and Skyfield agree with each other to 1e-4 deg and 9 m); light time off, no refraction. Then
+ * light time, moving observers and directions against closed forms. */
+#include "orbit_test.h"
+
+#include "orbit/geodesy.h"
+#include "orbit/observer.h"
+#include "orbit/sun.h"
+
+static const char envisat[] =
+    "1 27386U 02009A   16250.75012691  .00000017  00000-0  19645-4 0  9999\n"
+    "2 27386  98.2753 301.2152 0001254  82.1013 278.0311 14.37874790760345\n";
+/* IERS-B for the date */
+static const struct um_orbit_earth_orientation eop = {
+    .ut1_utc = -0.267794, .xp = 0.23662 * UM_ARCSEC, .yp = 0.35129 * UM_ARCSEC};
+
+static struct um_orbit_trajectory *satellite(struct um_context *context)
+{
+  struct um_orbit_tle tle;
+  struct um_orbit_trajectory *orbit = NULL;
+  assert_ok(context, um_orbit_tle_parse(context, envisat, 1, &tle));
+  assert_ok(context, um_orbit_trajectory_create_tle(context, &tle, &eop, &orbit));
+  return orbit;
+}
+
+static struct um_orbit_observer graz(void)
+{
+  return (struct um_orbit_observer){.kind = UM_OBSERVER_STATION,
+                                    .latitude = 47.067 * UM_DEG,
+                                    .longitude = 15.493 * UM_DEG,
+                                    .height = 495.0,
+                                    .orientation = eop};
+}
+
+/* Angle at the satellite between the apparent Sun and the observer. */
+static double phase_angle(const struct um_orbit_look *look)
+{
+  struct um_vec3 sun;
+  double distance;
+  um_orbit_sun_apparent(look->t_satellite, look->r_gcrs, look->v_gcrs, &sun, &distance);
+  return um_vec3_angle(sun, look->to_observer);
+}
+
+/* 2016-09-21T20:33:00: angles to 1e-3 deg (three printed digits and the spread of the programs),
+ * range to 10 m. */
+static void first_light(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  struct um_orbit_observer station = graz();
+  struct um_orbit_look look;
+  double t = utc(context, "2016-09-21T20:33:00Z");
+  assert_ok(context, um_orbit_observer_look(context, &station, orbit, t, &look));
+  print_message(
+      "20:33:00: azimuth %.4f, elevation %.4f deg, range %.4f km, phase angle %.4f deg, Sun "
+      "at %.3f deg\n",
+      look.azimuth / UM_DEG, look.elevation / UM_DEG, 1e-3 * look.range,
+      phase_angle(&look) / UM_DEG, look.sun_elevation / UM_DEG);
+  assert_near(look.azimuth / UM_DEG, 215.6793, 1e-3);
+  assert_near(look.elevation / UM_DEG, 6.6881, 1e-3);
+  assert_near(look.range, 2562928.0, 10.0);
+  assert_near(phase_angle(&look) / UM_DEG, 76.868, 1e-3);
+  assert_near(look.sun_elevation / UM_DEG, -33.9, 0.05);
+  assert_near(look.t_satellite, t, 0.0);
+  /* position printed to 0.01 mm; 1 m is what two frame chains (IAU-76 and 2006) may differ by */
+  assert_vec_near(look.r_gcrs, um_vec3(4099220.41742, -4721166.05404, 3450550.87333), 0.1);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* Time in [a, b] at which the satellite crosses the equator of date northward, by bisection. */
+static double node_crossing(struct um_context *context, struct um_orbit_trajectory *orbit, double a,
+                            double b)
+{
+  while (b - a > 1e-4) {
+    struct um_vec3 r;
+    struct um_mat3 to_gcrs;
+    double t = 0.5 * (a + b);
+    assert_ok(context, um_orbit_trajectory_state(context, orbit, t, &r, NULL));
+    assert_ok(context, um_orbit_frames_teme_to_gcrs(context, &eop, t, &to_gcrs));
+    if (um_mat3_apply(um_mat3_transpose(to_gcrs), r).z > 0.0)
+      b = t;
+    else
+      a = t;
+  }
+  return 0.5 * (a + b);
+}
+
+/* TEME and ITRF states and the osculating elements of the same instant (mu of WGS-84). Digits of
+ * the table: a 1 mm, e 1e-6, angles 1e-5 deg. */
+static void states(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  double t = utc(context, "2016-09-21T20:33:00Z");
+  struct um_vec3 r, v, r_itrf, v_itrf;
+  struct um_mat3 to_gcrs, to_teme;
+  assert_ok(context, um_orbit_trajectory_state(context, orbit, t, &r, &v));
+  assert_ok(context, um_orbit_frames_teme_to_gcrs(context, &eop, t, &to_gcrs));
+  to_teme = um_mat3_transpose(to_gcrs);
+  r = um_mat3_apply(to_teme, r);
+  v = um_mat3_apply(to_teme, v);
+  /* the epoch of the elements rests on a UTC day fraction of 8 decimals: 0.1 us, 1 mm */
+  assert_vec_near(r, um_vec3(4111275.20803, -4705673.83044, 3457364.34805), 5e-3);
+  assert_vec_near(v, um_vec3(-3278.947997, 1885.277006, 6445.314435), 1e-5);
+  assert_ok(context, um_orbit_frames_teme_to_itrf(context, &eop, t, 0.0, r, v, &r_itrf, &v_itrf));
+  assert_vec_near(r_itrf, um_vec3(6245770.53485, 190650.88262, 3457357.50780), 0.02);
+
+  double radius = um_vec3_norm(r);
+  struct um_vec3 h = um_vec3_cross(r, v);
+  double a = 1.0 / (2.0 / radius - um_vec3_dot(v, v) / UM_EARTH_GM);
+  struct um_vec3 e =
+      um_vec3_sub(um_vec3_scale(um_vec3_cross(v, h), 1.0 / UM_EARTH_GM), um_vec3_unit(r));
+  double inclination = acos(h.z / um_vec3_norm(h)), node = atan2(h.x, -h.y);
+  struct um_vec3 towards_node = um_vec3(cos(node), sin(node), 0.0);
+  double latitude_argument = um_vec3_angle(towards_node, r);
+  assert_near(a, 7145509.0, 1.0);
+  assert_near(um_vec3_norm(e), 0.001405, 1e-6);
+  assert_near(inclination / UM_DEG, 98.27254, 1e-5);
+  assert_near(node / UM_DEG + 360.0, 315.75744, 1e-5);
+  assert_near(latitude_argument / UM_DEG, 29.28943, 1e-5);
+  /* from the ascending node next to the epoch to the tenth after it: drag (1e-6 rev/day^2) and the
+   * turn of the perigee shift that by some 10 ms */
+  double epoch = um_orbit_trajectory_epoch(orbit);
+  double node_at = node_crossing(context, orbit, epoch - 60.0, epoch + 60.0);
+  double tenth = node_at + 10.0 * um_orbit_trajectory_period(orbit);
+  assert_near(node_crossing(context, orbit, tenth - 60.0, tenth + 60.0), tenth, 0.02);
+  assert_near(um_orbit_trajectory_epoch(orbit), utc(context, "2016-09-06T18:00:10.965Z"), 1e-3);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* The pass: times printed to 0.01 s, azimuths to 1e-3 deg, ranges to 10 m. Tolerance of the times:
+ * the elevation of 1e-4 deg in which Skyfield and astropy agree, at 0.05 deg/s (horizon) and
+ * 0.08 deg/s (10 deg), 2 ms, plus half a digit; culmination is flat and is asked to 0.02 s. */
+static void pass(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  struct um_orbit_observer station = graz();
+  double from = utc(context, "2016-09-21T20:00:00Z"), to = utc(context, "2016-09-21T21:20:00Z");
+  static const struct {
+    double limit;
+    const char *rise, *set;
+    double rise_azimuth, set_azimuth;
+  } want[] = {{0.0, "2016-09-21T20:31:01.14Z", "2016-09-21T20:44:12.41Z", 205.328, 333.306},
+              {10.0, "2016-09-21T20:33:53.68Z", "2016-09-21T20:41:17.34Z", 222.264, 316.206}};
+  for (size_t k = 0; k < 2; k++) {
+    struct um_orbit_pass *passes = NULL;
+    size_t count = 0;
+    assert_ok(context, um_orbit_passes_find(context, &station, orbit, from, to,
+                                            want[k].limit * UM_DEG, &passes, &count));
+    assert_int_equal(count, 1);
+    char text[3][32];
+    um_orbit_time_format(passes->rise, text[0]);
+    um_orbit_time_format(passes->culmination, text[1]);
+    um_orbit_time_format(passes->set, text[2]);
+    print_message(
+        "above %g deg: rise %s %.4f, culmination %s %.4f at %.4f deg %.4f km, set %s %.4f\n",
+        want[k].limit, text[0], passes->rise_azimuth / UM_DEG, text[1],
+        passes->culmination_azimuth / UM_DEG, passes->culmination_elevation / UM_DEG,
+        1e-3 * passes->culmination_range, text[2], passes->set_azimuth / UM_DEG);
+    assert_near(passes->rise, utc(context, want[k].rise), 0.01);
+    assert_near(passes->set, utc(context, want[k].set), 0.01);
+    assert_near(passes->culmination, utc(context, "2016-09-21T20:37:34.76Z"), 0.02);
+    assert_near(passes->rise_azimuth / UM_DEG, want[k].rise_azimuth, 1e-3);
+    assert_near(passes->set_azimuth / UM_DEG, want[k].set_azimuth, 1e-3);
+    assert_near(passes->culmination_azimuth / UM_DEG, 269.207, 3e-3); /* 0.15 deg/s x 0.01 s */
+    assert_near(passes->culmination_elevation / UM_DEG, 19.998, 1e-3);
+    assert_near(passes->culmination_range, 1716440.0, 20.0);
+    um_core_free(context, passes);
+  }
+  struct um_orbit_look look;
+  assert_ok(context, um_orbit_observer_look(context, &station, orbit,
+                                            utc(context, "2016-09-21T20:37:34.76Z"), &look));
+  assert_near(phase_angle(&look) / UM_DEG, 108.327, 1e-3);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* Two days: as many passes as a fine scan finds; clipped windows; refusals. */
+static void pass_search(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  struct um_orbit_observer station = graz();
+  double from = utc(context, "2016-09-20T00:00:00Z"), to = from + 86400.0;
+  struct um_orbit_pass *passes = NULL;
+  size_t count = 0, crossings = 0;
+  assert_ok(context,
+            um_orbit_passes_find(context, &station, orbit, from, to, 0.0, &passes, &count));
+  bool above = false;
+  for (double t = from; t <= to; t += 10.0) {
+    struct um_orbit_look look;
+    assert_ok(context, um_orbit_observer_look(context, &station, orbit, t, &look));
+    if (look.elevation > 0.0 && !above) crossings++;
+    above = look.elevation > 0.0;
+  }
+  assert_int_equal(count, crossings);
+  for (size_t i = 0; i < count; i++) {
+    struct um_orbit_look look;
+    assert_true(passes[i].rise <= passes[i].culmination && passes[i].culmination <= passes[i].set);
+    if (i > 0) assert_true(passes[i].rise > passes[i - 1].set);
+    assert_ok(context, um_orbit_observer_look(context, &station, orbit, passes[i].rise, &look));
+    /* 1 ms at the steepest 7.5 km/s / 760 km */
+    if (passes[i].rise > from) assert_near(look.elevation, 0.0, 1e-5);
+  }
+  um_core_free(context, passes);
+  /* a window inside the pass: clipped at both ends */
+  double inside = utc(context, "2016-09-21T20:36:00Z");
+  assert_ok(context, um_orbit_passes_find(context, &station, orbit, inside, inside + 200.0, 0.0,
+                                          &passes, &count));
+  assert_int_equal(count, 1);
+  assert_near(passes->rise, inside, 0.0);
+  assert_near(passes->set, inside + 200.0, 0.0);
+  assert_near(passes->culmination, utc(context, "2016-09-21T20:37:34.76Z"), 0.02);
+  um_core_free(context, passes);
+  /* a limit just below the culmination (19.998 deg): a pass shorter than the sampling step */
+  assert_ok(context, um_orbit_passes_find(context, &station, orbit, inside - 3000.0,
+                                          inside + 3000.0, 19.99 * UM_DEG, &passes, &count));
+  assert_int_equal(count, 1);
+  assert_true(passes->set - passes->rise < 30.0);
+  um_core_free(context, passes);
+  station.kind = UM_OBSERVER_DIRECTION;
+  assert_int_equal(um_orbit_passes_find(context, &station, orbit, from, to, 0.0, &passes, &count),
+                   UM_ERR_INPUT);
+  assert_string_equal(um_core_message(context), "passes: the observer must be a station");
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* At culmination, 1716.44 km, light takes 5.7 ms, in which the satellite moves 43 m. */
+static void light_time(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  struct um_orbit_observer station = graz();
+  struct um_orbit_look off, on;
+  double t = utc(context, "2016-09-21T20:37:34.76Z");
+  assert_ok(context, um_orbit_observer_look(context, &station, orbit, t, &off));
+  station.light_time = 1;
+  assert_ok(context, um_orbit_observer_look(context, &station, orbit, t, &on));
+  double tau = t - on.t_satellite;
+  assert_near(tau, 5.7e-3, 0.05e-3);
+  assert_near(tau, on.range / UM_LIGHT_SPEED, 2e-7); /* the resolution of t_tai is 0.06 us */
+  assert_near(um_vec3_norm(um_vec3_sub(on.r_gcrs, off.r_gcrs)), 43.0, 0.5);
+  assert_vec_near(um_vec3_axpy(off.r_gcrs, -tau, off.v_gcrs), on.r_gcrs, 0.01);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* Observers that are no station: another orbit, and a direction at infinity. */
+static void other_observers(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = NULL, *other = NULL;
+  struct um_orbit_look look;
+  assert_ok(context,
+            um_orbit_trajectory_create_circular(context, 5e8, 500e3, 6378e3, 0.3, 0.0, &orbit));
+  assert_ok(context, um_orbit_trajectory_create_fixed(context, um_vec3(0, 0, 4.2e7), &other));
+  struct um_orbit_observer observer = {
+      .kind = UM_OBSERVER_TRAJECTORY, .trajectory = other, .light_time = 1};
+  assert_ok(context, um_orbit_observer_look(context, &observer, orbit, 5e8 + 1000.0, &look));
+  struct um_vec3 r, difference;
+  assert_ok(context, um_orbit_trajectory_state(context, orbit, look.t_satellite, &r, NULL));
+  difference = um_vec3_sub(um_vec3(0, 0, 4.2e7), r);
+  assert_near(look.range, um_vec3_norm(difference), 1e-6);
+  assert_vec_near(look.to_observer, um_vec3_unit(difference), 1e-15);
+  assert_near(5e8 + 1000.0 - look.t_satellite, look.range / UM_LIGHT_SPEED, 2e-7);
+  assert_true(isnan(look.azimuth) && isnan(look.elevation) && isnan(look.sun_elevation));
+
+  observer = (struct um_orbit_observer){
+      .kind = UM_OBSERVER_DIRECTION, .direction_gcrs = {0, 3, 4}, .range = 1e6, .light_time = 1};
+  assert_ok(context, um_orbit_observer_look(context, &observer, orbit, 5e8 + 1000.0, &look));
+  assert_vec_near(look.to_observer, um_vec3(0, 0.6, 0.8), 1e-15);
+  assert_near(look.range, 1e6, 0.0);
+  assert_near(look.t_satellite, 5e8 + 1000.0, 0.0);
+  assert_true(isnan(look.azimuth) && isnan(look.elevation) && isnan(look.sun_elevation));
+  um_orbit_trajectory_destroy(&other);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+/* A station carried by a fixed frame: a point straight above it, 1000 km up, is in the zenith; one
+ * displaced due east stands at azimuth 90 deg. */
+static void station_frame(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_observer station = graz();
+  struct um_mat3 to_itrf;
+  double t = utc(context, "2016-09-21T20:33:00Z");
+  assert_ok(context, um_orbit_frames_gcrs_to_itrf(context, &eop, t, &to_itrf));
+  struct um_vec3 up = um_orbit_geodesy_forward(station.latitude, station.longitude, 1000495.0);
+  struct um_vec3 east = {-sin(station.longitude), cos(station.longitude), 0.0};
+  struct um_vec3 points[2] = {up, um_vec3_axpy(up, 1e6, east)};
+  for (int k = 0; k < 2; k++) {
+    struct um_orbit_trajectory *point = NULL;
+    struct um_orbit_look look;
+    assert_ok(context, um_orbit_trajectory_create_fixed(
+                           context, um_mat3_apply(um_mat3_transpose(to_itrf), points[k]), &point));
+    assert_ok(context, um_orbit_observer_look(context, &station, point, t, &look));
+    /* asin near the zenith keeps half the digits */
+    assert_near(look.elevation, k == 0 ? 0.5 * UM_PI : 0.25 * UM_PI, k == 0 ? 1e-7 : 1e-12);
+    if (k == 1) assert_near(look.azimuth, 0.5 * UM_PI, 1e-12);
+    um_orbit_trajectory_destroy(&point);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(first_light, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(states, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(pass, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(pass_search, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(light_time, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(other_observers, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(station_frame, context_setup, context_teardown)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
