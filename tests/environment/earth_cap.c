@@ -68,6 +68,23 @@ static void sums_reproduce_the_flux(void **state)
   check_below("planet", worst_planet, 0.01);
 }
 
+/* All reflected light together is what a sphere gets, per area E/(a S) = sum of L dOmega / (4 a S),
+ * to 1 % of itself even where the terminator leaves a sliver. Values: environment/earth. */
+static void total_light_is_kept(void **state)
+{
+  (void)state;
+  static const double row[][2] = {{0, 0.27110554},  {30, 0.23478428}, {60, 0.13555277},
+                                  {75, 0.07044877}, {90, 0.01217855}, {100, 0.00123956}};
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    struct um_environment e;
+    struct um_environment_cap_point cap[UM_EARTH_CAP_POINTS];
+    double z = row[i][0] * UM_DEG, sum = 0.0;
+    size_t n = cap_at(765e3, um_vec3(cos(z), sin(z), 0), cap, &e);
+    for (size_t k = 0; k < n; k++) sum += cap[k].albedo_radiance * cap[k].solid_angle;
+    check_close("relative", sum / (4.0 * e.albedo * e.solar_irradiance * row[i][1]), 1.0, 0.01);
+  }
+}
+
 /* Dark where the whole cap is in night. */
 static void night_is_dark(void **state)
 {
@@ -83,6 +100,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(solid_angle_is_exact),
       cmocka_unit_test(sums_reproduce_the_flux),
+      cmocka_unit_test(total_light_is_kept),
       cmocka_unit_test(night_is_dark),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
