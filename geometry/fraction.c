@@ -1,7 +1,6 @@
 /* Which fraction of a surface is free toward a direction, and which also sees the Sun.
  *
- * Points on a facet are those of the R2 sequence keyed by the facet, mapped to the triangle; the
- * points on the Sun's disc, of a sequence independent of it, are keyed by facet too, so that a
+ * Points on facets and on the Sun's disc are keyed by facet and sample (points.c), so that a
  * fraction is a smooth function of pose and direction and repeated calls agree. A point of the disc
  * below the surface's own horizon is mirrored through the disc's centre to one above: the cosine at
  * the centre, which callers use, is the mean over the disc, the part below counted negative.
@@ -12,45 +11,17 @@
  * variable can have. */
 #include <assert.h>
 
-#include "core/sampling.h"
 #include "geometry/visibility_impl.h"
 
 /* Rays traced at a time; on the stack. */
 #define BATCH 256
-
-/* Keys that keep the sequences of facet and disc apart. */
-#define KEY_POINT UINT64_C(0x706f696e74)
-#define KEY_DISC  UINT64_C(0x64697363)
-
-struct um_vec3 um_geometry_sample_point(const struct um_geometry_visibility *visibility,
-                                        uint32_t facet, uint64_t sample)
-{
-  double u[2], w[3];
-  const uint32_t *c = visibility->mesh->corner[facet];
-  const struct um_vec3 *vertex = visibility->pose->vertex;
-  um_core_sample_2d(um_core_hash(KEY_POINT, facet), sample, u);
-  um_core_sample_triangle(u, w);
-  struct um_vec3 a = vertex[c[0]];
-  /* from corner a, so that points of a plane facet lie in it to the last place */
-  struct um_vec3 p = um_vec3_axpy(a, w[1], um_vec3_sub(vertex[c[1]], a));
-  return um_vec3_axpy(p, w[2], um_vec3_sub(vertex[c[2]], a));
-}
-
-/* Kronecker sequence with the steps sqrt 2 and sqrt 3 modulo 1 (64-bit fixed point), shifted by
- * key. With those of R2, which lie in a cubic field, they are independent over the rationals: all
- * four together fill the cube evenly (Weyl 1916). */
-void um_geometry_sample_second(uint64_t key, uint64_t index, double out[2])
-{
-  const uint64_t step_x = UINT64_C(0x6a09e667f3bcc908), step_y = UINT64_C(0xbb67ae8584caa73b);
-  out[0] = um_core_hash_uniform((index + 1) * step_x + um_core_hash(key, 1));
-  out[1] = um_core_hash_uniform((index + 1) * step_y + um_core_hash(key, 2));
-}
 
 /* Rays on their way to be traced, with the surface and sample that each belongs to. */
 struct batch {
   struct um_geometry_ray ray[BATCH];
   size_t surface[BATCH];
   int sample[BATCH];
+  double sun_cosine[BATCH]; /* of the surface's normal and the Sun; not above 0: not asked */
   size_t n;
 };
 
@@ -65,27 +36,21 @@ struct task {
   struct batch view, sun;
 };
 
-static void push(struct batch *batch, struct um_vec3 origin, struct um_vec3 direction,
-                 uint32_t facet, size_t surface, int sample)
-{
-  size_t i = batch->n++;
-  batch->ray[i] = (struct um_geometry_ray){origin, direction, INFINITY, facet};
-  batch->surface[i] = surface;
-  batch->sample[i] = sample;
-}
-
-static struct um_vec3 sun_direction(const struct task *task, uint32_t facet, int sample,
-                                    struct um_vec3 normal)
+/* Toward a point of the disc; not unit, which a ray without limit need not be. */
+static struct um_vec3 sun_direction(const struct task *task, const struct batch *view, size_t i)
 {
   if (!(task->tangent > 0.0)) return task->s;
-  double u[2], xy[2];
-  um_geometry_sample_second(um_core_hash(KEY_DISC, facet), (uint64_t)sample, u);
-  um_core_sample_disc(u, xy);
+  const struct um_geometry_visibility *v = task->visibility;
+  double xy[2];
+  um_geometry_points_disc(v, view->ray[i].from_facet, (uint64_t)view->sample[i], xy);
   struct um_vec3 across =
       um_vec3_axpy(um_vec3_scale(task->t, task->tangent * xy[0]), task->tangent * xy[1], task->b);
-  if (um_vec3_dot(normal, task->s) + um_vec3_dot(normal, across) <= 0.0)
-    across = um_vec3_scale(across, -1.0);
-  return um_vec3_unit(um_vec3_add(task->s, across));
+  if (view->sun_cosine[i] <= task->tangent) { /* the disc may cross the surface's horizon */
+    struct um_vec3 normal = um_geometry_surface_normal(v->mesh, v->pose, view->surface[i]);
+    if (view->sun_cosine[i] + um_vec3_dot(normal, across) <= 0.0)
+      across = um_vec3_scale(across, -1.0);
+  }
+  return um_vec3_add(task->s, across);
 }
 
 static void trace_sun(struct task *task)
@@ -101,59 +66,78 @@ static void trace_sun(struct task *task)
 static void trace_view(struct task *task)
 {
   uint8_t occluded[BATCH];
-  struct batch *view = &task->view;
-  const struct um_geometry_visibility *v = task->visibility;
-  um_geometry_visibility_occluded_coherent(v, view->ray, view->n, occluded);
+  struct batch *view = &task->view, *sun = &task->sun;
+  um_geometry_visibility_occluded_coherent(task->visibility, view->ray, view->n, occluded);
   for (size_t i = 0; i < view->n; i++) {
-    size_t surface = view->surface[i];
     if (occluded[i]) continue;
-    task->seen[surface] += 1.0;
-    if (task->lit == NULL) continue;
-    struct um_vec3 normal = um_geometry_surface_normal(v->mesh, v->pose, surface);
-    if (!(um_vec3_dot(normal, task->s) > 0.0)) continue;
-    uint32_t facet = view->ray[i].from_facet;
-    if (task->sun.n == BATCH) trace_sun(task);
-    push(&task->sun, view->ray[i].origin, sun_direction(task, facet, view->sample[i], normal),
-         facet, surface, view->sample[i]);
+    task->seen[view->surface[i]] += 1.0;
+    if (!(view->sun_cosine[i] > 0.0)) continue;
+    if (sun->n == BATCH) trace_sun(task);
+    sun->ray[sun->n] = view->ray[i];
+    sun->ray[sun->n].direction = sun_direction(task, view, i);
+    sun->surface[sun->n++] = view->surface[i];
   }
   view->n = 0;
+}
+
+static void add_samples(struct task *task, size_t surface, double sun_cosine, int nsample)
+{
+  const struct um_geometry_visibility *v = task->visibility;
+  struct batch *view = &task->view;
+  uint32_t facet = v->mesh->surface[surface].facet;
+  for (int k = 0; k < nsample; k++) {
+    if (view->n == BATCH) trace_view(task);
+    struct um_vec3 origin = um_geometry_points_facet(v, facet, (uint64_t)k);
+    view->ray[view->n] = (struct um_geometry_ray){origin, task->o, INFINITY, facet};
+    view->surface[view->n] = surface;
+    view->sample[view->n] = k;
+    view->sun_cosine[view->n++] = sun_cosine;
+  }
 }
 
 static void run(struct task *task, int nsample)
 {
   const struct um_geometry_visibility *v = task->visibility;
-  const struct um_geometry_mesh *mesh = v->mesh;
-  for (size_t s = 0; s < mesh->nsurface; s++) {
-    struct um_vec3 normal = um_geometry_surface_normal(mesh, v->pose, s);
-    bool faces = um_vec3_dot(normal, task->o) > 0.0;
-    bool faces_sun = task->lit != NULL && um_vec3_dot(normal, task->s) > 0.0;
+  size_t nsurface = v->mesh->nsurface;
+  for (size_t s = 0; s < nsurface; s++) {
+    struct um_vec3 normal = um_geometry_surface_normal(v->mesh, v->pose, s);
+    double sun_cosine = task->lit == NULL ? 0.0 : um_vec3_dot(normal, task->s);
     task->seen[s] = 0.0;
     if (task->lit != NULL) task->lit[s] = 0.0;
-    if (!faces) continue;
+    if (!(um_vec3_dot(normal, task->o) > 0.0)) continue;
     if (v->open[s]) {
       task->seen[s] = nsample;
-      if (faces_sun) task->lit[s] = nsample;
-      continue;
-    }
-    uint32_t facet = mesh->surface[s].facet;
-    for (int k = 0; k < nsample; k++) {
-      if (task->view.n == BATCH) trace_view(task);
-      push(&task->view, um_geometry_sample_point(v, facet, (uint64_t)k), task->o, facet, s, k);
+      if (sun_cosine > 0.0) task->lit[s] = nsample;
+    } else {
+      add_samples(task, s, sun_cosine, nsample);
     }
   }
   trace_view(task);
-  if (task->lit != NULL) trace_sun(task);
-  for (size_t s = 0; s < mesh->nsurface; s++) {
+  trace_sun(task);
+  for (size_t s = 0; s < nsurface; s++) {
     task->seen[s] /= nsample;
     if (task->lit != NULL) task->lit[s] /= nsample;
   }
+}
+
+/* Members one by one: clearing the batches would cost more than a small model. */
+static void begin(struct task *task, const struct um_geometry_visibility *visibility,
+                  struct um_vec3 o, double *seen)
+{
+  task->visibility = visibility;
+  task->o = task->s = o;
+  task->tangent = 0.0;
+  task->seen = seen;
+  task->lit = NULL;
+  task->view.n = task->sun.n = 0;
 }
 
 void um_geometry_visibility_toward(const struct um_geometry_visibility *visibility,
                                    struct um_vec3 d, int nsample, double *fraction)
 {
   assert(nsample >= 1);
-  struct task task = {.visibility = visibility, .o = d, .seen = fraction};
+  struct task task;
+  begin(&task, visibility, d, fraction);
   run(&task, nsample < 1 ? 1 : nsample);
 }
 
@@ -173,7 +157,10 @@ void um_geometry_visibility_toward_both(const struct um_geometry_visibility *vis
 {
   assert(nsample >= 1);
   if (nsample < 1) nsample = 1;
-  struct task task = {.visibility = visibility, .o = o, .s = s, .seen = seen, .lit = lit};
+  struct task task;
+  begin(&task, visibility, o, seen);
+  task.s = s;
+  task.lit = lit;
   task.tangent = tan(radius);
   um_core_vec3_frame(s, &task.t, &task.b);
   run(&task, nsample);

@@ -21,7 +21,8 @@ enum um_geometry_shape {
   UM_SHAPE_SPHERE,     /* radius; group "sphere"; icosphere scaled so that its area is 4 pi r^2 */
   UM_SHAPE_PARABOLOID, /* dish z = r^2/(4 f), radius, focal_length; front is the concave side +z;
                           group "dish"; open */
-  UM_SHAPE_MESH /* OBJ file; groups are its `g`/`o` names, or its usemtl where no g is given */
+  UM_SHAPE_MESH /* OBJ file; group of a face: its `g`, without one its usemtl, without that its
+                   `o`, else "mesh" */
 };
 
 /* What a part is made of on one group: names of materials; NULL where the shape has no such side.
@@ -43,7 +44,7 @@ struct um_geometry_part_spec {
   double mesh_scale;       /* metres per file unit; 0 means 1 */
   const char *parent;      /* NULL: the body frame */
   struct um_vec3 position; /* of the part's origin in the parent's frame [m] */
-  struct um_quat rotation; /* parent frame to part frame, passive */
+  struct um_quat rotation; /* parent frame to part frame, passive; all zero: not turned */
   enum um_geometry_joint_kind joint;
   struct um_vec3 joint_axis; /* unit, in the part frame, through its origin */
   struct um_vec3

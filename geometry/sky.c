@@ -12,10 +12,11 @@
 #include "core/sampling.h"
 #include "geometry/visibility_impl.h"
 
-#define SIDE    16
-#define NCELL   (SIDE * SIDE)
-#define KEY_SKY UINT64_C(0x736b79)
-#define BATCH   256
+#define SIDE       16
+#define NCELL      (SIDE * SIDE)
+#define NDIRECTION 64
+#define KEY_SKY    UINT64_C(0x736b79)
+#define BATCH      256
 
 struct um_geometry_sky {
   struct um_context *context;
@@ -60,14 +61,30 @@ static struct um_vec3 direction_of(size_t cell, double x, double y)
   return sphere_of(2.0 * (i + x) / SIDE - 1.0, 2.0 * (j + y) / SIDE - 1.0);
 }
 
-/* True when some of the cell may lie above the horizon of n: its border and centre are tried, with
- * an allowance for what lies between the points tried. */
-static bool cell_rises(size_t cell, struct um_vec3 n)
+/* What all surfaces share. */
+struct cells {
+  struct um_vec3 centre[NCELL];
+  double reach[NCELL]; /* sine of the angle from the centre to the farthest point of the cell */
+  struct um_vec3 direction[NCELL][NDIRECTION];
+};
+
+static void fill_cells(struct cells *cells)
 {
-  for (int y = 0; y <= 2; y++)
-    for (int x = 0; x <= 2; x++)
-      if (um_vec3_dot(n, direction_of(cell, 0.5 * x, 0.5 * y)) > -0.05) return true;
-  return false;
+  for (size_t cell = 0; cell < NCELL; cell++) {
+    struct um_vec3 centre = direction_of(cell, 0.5, 0.5);
+    double farthest = 0.0;
+    for (int y = 0; y <= 2; y++)
+      for (int x = 0; x <= 2; x++)
+        farthest = fmax(farthest, um_vec3_angle(centre, direction_of(cell, 0.5 * x, 0.5 * y)));
+    cells->centre[cell] = centre;
+    /* a tenth more: the farthest point need not be a corner */
+    cells->reach[cell] = sin(1.1 * farthest);
+    for (uint64_t k = 0; k < NDIRECTION; k++) {
+      double u[2];
+      um_geometry_points_second((uint64_t)cell * NDIRECTION + k, u);
+      cells->direction[cell][k] = direction_of(cell, u[0], u[1]);
+    }
+  }
 }
 
 struct sky_batch {
@@ -84,8 +101,8 @@ static void trace(const struct um_geometry_visibility *v, struct sky_batch *batc
   batch->n = 0;
 }
 
-static void fill_surface(const struct um_geometry_visibility *v, size_t surface, int nsample,
-                         uint8_t freedom[NCELL])
+static void fill_surface(const struct um_geometry_visibility *v, const struct cells *cells,
+                         size_t surface, int nsample, uint8_t freedom[NCELL])
 {
   struct um_vec3 n = um_geometry_surface_normal(v->mesh, v->pose, surface);
   uint32_t facet = v->mesh->surface[surface].facet;
@@ -94,16 +111,15 @@ static void fill_surface(const struct um_geometry_visibility *v, size_t surface,
   struct sky_batch batch;
   batch.n = 0;
   for (size_t cell = 0; cell < NCELL; cell++) {
-    if (!cell_rises(cell, n)) continue;
+    if (um_vec3_dot(n, cells->centre[cell]) < -cells->reach[cell]) continue; /* below the horizon */
+    uint64_t first = um_core_hash(key, cell);
     for (int k = 0; k < nsample; k++) {
-      /* indices go on from cell to cell: each has its own points, all are evenly spread */
-      uint64_t index = (uint64_t)cell * (uint64_t)nsample + (uint64_t)k;
-      double u[2];
-      um_geometry_sample_second(um_core_hash(key, cell), index, u);
-      struct um_vec3 d = direction_of(cell, u[0], u[1]);
+      struct um_vec3 d = cells->direction[cell][(first + (uint64_t)k) % NDIRECTION];
       double height = um_vec3_dot(n, d);
       if (height <= 0.0) d = um_vec3_axpy(d, -2.0 * height, n);
-      struct um_vec3 origin = um_geometry_sample_point(v, facet, index);
+      /* points go on from cell to cell and so cover the facet evenly over all cells */
+      struct um_vec3 origin =
+          um_geometry_points_facet(v, facet, (uint64_t)cell * (uint64_t)nsample + (uint64_t)k);
       if (batch.n == BATCH) trace(v, &batch, count);
       batch.ray[batch.n] = (struct um_geometry_ray){origin, d, INFINITY, facet};
       batch.cell[batch.n++] = cell;
@@ -120,6 +136,7 @@ enum um_status um_geometry_sky_create(struct um_context *context,
 {
   enum um_status status;
   struct um_geometry_sky *sky = NULL;
+  struct cells *cells = NULL;
   size_t nsurface = visibility->mesh->nsurface, nrow = 0;
   assert(nsample >= 1);
   if (nsample < 1) nsample = 1;
@@ -130,12 +147,16 @@ enum um_status um_geometry_sky_create(struct um_context *context,
   for (size_t s = 0; s < nsurface; s++)
     sky->row[s] = visibility->open[s] ? SIZE_MAX : NCELL * nrow++;
   UM_CHECK(um_core_allocate(context, nrow, NCELL, (void *)&sky->freedom));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *cells, (void *)&cells));
+  fill_cells(cells);
 #pragma omp parallel for schedule(dynamic, 16) num_threads(um_core_context_threads(context))
   for (size_t s = 0; s < nsurface; s++)
-    if (sky->row[s] != SIZE_MAX) fill_surface(visibility, s, nsample, sky->freedom + sky->row[s]);
+    if (sky->row[s] != SIZE_MAX)
+      fill_surface(visibility, cells, s, nsample, sky->freedom + sky->row[s]);
   *out = sky;
   sky = NULL;
 done:
+  um_core_free(context, cells);
   um_geometry_sky_destroy(&sky);
   return status;
 }

@@ -216,6 +216,7 @@ enum um_status um_geometry_visibility_create(struct um_context *context,
   v->mesh = mesh;
   v->pose = pose;
   find_size(v);
+  um_geometry_points_fill(v);
   UM_CHECK(um_core_allocate(context, mesh->nsurface, 1, (void *)&v->open));
   UM_CHECK(um_geometry_horizon_find(v));
   UM_CHECK(create_scene(v));

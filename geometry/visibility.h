@@ -17,7 +17,8 @@ void um_geometry_visibility_destroy(struct um_geometry_visibility **visibility);
 struct um_geometry_ray {
   struct um_vec3 origin, direction; /* unit direction */
   double limit;                     /* [m]; INFINITY */
-  uint32_t from_facet;              /* never hit; UM_GEOMETRY_NONE for none */
+  uint32_t from_facet; /* where the origin lies; never hit, nor is what does not rise above its
+                          plane on the ray's side; UM_GEOMETRY_NONE for none */
 };
 struct um_geometry_hit {
   uint32_t facet;   /* UM_GEOMETRY_NONE: missed */
@@ -45,8 +46,10 @@ void um_geometry_visibility_toward(const struct um_geometry_visibility *visibili
                                    struct um_vec3 d, int nsample, double *fraction);
 /* Toward two at once. seen[s]: fraction that sees direction o. lit[s]: fraction that sees both o
  * and the Sun (a disc of angular radius `radius` [rad] about direction s: each point sample also
- * samples the disc). seen_error/lit_error: standard errors of the two fractions; 0 for open
- * surfaces. Arrays [nsurface]; errors may be NULL. */
+ * samples the disc). seen_error/lit_error: standard errors of the two fractions,
+ * sqrt(f (1 - f) / (nsample - 1)) of independent points, above that of the evenly spread ones used;
+ * 1/2, the largest possible, for nsample = 1; 0 where no ray was needed (open, or facing away).
+ * Arrays [nsurface]; errors may be NULL. */
 void um_geometry_visibility_toward_both(const struct um_geometry_visibility *visibility,
                                         struct um_vec3 o, struct um_vec3 s, double radius,
                                         int nsample, double *seen, double *lit, double *seen_error,

@@ -205,6 +205,98 @@ static void sun_disc_makes_penumbra(void **state)
   support_destroy(&s);
 }
 
+/* Two facets only, edge of the roof above x = 0.3: 1.3 x 2 m^2 is lit. Point and disc must be
+ * sampled independently of each other within one facet for this to converge. 4096 evenly spread
+ * points lie within one standard error of as many independent ones. */
+static void penumbra_converges_on_one_facet(void **state)
+{
+  (void)state;
+  const struct um_geometry_part_spec parts[] = {support_plate("floor", 2, 2, um_vec3(0, 0, 0)),
+                                                support_plate("roof", 40, 40, um_vec3(20.3, 0, 1))};
+  struct support s = support_create(parts, 2);
+  double seen[8], lit[8], e[8];
+  assert_int_equal(s.mesh->nsurface, 8);
+  um_geometry_visibility_toward_both(s.visibility, um_vec3_unit(um_vec3(-1, 0, 0.2)),
+                                     um_vec3(0, 0, 1), 0.3, 4096, seen, lit, NULL, e);
+  double area = 0.0, variance = 0.0;
+  for (size_t i = 0; i < 4; i++) {
+    double a = s.mesh->area[s.mesh->surface[i].facet];
+    area += a * lit[i];
+    variance += a * a * e[i] * e[i];
+  }
+  assert_close(area, 2.6, sqrt(variance));
+  support_destroy(&s);
+}
+
+/* A single point has no known error: the largest one is stated, none for open surfaces. */
+static void error_of_one_sample(void **state)
+{
+  (void)state;
+  const struct um_geometry_part_spec parts[] = {support_plate("floor", 2, 2, um_vec3(0, 0, 0)),
+                                                support_plate("roof", 1, 1, um_vec3(0, 0, 1))};
+  struct support s = support_create(parts, 2);
+  double seen[8], lit[8], seen_error[8], lit_error[8];
+  struct um_vec3 up = um_vec3(0, 0, 1);
+  um_geometry_visibility_toward_both(s.visibility, up, up, 0.0, 1, seen, lit, seen_error,
+                                     lit_error);
+  for (size_t i = 0; i < 8; i++) {
+    bool asked = s.mesh->surface[i].part == 0 && !s.mesh->surface[i].back;
+    assert_close(seen_error[i], asked ? 0.5 : 0.0, 0.0);
+    assert_close(lit_error[i], asked ? 0.5 : 0.0, 0.0);
+  }
+  support_destroy(&s);
+}
+
+/* The sky against rays toward 400 directions all over the sphere, for a body with a wing and a
+ * dish. A cell is 0.22 rad wide, so that single values differ; means must not: over all the
+ * difference has no bias, and its size is that of cells on shadow edges. */
+static void sky_agrees_with_rays(void **state)
+{
+  (void)state;
+  struct um_geometry_part_spec parts[3] = {support_box("bus", 2, 1, 1),
+                                           support_plate("wing", 3, 1, um_vec3(0.3, 1.2, 0.4)),
+                                           {.name = "dish",
+                                            .shape = UM_SHAPE_PARABOLOID,
+                                            .radius = 0.6,
+                                            .focal_length = 0.3,
+                                            .position = {0, 0, 0.6},
+                                            .skins = &support_open,
+                                            .nskin = 1,
+                                            .facet_size = 0.3}};
+  parts[0].facet_size = parts[1].facet_size = 0.5;
+  parts[1].rotation = um_quat_from_axis(um_vec3_unit(um_vec3(1, 2, -1)), 0.8);
+  struct support s = support_create(parts, 3);
+  struct um_geometry_sky *sky;
+  assert_int_equal(um_geometry_sky_create(s.context, s.visibility, 64, &sky), UM_OK);
+  double *f = calloc(s.mesh->nsurface, sizeof *f);
+  assert_non_null(f);
+  double sum = 0.0, size = 0.0, n = 0.0, blocked = 0.0;
+  for (uint64_t k = 0; k < 400; k++) {
+    double u[2];
+    um_core_sample_2d(9, k, u);
+    double z = 2.0 * u[0] - 1.0, r = sqrt(1.0 - z * z), phi = 2.0 * UM_PI * u[1];
+    struct um_vec3 d = um_vec3(r * cos(phi), r * sin(phi), z);
+    um_geometry_visibility_toward(s.visibility, d, 64, f);
+    for (size_t i = 0; i < s.mesh->nsurface; i++) {
+      double cosine = um_vec3_dot(um_geometry_surface_normal(s.mesh, s.pose, i), d);
+      if (!(cosine > 0.0) || um_geometry_visibility_is_open(s.visibility, i)) continue;
+      double difference = um_geometry_sky_free(sky, i, d) - f[i];
+      sum += cosine * difference;
+      size += cosine * fabs(difference);
+      blocked += cosine * (1.0 - f[i]);
+      n += cosine;
+    }
+  }
+  print_message("sky: blocked %.4f, bias %.5f, mean size of differences %.4f\n", blocked / n,
+                sum / n, size / n);
+  assert_true(blocked / n > 0.1);
+  assert_close(sum / n, 0.0, 0.005);
+  assert_true(size / n < 0.08);
+  free(f);
+  um_geometry_sky_destroy(&sky);
+  support_destroy(&s);
+}
+
 /* The sky of a floor under a half plane: free toward -x, covered toward +x; open surfaces are 1. */
 static void sky_cells(void **state)
 {
@@ -247,6 +339,9 @@ int main(void)
                                      cmocka_unit_test(plate_above_plate),
                                      cmocka_unit_test(shadow_edge_across_facets),
                                      cmocka_unit_test(sun_disc_makes_penumbra),
-                                     cmocka_unit_test(sky_cells)};
+                                     cmocka_unit_test(penumbra_converges_on_one_facet),
+                                     cmocka_unit_test(error_of_one_sample),
+                                     cmocka_unit_test(sky_cells),
+                                     cmocka_unit_test(sky_agrees_with_rays)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,5 @@
 /* One scene asked from several threads, several scenes made at once, and the sky with one and four
  * threads: the same bytes. */
-#include <omp.h>
-
 #include "tests/geometry/support.h"
 
 #define NTHREAD 4
@@ -29,9 +27,9 @@ static void one_scene_many_threads(void **state)
   size_t n = s.mesh->nsurface;
   double *result = calloc(4 * NTHREAD * n, sizeof *result);
   assert_non_null(result);
-#pragma omp parallel num_threads(NTHREAD)
-  {
-    double *own = result + 4 * n * (size_t)omp_get_thread_num();
+#pragma omp parallel for num_threads(NTHREAD) schedule(static, 1)
+  for (size_t t = 0; t < NTHREAD; t++) {
+    double *own = result + 4 * n * t;
     for (int k = 0; k < 5; k++)
       um_geometry_visibility_toward_both(s.visibility, um_vec3_unit(um_vec3(1, 2, 3)),
                                          um_vec3_unit(um_vec3(-1, 2, 1)), 0.00465, 16, own, own + n,
@@ -56,9 +54,9 @@ static void many_scenes_at_once(void **state)
   assert_non_null(result);
   um_geometry_visibility_toward(s.visibility, d, 8, result);
   int failed = 0;
-#pragma omp parallel num_threads(NTHREAD) reduction(+ : failed)
-  {
-    double *own = result + n * (size_t)(1 + omp_get_thread_num());
+#pragma omp parallel for num_threads(NTHREAD) schedule(static, 1) reduction(+ : failed)
+  for (size_t t = 0; t < NTHREAD; t++) {
+    double *own = result + n * (1 + t);
     for (int k = 0; k < 3; k++) {
       struct um_context *context = NULL;
       struct um_geometry_visibility *v = NULL;
