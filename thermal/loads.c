@@ -14,19 +14,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "thermal/loads_impl.h"
 
 #define DARK_MARGIN 120.0 /* [s] */
 #define SKY_SAMPLES 16
-#define CAP_RAYS    2  /* per direction of the cap where joints move */
 #define BATCH       32 /* times whose scenes are alive together */
 
-/* A pose with its scene and, on a rigid body with anything covered, its sky. */
-struct scene {
-  struct um_geometry_pose *pose;
-  struct um_geometry_visibility *visibility;
-  struct um_geometry_sky *sky;
-};
 struct tracer {
   struct um_context *context;
   const struct um_geometry *geometry;
@@ -40,14 +33,14 @@ struct tracer {
   uint32_t *normal_of; /* [nsurface] class of surfaces of one part that share a normal */
   uint32_t *example;   /* [nnormal] a surface of each class */
   size_t nnormal;
-  bool *bright;           /* [ntime] solar rays are wanted */
-  struct scene fixed;     /* when nothing moves; else the pose of the first sample */
-  double *angles;         /* [njoint] scratch */
-  double *fraction;       /* [BATCH][nsurface] scratch */
-  struct um_vec3 *normal; /* [BATCH][nnormal] scratch */
+  bool *bright;                  /* [ntime] solar rays are wanted */
+  struct um_thermal_scene fixed; /* when nothing moves; else the pose of the first sample */
+  double *angles;                /* [njoint] scratch */
+  double *fraction;              /* [BATCH][nsurface] scratch */
+  struct um_vec3 *normal;        /* [BATCH][nnormal] scratch */
   struct um_environment_earth_flux *flux; /* [BATCH][nnormal] scratch */
 };
-static void scene_destroy(struct tracer *t, struct scene *s)
+static void scene_destroy(struct tracer *t, struct um_thermal_scene *s)
 {
   um_geometry_sky_destroy(&s->sky);
   um_geometry_visibility_destroy(&s->visibility);
@@ -55,7 +48,7 @@ static void scene_destroy(struct tracer *t, struct scene *s)
 }
 
 static enum um_status scene_create(struct tracer *t, const double *angles, bool sky,
-                                   struct scene *s)
+                                   struct um_thermal_scene *s)
 {
   UM_TRY(um_geometry_pose_create(t->context, t->geometry, angles, &s->pose));
   UM_TRY(um_geometry_visibility_create(t->context, t->mesh, s->pose, &s->visibility));
@@ -137,7 +130,8 @@ static enum um_status tracer_prepare(struct tracer *t)
   return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
 }
 
-static void trace_sun(const struct tracer *t, size_t k, const struct scene *scene, double *fraction)
+static void trace_sun(const struct tracer *t, size_t k, const struct um_thermal_scene *scene,
+                      double *fraction)
 {
   size_t nsurface = t->mesh->nsurface;
   float *out = &t->loads->sun[k * nsurface];
@@ -150,94 +144,8 @@ static void trace_sun(const struct tracer *t, size_t k, const struct scene *scen
   }
 }
 
-/* The visible cap; every direction also as four within its cell, since cells of the sky and of the
- * cap are of one size and would beat. */
-struct cap {
-  struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
-  struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
-  size_t n;
-};
-
-static void cap_spread(struct cap *cap)
-{
-  for (size_t i = 0; i < cap->n; i++) {
-    struct um_vec3 across, along, d = cap->point[i].direction;
-    um_core_vec3_frame(d, &across, &along);
-    double a = 0.25 * sqrt(cap->point[i].solid_angle);
-    for (int j = 0; j < 4; j++)
-      cap->four[i][j] = um_vec3_unit(
-          um_vec3_axpy(um_vec3_axpy(d, j & 1 ? a : -a, across), j & 2 ? a : -a, along));
-  }
-}
-
-/* How free the directions of the cap are from a surface, by the sky of a rigid body. */
-static void look_at_sky(const struct scene *scene, size_t surface, struct um_vec3 normal,
-                        const struct cap *cap, double *free_of)
-{
-  for (size_t i = 0; i < cap->n; i++) {
-    double sum = 0.0, n = 0.0;
-    for (int j = 0; j < 4; j++) {
-      if (!(um_vec3_dot(cap->four[i][j], normal) > 0.0)) continue;
-      sum += um_geometry_sky_free(scene->sky, surface, cap->four[i][j]);
-      n += 1.0;
-    }
-    free_of[i] = n > 0.0 ? sum / n : 0.0;
-  }
-}
-
-/* The same by rays, each from a point of the facet of its own. */
-static void look_by_rays(const struct tracer *t, const struct scene *scene, size_t surface,
-                         struct um_vec3 normal, const struct cap *cap, double *free_of)
-{
-  struct um_geometry_ray ray[CAP_RAYS * UM_EARTH_CAP_POINTS];
-  uint8_t occluded[CAP_RAYS * UM_EARTH_CAP_POINTS];
-  uint32_t facet = t->mesh->surface[surface].facet;
-  const uint32_t *v = t->mesh->corner[facet];
-  size_t n = 0;
-  for (size_t i = 0; i < cap->n; i++) {
-    if (!(um_vec3_dot(normal, cap->point[i].direction) > 0.0)) continue;
-    for (size_t j = 0; j < CAP_RAYS; j++, n++) {
-      double u[2], weight[3];
-      um_core_sample_2d(facet, i * CAP_RAYS + j, u);
-      um_core_sample_triangle(u, weight);
-      struct um_vec3 origin = um_vec3(0, 0, 0);
-      for (int c = 0; c < 3; c++)
-        origin = um_vec3_axpy(origin, weight[c], scene->pose->vertex[v[c]]);
-      ray[n] = (struct um_geometry_ray){origin, cap->point[i].direction, INFINITY, facet};
-    }
-  }
-  um_geometry_visibility_occluded(scene->visibility, ray, n, occluded);
-  n = 0;
-  for (size_t i = 0; i < cap->n; i++) {
-    free_of[i] = 0.0;
-    if (!(um_vec3_dot(normal, cap->point[i].direction) > 0.0)) continue;
-    for (size_t j = 0; j < CAP_RAYS; j++) free_of[i] += (1.0 - occluded[n++]) / CAP_RAYS;
-  }
-}
-
-/* Free shares of the cap before a surface, for the reflected and for the emitted part. */
-static void free_share(const struct tracer *t, const struct scene *scene, size_t surface,
-                       struct um_vec3 normal, const struct cap *cap, double *albedo, double *planet)
-{
-  double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS] = {0.0};
-  if (scene->sky != NULL)
-    look_at_sky(scene, surface, normal, cap, free_of);
-  else
-    look_by_rays(t, scene, surface, normal, cap, free_of);
-  for (size_t i = 0; i < cap->n; i++) {
-    double cosine = um_vec3_dot(normal, cap->point[i].direction);
-    if (!(cosine > 0.0)) continue;
-    double w = cosine * cap->point[i].solid_angle;
-    all[0] += w * cap->point[i].albedo_radiance;
-    open[0] += free_of[i] * w * cap->point[i].albedo_radiance;
-    all[1] += w;
-    open[1] += free_of[i] * w;
-  }
-  *planet = all[1] > 0.0 ? open[1] / all[1] : 1.0;
-  *albedo = all[0] > 0.0 ? open[0] / all[0] : *planet;
-}
-
-static void trace_earth(const struct tracer *t, size_t k, const struct scene *scene, size_t slot)
+static void trace_earth(const struct tracer *t, size_t k, const struct um_thermal_scene *scene,
+                        size_t slot)
 {
   const struct um_environment_sample *sample = &t->samples[k];
   struct um_vec3 r = um_quat_apply(sample->q, sample->r), sun = sun_body(sample);
@@ -246,14 +154,14 @@ static void trace_earth(const struct tracer *t, size_t k, const struct scene *sc
   for (size_t i = 0; i < t->nnormal; i++)
     normal[i] = um_geometry_surface_normal(t->mesh, scene->pose, t->example[i]);
   um_environment_earth_flux(t->environment, r, sun, sample->sun_distance, normal, t->nnormal, flux);
-  struct cap cap;
+  struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap.point);
-  if (scene->sky != NULL) cap_spread(&cap);
+  if (scene->sky != NULL) um_thermal_cap_spread(&cap);
   for (size_t s = 0; s < t->mesh->nsurface; s++) {
     const struct um_environment_earth_flux *f = &flux[t->normal_of[s]];
     double albedo = 1.0, planet = 1.0;
     if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s))
-      free_share(t, scene, s, normal[t->normal_of[s]], &cap, &albedo, &planet);
+      um_thermal_cap_shares(t->mesh, scene, s, normal[t->normal_of[s]], &cap, &albedo, &planet);
     size_t at = k * t->mesh->nsurface + s;
     t->loads->albedo[at] = (float)(f->albedo * albedo);
     t->loads->planet[at] = (float)(f->planet * planet);
@@ -264,7 +172,7 @@ static void trace_earth(const struct tracer *t, size_t k, const struct scene *sc
 /* Times [from, from + n) in parallel; every time is its own, so threads do not matter. */
 static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 {
-  struct scene own[BATCH] = {{0}};
+  struct um_thermal_scene own[BATCH] = {{0}};
   enum um_status status = UM_OK;
   for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
     um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
@@ -275,7 +183,7 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(t->context))
     for (long i = 0; i < count; i++) {
       size_t slot = (size_t)i;
-      const struct scene *scene = t->moves ? &own[slot] : &t->fixed;
+      const struct um_thermal_scene *scene = t->moves ? &own[slot] : &t->fixed;
       trace_sun(t, from + slot, scene, &t->fraction[slot * t->mesh->nsurface]);
       trace_earth(t, from + slot, scene, slot);
     }

@@ -1,0 +1,30 @@
+/* Private to thermal: how orbital loads see the Earth past the satellite itself. */
+#ifndef UMBRA_THERMAL_LOADS_IMPL_H
+#define UMBRA_THERMAL_LOADS_IMPL_H
+
+#include "thermal/loads.h"
+
+/* A pose with its scene and, on a rigid body with anything covered, its sky. */
+struct um_thermal_scene {
+  struct um_geometry_pose *pose;
+  struct um_geometry_visibility *visibility;
+  struct um_geometry_sky *sky;
+};
+/* The visible cap; every direction also as four within its cell, since cells of the sky and of the
+ * cap are of one size and would beat. */
+struct um_thermal_cap {
+  struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
+  struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
+  size_t n;
+};
+
+/* Fill `four` from the points. */
+void um_thermal_cap_spread(struct um_thermal_cap *cap);
+/* Free shares [1] of the cap before a surface of unit normal `normal`, for what the Earth reflects
+ * and for what it emits; 1 where nothing of it lies before the surface. */
+void um_thermal_cap_shares(const struct um_geometry_mesh *mesh,
+                           const struct um_thermal_scene *scene, size_t surface,
+                           struct um_vec3 normal, const struct um_thermal_cap *cap, double *albedo,
+                           double *planet);
+
+#endif
