@@ -1,5 +1,6 @@
 /* What must hold whatever the numbers: sums, umbra, threads, Kirchhoff, reciprocity, errors. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/constants.h"
@@ -251,13 +252,79 @@ static void test_refusals(void **state)
   fixture_destroy(&f);
 }
 
+/* An allocator that fails once, at the n-th request. */
+struct failing {
+  long countdown; /* negative: never fails */
+};
+
+static bool fails(void *self)
+{
+  struct failing *f = self;
+  return f->countdown >= 0 && f->countdown-- == 0;
+}
+static void *failing_allocate(void *self, size_t bytes)
+{
+  return fails(self) ? NULL : malloc(bytes);
+}
+static void *failing_reallocate(void *self, void *block, size_t bytes)
+{
+  return fails(self) ? NULL : realloc(block, bytes);
+}
+static void failing_release(void *self, void *block)
+{
+  (void)self;
+  free(block);
+}
+
+/* Every allocation of a run fails once: UM_ERR_MEMORY, nothing left behind (a sanitizer build sees
+ * leaks), and the next run works. */
+static void test_memory(void **state)
+{
+  (void)state;
+  struct failing failing = {-1};
+  const struct um_core_allocator allocator = {&failing, failing_allocate, failing_reallocate,
+                                              failing_release};
+  struct fixture f;
+  satellite(&f, 2, true);
+  struct um_context *own = f.context, *context;
+  assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
+  um_core_context_set_threads(context, 1);
+  struct um_optics_image_options options = {8, 2, um_vec3(0.0, 1.0, 0.0)};
+  long step = 0;
+  for (;; step++) {
+    struct um_optics_view *view = NULL;
+    struct um_optics_lightcurve *curve = NULL;
+    struct um_optics_image *image = NULL;
+    um_core_message_clear(context);
+    failing.countdown = step;
+    enum um_status status = um_optics_view_trace(context, f.geometry, f.samples, 2, 4, &view);
+    f.scene.view = view;
+    if (status == UM_OK) status = um_optics_lightcurve_compute(context, &f.scene, bands, 2, &curve);
+    if (status == UM_OK)
+      status = um_optics_image_render(context, &f.scene, 1, bands, &options, &image);
+    bool exhausted = failing.countdown >= 0;
+    failing.countdown = -1;
+    assert_int_equal(status, exhausted ? UM_OK : UM_ERR_MEMORY);
+    if (exhausted) assert_true(view != NULL && curve != NULL && image != NULL);
+    um_optics_image_destroy(context, &image);
+    um_optics_lightcurve_destroy(context, &curve);
+    um_optics_view_destroy(context, &view);
+    if (exhausted) break;
+  }
+  print_message("every one of %ld allocations failed once\n", step);
+  assert_true(step > 50);
+  um_core_context_destroy(&context);
+  f.context = own;
+  fixture_destroy(&f);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_sums),       cmocka_unit_test(test_umbra),
       cmocka_unit_test(test_penumbra),   cmocka_unit_test(test_threads),
       cmocka_unit_test(test_isothermal), cmocka_unit_test(test_reciprocity),
-      cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_refusals),   cmocka_unit_test(test_memory),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
