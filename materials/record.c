@@ -9,7 +9,7 @@
  *   emittance scales s, from 2.5 um up: emissivity s (1 - R). With phi = rho_d/(rho_d + mean F)
  *       rho_d' = phi (1 - s) + s rho_d,  F' = (1 - phi)(1 - s) + s F,  so 1 - R' = s (1 - R).
  * diffuse_scale, specular_scale and roughness_scale change what is reflected only. A reflectance is
- * never negative and rho_d + F never above 1. */
+ * never negative and the described rho_d plus F never above 1. */
 #include <assert.h>
 #include <math.h>
 
@@ -24,6 +24,9 @@ const struct um_materials_adjustment um_materials_no_adjustment = {
     .specular_scale = 1.0,
     .diffuse_scale = 1.0,
 };
+
+/* A scale of 0 leaves a lobe this narrow, not none. */
+static const double smallest_alpha = 1e-4;
 
 static double unit_clamp(double x) { return x < 0.0 ? 0.0 : (x > 1.0 ? 1.0 : x); }
 
@@ -114,21 +117,52 @@ static double apply(const struct changed *c, double f)
   return fmax(0.0, fmin(c->scale * f + c->offset, 1.0 - c->diffuse));
 }
 
+/* Lambert part of an adjusted record without the masking term, and what F may then reach. */
+static double adjusted_lambert(const struct um_materials_spectrum *s, const struct changed *c,
+                               const struct um_materials_adjustment *a, double wavelength, size_t i,
+                               double t, double *normal)
+{
+  double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
+  *normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
+  return fmax(0.0, fmin(c->diffuse * scale, 1.0 - *normal));
+}
+
+/* The masking term follows the lobe: it scales with F (not beyond the described
+ * F: a scale above 1 saturates toward grazing), and changes with alpha by the change of the
+ * tabulated loss. The brightest direction, E times F beside the Lambert part, must keep room for
+ * it. */
+static double adjusted_loss(const struct um_materials_record *record, const struct changed *c,
+                            const struct um_materials_adjustment *a, size_t i, double t,
+                            double lambert, double normal)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double lost = linear(s->lost, i, t), mean = linear(s->lobe_mean, i, t);
+  double lobe = apply(c, mean) * fmin(a->specular_scale, 1.0);
+  double value = mean > 0.0 ? lost * lobe / mean : 0.0;
+  if (a->roughness_scale != 1.0)
+    value += lobe * (um_materials_beckmann_loss(record->alpha * a->roughness_scale) - record->loss);
+  double brightest = a->roughness_scale < 1.0 ? 1.0 : record->brightest;
+  double f0 = um_materials_spectrum_angular(s, s->facet, i, t, 1.0);
+  double left0 = 1.0 - linear(s->diffuse, i, t) - f0, room0 = left0 + (1.0 - brightest) * f0;
+  double f = fmin(normal * a->specular_scale, 1.0 - lambert);
+  double left = 1.0 - lambert - f, room = left + (1.0 - brightest) * f;
+  /* what passes the room without adjustment lies in the dip of F toward grazing, which closes as
+   * F goes to 1 */
+  double over = fmax(0.0, linear(s->lost, i, t) - room0);
+  if (left < left0) over *= left / left0;
+  return fmax(0.0, fmin(value, room + over));
+}
+
 static double spectral_diffuse(const struct um_materials_record *record,
                                const struct um_materials_adjustment *a, double wavelength)
 {
   const struct um_materials_spectrum *s = &record->spectrum;
-  double t;
+  double t, normal;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   if (a == NULL) return linear(s->diffuse, i, t) + linear(s->lost, i, t);
   struct changed c = change(s, a, wavelength, i, t);
-  double lobe = apply(&c, linear(s->lobe_mean, i, t)) * a->specular_scale;
-  double lost = linear(s->lost, i, t);
-  if (a->roughness_scale != 1.0)
-    lost += lobe * (um_materials_beckmann_loss(record->alpha * a->roughness_scale) - record->loss);
-  double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
-  double normal = apply(&c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
-  return fmax(0.0, fmin(c.diffuse * scale + fmax(0.0, lost), 1.0 - normal));
+  double lambert = adjusted_lambert(s, &c, a, wavelength, i, t, &normal);
+  return lambert + adjusted_loss(record, &c, a, i, t, lambert, normal);
 }
 
 static double spectral_specular(const struct um_materials_record *record,
@@ -136,13 +170,16 @@ static double spectral_specular(const struct um_materials_record *record,
                                 double cos_h)
 {
   const struct um_materials_spectrum *s = &record->spectrum;
-  double t;
+  double t, normal;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->facet, i, t, cos_h);
   if (a == NULL) return f;
   struct changed c = change(s, a, wavelength, i, t);
-  double room = 1.0 - spectral_diffuse(record, a, wavelength);
-  return fmax(0.0, fmin(apply(&c, f) * a->specular_scale, room));
+  double lambert = adjusted_lambert(s, &c, a, wavelength, i, t, &normal);
+  double own = fmin(apply(&c, f), 1.0 - lambert);
+  if (a->specular_scale <= 1.0) return fmax(0.0, own * a->specular_scale);
+  double room = 1.0 - lambert - adjusted_loss(record, &c, a, i, t, lambert, normal);
+  return fmax(0.0, fmin(own * a->specular_scale, fmax(own, room)));
 }
 
 /* 1 - rho_d - Fbar(cos_o), of the described surface, not of the optics-only scales. */
@@ -197,7 +234,9 @@ bool um_materials_has_lobe(const struct um_materials_record *record) { return re
 double um_materials_roughness(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment)
 {
-  return adjustment == NULL ? record->alpha : record->alpha * adjustment->roughness_scale;
+  if (adjustment == NULL || adjustment->roughness_scale == 1.0 || !um_materials_has_lobe(record))
+    return record->alpha;
+  return fmax(record->alpha * adjustment->roughness_scale, smallest_alpha);
 }
 
 double um_materials_emissivity(const struct um_materials_record *record,

@@ -12,7 +12,7 @@
 #define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
 #define UM_MATERIALS_COSINES      49   /* nodes of the angular grid, cos = u^2, u uniform in 0..1 */
 #define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
-#define UM_MATERIALS_TEMPERATURES 33   /* nodes of the emittance tables, uniform in log T */
+#define UM_MATERIALS_TEMPERATURES 49   /* nodes of the emittance tables, uniform in log T */
 #define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
 #define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
 
@@ -46,8 +46,9 @@ struct um_materials_record {
   struct um_context *context;
   char *name, *summary, *citation, *source;
   bool grey;
-  double alpha; /* Beckmann [1]; 0 without a lobe */
-  double loss;  /* um_materials_beckmann_loss(alpha) */
+  double alpha;     /* Beckmann [1]; 0 without a lobe */
+  double loss;      /* um_materials_beckmann_loss(alpha) */
+  double brightest; /* largest directional albedo of the lobe for F = 1; 1 without a lobe */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
   struct um_materials_grey explicit_values; /* of a grey record */

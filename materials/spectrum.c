@@ -224,6 +224,9 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
   struct facet_weights *weights;
   UM_TRY(um_core_allocate(context, 1, sizeof *weights, &weights));
   weigh_facets(record->alpha, weights);
+  record->brightest = 0.0;
+  for (size_t o = 0; o < COSINES; o++)
+    record->brightest = fmax(record->brightest, weights->albedo[o]);
   for (size_t i = 0; i < s->n; i++) {
     double *facet = s->facet + i * s->ncos;
     if (law->angular)

@@ -1,0 +1,337 @@
+/* Reading records: the product's folder, a scenario's own files, overrides, and what is refused. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "materials/materials.h"
+
+static struct um_context *context;
+static struct um_materials_library *library;
+static char folder[] = "/tmp/umbra_materials_XXXXXX";
+static char path[128];
+static char logged[1024];
+
+static void keep_log(void *self, enum um_core_log_level level, const char *line)
+{
+  (void)self;
+  if (level >= UM_LOG_WARNING) snprintf(logged, sizeof logged, "%s", line);
+}
+
+static int group_setup(void **state)
+{
+  (void)state;
+  if (mkdtemp(folder) == NULL) return 1;
+  snprintf(path, sizeof path, "%s/m.yaml", folder);
+  return 0;
+}
+
+static int group_teardown(void **state)
+{
+  (void)state;
+  unlink(path);
+  rmdir(folder);
+  return 0;
+}
+
+static int setup(void **state)
+{
+  (void)state;
+  logged[0] = '\0';
+  if (um_core_context_create(NULL, &context) != UM_OK) return 1;
+  um_core_log_set_sink(context, keep_log, NULL);
+  return um_materials_library_create(context, &library) == UM_OK ? 0 : 1;
+}
+
+static int teardown(void **state)
+{
+  (void)state;
+  um_materials_library_destroy(&library);
+  um_core_context_destroy(&context);
+  return 0;
+}
+
+static void write_file(const char *text)
+{
+  FILE *file = fopen(path, "w");
+  assert_non_null(file);
+  fputs(text, file);
+  fclose(file);
+}
+
+#define HEAD "name: m\nsummary: s\ncitation: c\n"
+
+static enum um_status read_text(const char *text)
+{
+  write_file(text);
+  um_core_message_clear(context);
+  return um_materials_library_read_file(context, library, path, NULL, 0);
+}
+
+/* The file is refused with a message that holds its name, every piece, and one line only. */
+static void refused(const char *text, const char *line, const char *a, const char *b)
+{
+  assert_int_equal(read_text(text), UM_ERR_INPUT);
+  const char *message = um_core_message(context);
+  const char *pieces[] = {"m.yaml", line, a, b};
+  for (size_t i = 0; i < 4; i++)
+    if (strstr(message, pieces[i]) == NULL) fail_msg("'%s' lacks '%s'", message, pieces[i]);
+  assert_null(strchr(message, '\n'));
+  assert_int_equal(um_materials_library_count(library), 0);
+}
+
+static void what_is_refused(void **state)
+{
+  (void)state;
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, colour: 1}\n", ":4:", "colour",
+          "accepted");
+  refused(HEAD "grey: {solar_absorptance: 0.3}\n", ":4:", "emittance", "missing");
+  refused("name: m\nsummary: s\ngrey: {solar_absorptance: 0.3, emittance: 0.8}\n",
+          ":1:", "citation", "missing");
+  refused(HEAD "grey: {solar_absorptance: nan, emittance: 0.8}\n", ":4:", "solar_absorptance",
+          "accepted");
+  refused(HEAD "grey: {solar_absorptance: 1.3, emittance: 0.8}\n", ":4:", "1.3", "accepted");
+  refused(HEAD, ":1:", "grey", "accepted");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\n"
+               "reflectance: {wavelength_um: [1, 2], diffuse: [0.1, 0.1]}\n",
+          ":5:", "exclude", "reflectance");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.1}\n",
+          ":4:", "beckmann_alpha", "missing");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.6,\n"
+               "  vis_reflectance_diffuse: 0.5, beckmann_alpha: 0.1}\n",
+          ":4:", "1.1", "at most 1");
+  refused(HEAD "grey:\n  solar_absorptance: 0.3\n  emittance: 0.8\n  band_emissivity:\n"
+               "    - {from_um: 8, to_um: 12, value: 0.9}\n"
+               "    - {from_um: 11, to_um: 13, value: 0.9}\n",
+          ":9:", "from_um 11", "without overlap");
+  refused(HEAD "reflectance: {wavelength_um: [1, 2, 2], diffuse: [0.1, 0.1, 0.1]}\n",
+          ":4:", "wavelength_um: 2 follows 2", "ascending");
+  refused(HEAD "reflectance: {wavelength_um: [1, 2], diffuse: [0.1]}\n",
+          ":4:", "diffuse has 1 values", "accepted: 2");
+  refused(HEAD "reflectance: {wavelength_um: [1, 2], diffuse: [0.6, 0.1], specular: [0.5, 0]}\n",
+          ":4:", "diffuse + specular is 1.1", "wavelength_um 1");
+  refused(HEAD "reflectance: {wavelength_um: [1, 2], diffuse: [0.1, 0.1], specular: [0.5, 0]}\n",
+          ":1:", "roughness", "beckmann_alpha");
+  refused(HEAD "reflectance: {wavelength_um: [1, 2], diffuse: [0.1, 0.1]}\n"
+               "surface: {diffuse_fraction: 0.1}\n",
+          ":5:", "diffuse_fraction", "substrate");
+  refused(HEAD "substrate: {wavelength_um: [1, 2], n: [1.5, 1.5], k: [0.1]}\n", ":4:", "k has 1",
+          "accepted: 2");
+  refused(HEAD "substrate: {wavelength_um: [1, 2], n: [1.5, -1.5], k: [0.1, 0.1]}\n", ":4:", "-1.5",
+          "accepted");
+  refused(HEAD "substrate: {wavelength_um: [1, 2], n: [1.5, 1.5], k: [0.1, 0.1]}\n"
+               "surface: {rq_um: 2.0}\n",
+          ":5:", "roughness", "tau_um");
+  refused(HEAD "substrate: {wavelength_um: [1, 2], n: [1.5, 1.5], k: [0.1, 0.1]}\n"
+               "surface: {rq_um: 2.0, tau_um: 1.0}\n",
+          ":5:", "2.8", "at most 1.5");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\n"
+               "sheet: {thickness_um: 1, wavelength_um: [1, 2], n: [1.5, 1.5], k: [0, 0]}\n",
+          ":5:", "sheet", "substrate");
+  refused("name: a b\nsummary: s\ncitation: c\ngrey: {solar_absorptance: 0.3, emittance: 0.8}\n",
+          ":1:", "a b", "letters");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\nthermal: {density_kg_m3: 0}\n",
+          ":5:", "density_kg_m3", "accepted");
+}
+
+static void missing_file_and_folder(void **state)
+{
+  (void)state;
+  enum um_status status =
+      um_materials_library_read_file(context, library, "/nonexistent/m.yaml", NULL, 0);
+  assert_int_equal(status, UM_ERR_IO);
+  um_core_message_clear(context);
+  assert_int_equal(um_materials_library_read_folder(context, library, "/nonexistent"), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), "/nonexistent"));
+}
+
+/* Values of a grey record come back as given; defaults as documented. */
+static void grey_record(void **state)
+{
+  (void)state;
+  assert_int_equal(
+      read_text(HEAD
+                "grey:\n  solar_absorptance: 0.3\n  emittance: 0.8\n  specular_reflectance: 0.1\n"
+                "  beckmann_alpha: 0.2\n"
+                "  band_emissivity: [{from_um: 8, to_um: 12, value: 0.6}]\n"
+                "thermal: {density_kg_m3: 2000, specific_heat_J_kg_K: 900, thickness_mm: 2}\n"),
+      UM_OK);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  assert_non_null(r);
+  assert_true(um_materials_is_grey(r) && um_materials_has_lobe(r));
+  check_near("alpha", um_materials_roughness(r, NULL), 0.2, 0.0);
+  check_near("diffuse", um_materials_diffuse_reflectance(r, NULL, 0.5e-6), 0.6, 1e-15);
+  check_near("specular", um_materials_specular_reflectance(r, NULL, 0.5e-6, 0.3), 0.1, 0.0);
+  check_near("no lobe", um_materials_specular_reflectance(r, NULL, 10e-6, 0.3), 0.0, 0.0);
+  check_near("band", um_materials_emissivity(r, NULL, 10e-6, 0.3), 0.6, 0.0);
+  check_near("outside", um_materials_emissivity(r, NULL, 15e-6, 0.3), 0.8, 0.0);
+  check_near("scattered", um_materials_diffuse_reflectance(r, NULL, 10e-6), 0.4, 1e-15);
+  check_near("absorptance", um_materials_solar_absorptance(r, NULL), 0.3, 0.0);
+  check_near("emittance", um_materials_emittance(r, NULL, 200.0), 0.8, 0.0);
+  struct um_materials_bulk bulk = um_materials_bulk(r);
+  check_near("areal", bulk.areal_heat_capacity, 2000.0 * 900.0 * 2e-3, 1e-9);
+  assert_true(isnan(bulk.conductivity));
+  assert_true(isnan(um_materials_catalogue(r).emittance));
+}
+
+/* A reflectance table is what it says at its nodes and between them, constant outside. */
+static void table_record(void **state)
+{
+  (void)state;
+  assert_int_equal(
+      read_text(HEAD "reflectance: {wavelength_um: [0.5, 1, 20], diffuse: [0.2, 0.6, 0.1]}\n"),
+      UM_OK);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  assert_false(um_materials_is_grey(r) || um_materials_has_lobe(r));
+  assert_true(um_materials_emissivity_is_diffuse(r));
+  static const double rows[][2] = {{0.1, 0.2},  {0.5, 0.2},   {0.75, 0.4}, {1.0, 0.6},
+                                   {2.9, 0.55}, {10.5, 0.35}, {20.0, 0.1}, {500.0, 0.1}};
+  for (size_t i = 0; i < 8; i++) {
+    double l = rows[i][0] * 1e-6;
+    check_near("diffuse", um_materials_diffuse_reflectance(r, NULL, l), rows[i][1], 1e-12);
+    check_near("emissivity", um_materials_emissivity(r, NULL, l, 0.2), 1.0 - rows[i][1], 1e-12);
+  }
+}
+
+static void overrides_and_replacement(void **state)
+{
+  (void)state;
+  const char *text = HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\n";
+  assert_int_equal(read_text(text), UM_OK);
+  static const char *const set[] = {"grey.emittance=0.5"};
+  assert_int_equal(um_materials_library_read_file(context, library, path, set, 1), UM_OK);
+  assert_int_equal(um_materials_library_count(library), 1);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  check_near("emittance", um_materials_emittance(r, NULL, 300.0), 0.5, 0.0);
+}
+
+/* A record whose integrals leave its catalogue is read, with both numbers in a warning. */
+static void catalogue_warning(void **state)
+{
+  (void)state;
+  assert_int_equal(
+      read_text(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\n"
+                     "catalogue: {solar_absorptance: 0.4, solar_absorptance_tolerance: 0.05,\n"
+                     "  emittance: 0.8, emittance_tolerance: 0.05, source: a book}\n"),
+      UM_OK);
+  assert_non_null(strstr(logged, "solar absorptance 0.300"));
+  assert_non_null(strstr(logged, "0.400"));
+  assert_non_null(strstr(logged, "a book"));
+}
+
+/* Allocation number `left` fails; every block is counted. */
+struct failing {
+  long left, blocks;
+};
+static void *fail_allocate(void *self, size_t bytes)
+{
+  struct failing *f = self;
+  if (f->left-- == 0) return NULL;
+  f->blocks++;
+  return malloc(bytes);
+}
+static void *fail_reallocate(void *self, void *block, size_t bytes)
+{
+  struct failing *f = self;
+  if (f->left-- == 0) return NULL;
+  if (block == NULL) f->blocks++;
+  return realloc(block, bytes);
+}
+static void fail_release(void *self, void *block)
+{
+  struct failing *f = self;
+  if (block != NULL) f->blocks--;
+  free(block);
+}
+
+/* Whichever allocation fails, reading says so, nothing leaks, and the library stays usable. */
+static void out_of_memory(void **state)
+{
+  (void)state;
+  write_file(HEAD "reflectance: {wavelength_um: [0.5, 1, 20], diffuse: [0.2, 0.6, 0.1],\n"
+                  "  specular: [0.1, 0.1, 0.1]}\nsurface: {beckmann_alpha: 0.1}\n"
+                  "catalogue: {solar_absorptance: 0.5, solar_absorptance_tolerance: 0.5,\n"
+                  "  emittance: 0.5, emittance_tolerance: 0.5, source: a book}\n");
+  enum um_status status = UM_ERR_MEMORY;
+  long n = 0;
+  for (; status == UM_ERR_MEMORY && n < 2000; n++) {
+    struct failing failing = {-1, 0};
+    const struct um_core_allocator allocator = {&failing, fail_allocate, fail_reallocate,
+                                                fail_release};
+    struct um_context *own;
+    struct um_materials_library *records;
+    assert_int_equal(um_core_context_create(&allocator, &own), UM_OK);
+    assert_int_equal(um_materials_library_create(own, &records), UM_OK);
+    failing.left = n;
+    status = um_materials_library_read_file(own, records, path, NULL, 0);
+    assert_int_equal(um_materials_library_count(records), status == UM_OK ? 1 : 0);
+    um_materials_library_destroy(&records);
+    um_core_context_destroy(&own);
+    assert_int_equal(failing.blocks, 0);
+  }
+  assert_int_equal(status, UM_OK);
+  assert_true(n > 20);
+}
+
+static void product_folder(void **state)
+{
+  (void)state;
+  char *found;
+  char data[64], inside[80];
+  unsetenv("UMBRA_DATA");
+  assert_int_equal(um_materials_library_folder(context, &found), UM_OK);
+  assert_int_equal(um_materials_library_read_folder(context, library, found), UM_OK);
+  um_core_free(context, found);
+  static const char *const required[] = {"mli_kapton",
+                                         "mli_kapton_ito",
+                                         "cell_triple_junction",
+                                         "cell_silicon",
+                                         "cfrp",
+                                         "osr",
+                                         "aluminium_bare",
+                                         "aluminium_anodised",
+                                         "copper",
+                                         "fep_silver",
+                                         "white_paint",
+                                         "black_paint",
+                                         "grey_mli",
+                                         "grey_panel",
+                                         "black"};
+  for (size_t i = 0; i < sizeof required / sizeof required[0]; i++)
+    if (um_materials_library_find(library, required[i]) == NULL) fail_msg("no %s", required[i]);
+  assert_null(um_materials_library_find(library, "mli_capton"));
+  char words[512];
+  um_materials_library_suggest(library, "mli_capton", words, sizeof words);
+  assert_non_null(strstr(words, "mli_kapton"));
+  um_materials_library_suggest(library, "zzzzzz", words, sizeof words);
+  assert_non_null(strstr(words, "accepted"));
+
+  snprintf(data, sizeof data, "%s", folder);
+  snprintf(inside, sizeof inside, "%s/materials", folder);
+  setenv("UMBRA_DATA", data, 1);
+  assert_int_equal(um_materials_library_folder(context, &found), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), inside));
+  mkdir(inside, 0700);
+  assert_int_equal(um_materials_library_folder(context, &found), UM_OK);
+  assert_string_equal(found, inside);
+  um_core_free(context, found);
+  rmdir(inside);
+  unsetenv("UMBRA_DATA");
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(what_is_refused, setup, teardown),
+      cmocka_unit_test_setup_teardown(missing_file_and_folder, setup, teardown),
+      cmocka_unit_test_setup_teardown(grey_record, setup, teardown),
+      cmocka_unit_test_setup_teardown(table_record, setup, teardown),
+      cmocka_unit_test_setup_teardown(overrides_and_replacement, setup, teardown),
+      cmocka_unit_test_setup_teardown(catalogue_warning, setup, teardown),
+      cmocka_unit_test_setup_teardown(out_of_memory, setup, teardown),
+      cmocka_unit_test_setup_teardown(product_folder, setup, teardown),
+  };
+  return cmocka_run_group_tests(tests, group_setup, group_teardown);
+}

@@ -1,0 +1,309 @@
+/* Laws that every record of the product's library must keep, with and without adjustments. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "materials/bsdf.h"
+#include "materials/materials.h"
+
+static struct um_context *context;
+static struct um_materials_library *library;
+
+static int setup(void **state)
+{
+  (void)state;
+  if (um_core_context_create(NULL, &context) != UM_OK) return 1;
+  if (um_materials_library_create(context, &library) != UM_OK) return 1;
+  if (um_materials_library_read_folder(context, library, UM_TEST_LIBRARY) == UM_OK) return 0;
+  print_error("%s\n", um_core_message(context));
+  return 1;
+}
+
+static int teardown(void **state)
+{
+  (void)state;
+  um_materials_library_destroy(&library);
+  um_core_context_destroy(&context);
+  return 0;
+}
+
+static const double wavelengths[] = {0.26e-6, 0.40e-6, 0.55e-6, 0.83e-6, 1.5e-6,  2.4e-6,  3.1e-6,
+                                     5.0e-6,  8.0e-6,  9.2e-6,  10.0e-6, 12.0e-6, 20.0e-6, 45.0e-6};
+#define NWAVELENGTH (sizeof wavelengths / sizeof wavelengths[0])
+
+/* Lobe quadrature over facets r (tan theta_h = alpha r) and phi, from the public lobe:
+ * f cos_i dw_i with dw_i = 4 (o.h) dw_h and D cos_h dw_h = 2 r exp(-r^2) dr dphi/(2 pi). */
+#define NR   64
+#define NPHI 32
+struct facets {
+  double oh[NR * NPHI], weight[NR * NPHI];
+};
+
+static void place_facets(double alpha, double cos_o, struct facets *out)
+{
+  double sin_o = sqrt(1.0 - cos_o * cos_o), dr = 5.5 / NR;
+  for (int i = 0; i < NR; i++)
+    for (int j = 0; j < NPHI; j++) {
+      double r = (i + 0.5) * dr, c = 1.0 / sqrt(1.0 + alpha * alpha * r * r), s = alpha * r * c;
+      double oh = cos_o * c + sin_o * s * cos(UM_PI * (j + 0.5) / NPHI), ci = 2.0 * oh * c - cos_o;
+      double measure = 2.0 * r * exp(-r * r) * dr / NPHI;
+      out->oh[i * NPHI + j] = oh;
+      out->weight[i * NPHI + j] = oh > 0.0 ? um_materials_beckmann_lobe(alpha, c, ci, cos_o) *
+                                                 fmax(ci, 0.0) * 4.0 * oh * measure /
+                                                 (um_materials_beckmann_distribution(alpha, c) * c)
+                                           : 0.0;
+    }
+}
+
+static double lobe_albedo(const struct um_materials_record *record,
+                          const struct um_materials_adjustment *a, double wavelength,
+                          const struct facets *facets)
+{
+  double sum = 0.0;
+  for (int i = 0; i < NR * NPHI; i++)
+    if (facets->weight[i] > 0.0)
+      sum += facets->weight[i] *
+             um_materials_specular_reflectance(record, a, wavelength, facets->oh[i]);
+  return sum;
+}
+
+/* What the BRDF reflects, by quadrature: directional albedo <= 1 everywhere, and its hemispherical
+ * mean is 1 - hemispherical emissivity. Quadrature and angular grid hold 2e-3; where the masking
+ * correction was cut short (rough bare metal, near F = 1) the BRDF falls short by at most the loss
+ * that the room left by the brightest direction does not take: loss(alpha) - (1 - max E). */
+static void brdf_conserves_energy(void **state)
+{
+  (void)state;
+  struct facets *facets = malloc(sizeof *facets);
+  const int n = 24;
+  double worst = 0.0, highest = 0.0, cut = 0.0;
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *record = um_materials_library_at(library, m);
+    double mean[NWAVELENGTH] = {0.0}, alpha = um_materials_roughness(record, NULL);
+    for (int i = 0; i < n; i++) {
+      double u = (i + 0.5) / n, w = 4.0 * u * u * u / n / (1.0 - 0.5 / (n * n));
+      if (alpha > 0.0) place_facets(alpha, u * u, facets);
+      for (size_t j = 0; j < NWAVELENGTH; j++) {
+        double rho = um_materials_diffuse_reflectance(record, NULL, wavelengths[j]);
+        if (alpha > 0.0) rho += lobe_albedo(record, NULL, wavelengths[j], facets);
+        highest = fmax(highest, rho);
+        if (!(rho <= 1.0 + 1e-3))
+          fail_msg("%s reflects %g at %g um, cos %g", um_materials_name(record), rho,
+                   wavelengths[j] * 1e6, u * u);
+        mean[j] += w * rho;
+      }
+    }
+    bool cut_short = alpha > 0.4;
+    double brightest = 0.0;
+    for (double c = 0.005; c <= 1.0 && cut_short; c += 0.005)
+      brightest = fmax(brightest, um_materials_beckmann_albedo(alpha, c));
+    double most = um_materials_beckmann_loss(alpha) - (1.0 - brightest);
+    for (size_t j = 0; j < NWAVELENGTH; j++) {
+      double expected = um_materials_hemispherical_reflectance(record, NULL, wavelengths[j]);
+      if (um_materials_is_grey(record) && alpha > 0.0 && wavelengths[j] < 2.5e-6) continue;
+      double miss = mean[j] - expected;
+      if (cut_short) {
+        cut = fmin(cut, miss);
+        check_near(um_materials_name(record), fmin(miss, 0.0), 0.0, most + 2e-3);
+        check_near(um_materials_name(record), fmax(miss, 0.0), 0.0, 2e-3);
+      } else {
+        worst = fmax(worst, fabs(miss));
+        check_near(um_materials_name(record), mean[j], expected, 2e-3);
+      }
+    }
+  }
+  print_message("BRDF + hemispherical emissivity - 1: at most %.1e; rough metal %.4f; highest "
+                "directional albedo %.5f\n",
+                worst, cut, highest);
+  free(facets);
+}
+
+/* rho_d + F <= 1, 0 <= emissivity <= 1, and the hemispherical mean of the emissivity is
+ * 1 - hemispherical reflectance (spectral records, all; grey ones in the infrared) to 1e-4, the
+ * difference of two quadratures over the angular grid. */
+static void bounds_and_kirchhoff(void **state)
+{
+  (void)state;
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *r = um_materials_library_at(library, m);
+    for (double l = 0.2e-6; l < 100e-6; l *= 1.013) {
+      double rho = um_materials_diffuse_reflectance(r, NULL, l), mean = 0.0;
+      assert_true(rho >= 0.0 && rho <= 1.0);
+      const int n = 60;
+      for (int i = 0; i < n; i++) {
+        double u = (i + 0.5) / n, c = u * u, e = um_materials_emissivity(r, NULL, l, c);
+        double f = um_materials_specular_reflectance(r, NULL, l, c);
+        if (!(e >= 0.0 && e <= 1.0 && f >= 0.0)) fail_msg("%s: e %g", um_materials_name(r), e);
+        /* the correction for masking belongs to the lobe's missing part, not beside a full F */
+        if (um_materials_roughness(r, NULL) < 0.1 && !(rho + f <= 1.0 + 2e-3))
+          fail_msg("%s: rho + F = %g at %g um, cos %g", um_materials_name(r), rho + f, l * 1e6, c);
+        mean += 4.0 * u * u * u / n * e;
+      }
+      if (um_materials_is_grey(r) && l < 2.5e-6) continue;
+      mean /= 1.0 - 0.5 / (n * n);
+      check_near(um_materials_name(r), mean,
+                 1.0 - um_materials_hemispherical_reflectance(r, NULL, l), 2e-4);
+    }
+  }
+}
+
+/* f_r(i, o) = f_r(o, i): D and F depend on h alone and G is a product, so bit for bit. */
+static void reciprocity(void **state)
+{
+  (void)state;
+  const double alpha = 0.265;
+  for (double ci = 0.05; ci < 1.0; ci += 0.13)
+    for (double co = 0.03; co < 1.0; co += 0.17) {
+      double a = um_materials_beckmann_lobe(alpha, 0.9, ci, co);
+      double b = um_materials_beckmann_lobe(alpha, 0.9, co, ci);
+      check_near("lobe", a / b, 1.0, 1e-15);
+    }
+}
+
+static bool same_bits(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
+
+static void null_adjustment_is_bit_identical(void **state)
+{
+  (void)state;
+  const struct um_materials_adjustment *none = &um_materials_no_adjustment;
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *r = um_materials_library_at(library, m);
+    assert_true(same_bits(um_materials_roughness(r, NULL), um_materials_roughness(r, none)));
+    assert_true(same_bits(um_materials_solar_absorptance(r, NULL),
+                          um_materials_solar_absorptance(r, none)));
+    assert_true(
+        same_bits(um_materials_emittance(r, NULL, 280.0), um_materials_emittance(r, none, 280.0)));
+    for (size_t j = 0; j < NWAVELENGTH; j++) {
+      double l = wavelengths[j];
+      assert_true(same_bits(um_materials_diffuse_reflectance(r, NULL, l),
+                            um_materials_diffuse_reflectance(r, none, l)));
+      assert_true(same_bits(um_materials_specular_reflectance(r, NULL, l, 0.7),
+                            um_materials_specular_reflectance(r, none, l, 0.7)));
+      assert_true(same_bits(um_materials_emissivity(r, NULL, l, 0.7),
+                            um_materials_emissivity(r, none, l, 0.7)));
+      assert_true(same_bits(um_materials_hemispherical_reflectance(r, NULL, l),
+                            um_materials_hemispherical_reflectance(r, none, l)));
+    }
+  }
+}
+
+/* Near the null values every adjusted quantity tends to the unadjusted one: no jump, so that a
+ * derivative by differences is meaningful. 1e-7 of change may move results by at most 1e-6. */
+static void adjustments_are_continuous(void **state)
+{
+  (void)state;
+  const double h = 1e-7;
+  const struct um_materials_adjustment steps[] = {{h, 1, 1, 1, 1, 1},     {0, 1 - h, 1, 1, 1, 1},
+                                                  {0, 1, 1 - h, 1, 1, 1}, {0, 1, 1, 1 + h, 1, 1},
+                                                  {0, 1, 1, 1, 1 - h, 1}, {0, 1, 1, 1, 1, 1 - h},
+                                                  {0, 1 + h, 1, 1, 1, 1}};
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *r = um_materials_library_at(library, m);
+    for (size_t s = 0; s < sizeof steps / sizeof steps[0]; s++)
+      for (size_t j = 0; j < NWAVELENGTH; j++) {
+        double l = wavelengths[j];
+        check_near(um_materials_name(r), um_materials_diffuse_reflectance(r, &steps[s], l),
+                   um_materials_diffuse_reflectance(r, NULL, l), 1e-6);
+        check_near(um_materials_name(r), um_materials_specular_reflectance(r, &steps[s], l, 0.8),
+                   um_materials_specular_reflectance(r, NULL, l, 0.8), 1e-6);
+        check_near(um_materials_name(r), um_materials_emissivity(r, &steps[s], l, 0.8),
+                   um_materials_emissivity(r, NULL, l, 0.8), 1e-6);
+      }
+  }
+}
+
+/* What each adjustment promises in materials.h, on one spectral and one grey record. */
+static void adjustments_do_what_they_say(void **state)
+{
+  (void)state;
+  static const char *const names[] = {"white_paint", "mli_kapton", "osr", "grey_mli"};
+  for (size_t m = 0; m < 4; m++) {
+    const struct um_materials_record *r = um_materials_library_find(library, names[m]);
+    assert_non_null(r);
+    struct um_materials_adjustment a = um_materials_no_adjustment;
+    a.absorptance_shift = 0.1;
+    check_near("absorptance", um_materials_solar_absorptance(r, &a),
+               um_materials_solar_absorptance(r, NULL) + 0.1, 1e-15);
+    /* reflectance falls by the shift, taken from the Lambert part first */
+    check_near("reflectance", um_materials_hemispherical_reflectance(r, &a, 0.6e-6),
+               um_materials_hemispherical_reflectance(r, NULL, 0.6e-6) - 0.1, 1e-12);
+    check_near("infrared", um_materials_emissivity(r, &a, 10e-6, 0.5),
+               um_materials_emissivity(r, NULL, 10e-6, 0.5), 0.0);
+    a = um_materials_no_adjustment;
+    a.emittance_scale = 0.9;
+    check_near("emittance", um_materials_emittance(r, &a, 300.0),
+               0.9 * um_materials_emittance(r, NULL, 300.0), 1e-15);
+    check_near("emissivity", um_materials_emissivity(r, &a, 10e-6, 0.5),
+               0.9 * um_materials_emissivity(r, NULL, 10e-6, 0.5), 1e-12);
+    check_near("Kirchhoff", um_materials_hemispherical_reflectance(r, &a, 10e-6),
+               1.0 - 0.9 * (1.0 - um_materials_hemispherical_reflectance(r, NULL, 10e-6)), 1e-12);
+    check_near("visible", um_materials_diffuse_reflectance(r, &a, 0.6e-6),
+               um_materials_diffuse_reflectance(r, NULL, 0.6e-6), 0.0);
+    a = um_materials_no_adjustment;
+    a.band_emissivity_scale = 0.9;
+    check_near("total", um_materials_emittance(r, &a, 300.0),
+               um_materials_emittance(r, NULL, 300.0), 0.0);
+    check_near("band", um_materials_emissivity(r, &a, 10e-6, 0.5),
+               0.9 * um_materials_emissivity(r, NULL, 10e-6, 0.5), 1e-12);
+    a = um_materials_no_adjustment;
+    a.specular_scale = 0.5;
+    a.roughness_scale = 2.0;
+    check_near("F", um_materials_specular_reflectance(r, &a, 0.6e-6, 0.9),
+               0.5 * um_materials_specular_reflectance(r, NULL, 0.6e-6, 0.9), 1e-12);
+    check_near("alpha", um_materials_roughness(r, &a), 2.0 * um_materials_roughness(r, NULL), 0.0);
+    check_near("absorptance", um_materials_solar_absorptance(r, &a),
+               um_materials_solar_absorptance(r, NULL), 0.0);
+  }
+}
+
+/* Extreme adjustments stay inside the bounds, and no direction reflects more than it receives
+ * (quadrature 1e-3, as above). */
+static void extreme_adjustments_stay_physical(void **state)
+{
+  (void)state;
+  const struct um_materials_adjustment extremes[] = {
+      {1.0, 1, 1, 1, 1, 1},  {-1.0, 1, 1, 1, 1, 1},   {0, 0, 1, 1, 1, 1}, {0, 5, 1, 1, 1, 1},
+      {0, 1, 1, 2.9, 1, 1},  {0, 1, 1, 0.1, 1, 1},    {0, 1, 1, 1, 9, 1}, {0, 1, 1, 1, 1, 9},
+      {-0.3, 2, 2, 2, 3, 3}, {0.3, 0.1, 0.1, 0, 0, 0}};
+  struct facets *facets = malloc(sizeof *facets);
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *r = um_materials_library_at(library, m);
+    for (size_t s = 0; s < sizeof extremes / sizeof extremes[0]; s++) {
+      const struct um_materials_adjustment *a = &extremes[s];
+      double absorptance = um_materials_solar_absorptance(r, a);
+      double emittance = um_materials_emittance(r, a, 250.0), alpha = um_materials_roughness(r, a);
+      assert_true(absorptance >= 0.0 && absorptance <= 1.0);
+      assert_true(emittance >= 0.0 && emittance <= 1.0);
+      assert_true(um_materials_has_lobe(r) == (alpha > 0.0));
+      for (double c = 0.05; c <= 1.0; c += 0.19) {
+        if (alpha > 0.0) place_facets(alpha, c, facets);
+        for (size_t j = 1; j < NWAVELENGTH; j += 3) {
+          double rho = um_materials_diffuse_reflectance(r, a, wavelengths[j]);
+          double e = um_materials_emissivity(r, a, wavelengths[j], c);
+          assert_true(e >= 0.0 && e <= 1.0 && rho >= 0.0);
+          if (alpha > 0.0) rho += lobe_albedo(r, a, wavelengths[j], facets);
+          if (!(rho <= 1.0 + 1e-3))
+            fail_msg("%s, adjustment %zu, reflects %g at %g um, cos %g", um_materials_name(r), s,
+                     rho, wavelengths[j] * 1e6, c);
+        }
+      }
+    }
+  }
+  free(facets);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(brdf_conserves_energy),
+      cmocka_unit_test(bounds_and_kirchhoff),
+      cmocka_unit_test(reciprocity),
+      cmocka_unit_test(null_adjustment_is_bit_identical),
+      cmocka_unit_test(adjustments_are_continuous),
+      cmocka_unit_test(adjustments_do_what_they_say),
+      cmocka_unit_test(extreme_adjustments_stay_physical),
+  };
+  return cmocka_run_group_tests(tests, setup, teardown);
+}
