@@ -1,4 +1,9 @@
-/* Attitude laws: quaternion GCRS -> body, passive, scalar first. */
+/* Attitude laws: quaternion GCRS -> body, passive, scalar first. Closed forms in
+ * tests/orbit/attitude.c.
+ *
+ * The turn of SPIN is counted in the frame of its axis: with an axis in LVLH the period is that of
+ * the body relative to the orbital frame. Where r x v vanishes (a fixed point) SUN and TARGET take
+ * GCRS z for the orbit normal, and the laws that need LVLH are UM_ERR_INPUT. */
 #ifndef UMBRA_ORBIT_ATTITUDE_H
 #define UMBRA_ORBIT_ATTITUDE_H
 

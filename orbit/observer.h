@@ -25,7 +25,7 @@ struct um_orbit_look {
   struct um_vec3 to_observer;    /* unit, GCRS, from the satellite */
   double range;                  /* [m] */
   double azimuth, elevation;     /* [rad], airless, azimuth north over east, 0..2 pi */
-  double sun_elevation;          /* [rad] at the station, airless */
+  double sun_elevation;          /* [rad] at the station, airless, geometric */
 };
 enum um_status um_orbit_observer_look(struct um_context *context,
                                       const struct um_orbit_observer *observer,
