@@ -32,7 +32,7 @@ static double clamp_cosine(double c) { return c < 0.0 ? 0.0 : (c > 1.0 ? 1.0 : c
 double um_materials_fresnel(double n, double k, double cos_theta)
 {
   double c = clamp_cosine(cos_theta);
-  double complex eta = CMPLX(n, k), eta2 = square(eta);
+  double complex eta = n + k * I, eta2 = square(eta);
   double complex q = normal_component(eta, c);
   double s = norm(c - q) / norm(c + q);
   double p = norm(eta2 * c - q) / norm(eta2 * c + q);
@@ -52,7 +52,7 @@ double um_materials_fresnel_sheet(double n, double k, double thickness, double n
   assert(thickness >= 0.0 && wavelength > 0.0);
   double c = clamp_cosine(cos_theta);
   if (c == 0.0) return 1.0;
-  double complex eta1 = CMPLX(n, k), eta2 = CMPLX(ns, ks);
+  double complex eta1 = n + k * I, eta2 = ns + ks * I;
   double complex e1 = square(eta1), e2 = square(eta2);
   double complex q1 = normal_component(eta1, c), q2 = normal_component(eta2, c);
   double front_s = norm(c - q1) / norm(c + q1);

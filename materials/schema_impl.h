@@ -62,4 +62,14 @@ struct um_materials_input {
   struct um_materials_catalogue_input *catalogue;
 };
 
+/* Check the description, set the record's alpha and build its spectral grid. UM_ERR_INPUT names
+ * file, line and key; UM_ERR_MEMORY. */
+struct um_materials_record;
+enum um_status um_materials_reflectance_read(struct um_context *context,
+                                             const struct um_materials_input *in,
+                                             struct um_materials_record *record);
+enum um_status um_materials_substrate_read(struct um_context *context,
+                                           const struct um_materials_input *in,
+                                           struct um_materials_record *record);
+
 #endif
