@@ -265,12 +265,11 @@ static enum um_status render_all(struct um_context *context, struct render *r,
   for (size_t s = 0; s < mesh->nsurface; s++)
     palette_fill(r->spectra, scene, &now, set, r->time, s, &r->work[omp_get_thread_num()],
                  &r->palette);
-  for (int y = 0; y < image->height; y++) {
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (int y = 0; y < image->height; y++)
     for (int x = 0; x < image->width; x++)
       render_pixel(set, mesh, &now, &camera, &r->palette, x, y,
                    (size_t)r->options->samples_per_pixel, &r->pencil[omp_get_thread_num()], image);
-  }
   return UM_OK;
 }
 
