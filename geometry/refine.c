@@ -1,10 +1,11 @@
 /* Longest-edge bisection (Rivara 1984, Int. J. Numer. Methods Eng. 20:745).
  *
- * An edge longer than the facet size is marked; a facet with a marked edge also marks its longest
- * one, until nothing changes. Every facet is then cut through the midpoints of its marked edges,
- * the longest first. An edge is marked or not for all facets that share it, so that no vertex ever
- * lies inside an edge; angles stay above half the smallest one of the start. Lengths are compared
- * as stored with the lower vertex first, ties by edge number: all sharers see the same. */
+ * Every edge longer than the facet size is marked; with any edge of a facet its longest one is
+ * marked too, being longer still. Every facet is cut through the midpoints of its marked edges, the
+ * longest first. An edge is marked or not for all facets that share it, so that no vertex ever lies
+ * inside an edge; angles stay above half the smallest one of the start. Passes repeat until nothing
+ * is marked. Lengths are taken from the lower vertex number to the higher, ties go by edge number:
+ * all sharers see the same. */
 #include <string.h>
 
 #include "geometry/geometry_impl.h"
@@ -30,26 +31,15 @@ static int longest_of(const struct pass *pass, const uint32_t edge[3])
 }
 
 /* Marks what must be cut; false when nothing is left to do. */
-static bool mark(struct pass *pass, size_t nfacet, double facet_size)
+static bool mark(struct pass *pass, double facet_size)
 {
   bool any = false;
   /* one part in 1e9 of slack: a size that divides evenly is not cut once more by rounding */
   double limit2 = facet_size * facet_size * (1.0 + 2e-9);
-  for (size_t e = 0; e < pass->edges.nedge; e++)
-    if (pass->length2[e] > limit2) {
-      pass->marked[e] = 1;
-      any = true;
-    }
-  for (bool changed = any; changed;) {
-    changed = false;
-    for (size_t f = 0; f < nfacet; f++) {
-      const uint32_t *edge = pass->edges.of_facet[f];
-      uint32_t longest = edge[longest_of(pass, edge)];
-      if (!(pass->marked[edge[0]] | pass->marked[edge[1]] | pass->marked[edge[2]])) continue;
-      if (pass->marked[longest]) continue;
-      pass->marked[longest] = 1;
-      changed = true;
-    }
+  for (size_t e = 0; e < pass->edges.nedge; e++) {
+    if (!(pass->length2[e] > limit2)) continue;
+    pass->marked[e] = 1;
+    any = true;
   }
   return any;
 }
@@ -134,7 +124,7 @@ enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *p
     struct pass pass;
     UM_CHECK(pass_create(patch, &pass));
     size_t nfacet = patch->nfacet;
-    more = mark(&pass, nfacet, facet_size);
+    more = mark(&pass, facet_size);
     if (more) UM_CHECK(add_midpoints(patch, &pass));
     for (size_t f = 0; more && f < nfacet; f++) UM_CHECK(cut(patch, &pass, f));
   done:
