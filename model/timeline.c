@@ -5,8 +5,10 @@
 #include "model/model.h"
 #include "orbit/sun.h"
 
-/* Sun as the satellite sees it; a frozen one keeps its geocentric place. */
-static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r, struct um_vec3 v,
+/* Sun from the satellite's place; a frozen one keeps its geocentric place. Aberration is that of
+ * the Earth's motion alone: the satellite's own would turn the Sun by up to 5 arcsec but not the
+ * Earth's limb, and so move the edges of the shadow. */
+static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r,
                    struct um_vec3 *direction, double *distance)
 {
   if (model->sun_frozen) {
@@ -14,7 +16,7 @@ static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r,
     *distance = um_vec3_norm(to);
     *direction = um_vec3_scale(to, 1.0 / *distance);
   } else {
-    um_orbit_sun_apparent(t_tai, r, v, direction, distance);
+    um_orbit_sun_apparent(t_tai, r, um_vec3(0, 0, 0), direction, distance);
   }
   if (!isnan(model->scenario->environment->sun_distance_au))
     *distance = model->scenario->environment->sun_distance_au * UM_AU;
@@ -33,7 +35,7 @@ static enum um_status pole_of(struct um_context *context, const struct um_model 
 static enum um_status light_of(struct um_context *context, const struct um_model *model,
                                struct um_environment_sample *s)
 {
-  sun_of(model, s->t_tai, s->r, s->v, &s->sun, &s->sun_distance);
+  sun_of(model, s->t_tai, s->r, &s->sun, &s->sun_distance);
   UM_TRY(pole_of(context, model, s->t_tai, &s->pole));
   s->sunlit_fraction =
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
@@ -92,9 +94,8 @@ static enum um_status event_geometry(void *self, double t_tai, struct um_vec3 *r
                                      struct um_vec3 *sun, double *distance, struct um_vec3 *pole)
 {
   const struct event_source *source = self;
-  struct um_vec3 v;
-  UM_TRY(um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, &v));
-  sun_of(source->model, t_tai, *r, v, sun, distance);
+  UM_TRY(um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, NULL));
+  sun_of(source->model, t_tai, *r, sun, distance);
   return pole_of(source->context, source->model, t_tai, pole);
 }
 
