@@ -10,10 +10,10 @@ static enum um_status check_positive(struct um_context *context,
                                      const struct um_geometry_part_spec *spec, const char *what,
                                      double value)
 {
-  if (isfinite(value) && value > 0.0) return UM_OK;
+  if (value > 0.0 && value <= UM_GEOMETRY_MAX_LENGTH) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
-                      "part '%s': %s is %g m; a finite value above 0 is accepted", spec->name, what,
-                      value);
+                      "part '%s': %s is %g m; a value above 0 and up to %g is accepted", spec->name,
+                      what, value, UM_GEOMETRY_MAX_LENGTH);
 }
 
 static enum um_status check_sizes(struct um_context *context,
@@ -27,10 +27,11 @@ static enum um_status check_sizes(struct um_context *context,
     UM_TRY(check_positive(context, spec, "radius", spec->radius));
   if (spec->shape == UM_SHAPE_CYLINDER || spec->shape == UM_SHAPE_CONE)
     UM_TRY(check_positive(context, spec, "height", spec->height));
-  if (spec->shape == UM_SHAPE_CONE && !(isfinite(spec->radius_top) && spec->radius_top >= 0.0))
+  if (spec->shape == UM_SHAPE_CONE &&
+      !(spec->radius_top >= 0.0 && spec->radius_top <= UM_GEOMETRY_MAX_LENGTH))
     return um_core_fail(context, UM_ERR_INPUT,
-                        "part '%s': top radius is %g m; a finite value of at least 0 is accepted",
-                        spec->name, spec->radius_top);
+                        "part '%s': top radius is %g m; a value from 0 to %g is accepted",
+                        spec->name, spec->radius_top, UM_GEOMETRY_MAX_LENGTH);
   if (spec->shape == UM_SHAPE_PARABOLOID)
     UM_TRY(check_positive(context, spec, "focal length", spec->focal_length));
   if (spec->shape == UM_SHAPE_MESH && spec->mesh_path == NULL)
@@ -44,7 +45,12 @@ static enum um_status check_sizes(struct um_context *context,
   return UM_OK;
 }
 
-static bool finite3(struct um_vec3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
+/* False also for NaN. */
+static bool within_reach(struct um_vec3 v)
+{
+  return fabs(v.x) <= UM_GEOMETRY_MAX_LENGTH && fabs(v.y) <= UM_GEOMETRY_MAX_LENGTH &&
+         fabs(v.z) <= UM_GEOMETRY_MAX_LENGTH;
+}
 
 /* Pose and joint of a spec into the part, unit vectors made unit. */
 static enum um_status copy_pose(struct um_context *context,
@@ -53,8 +59,11 @@ static enum um_status copy_pose(struct um_context *context,
 {
   struct um_quat q = spec->rotation;
   double norm = sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  if (!finite3(spec->position))
-    return um_core_fail(context, UM_ERR_INPUT, "part '%s': its position is not finite", spec->name);
+  if (!within_reach(spec->position))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "part '%s': its position (%g, %g, %g) m is not finite or beyond %g m",
+                        spec->name, spec->position.x, spec->position.y, spec->position.z,
+                        UM_GEOMETRY_MAX_LENGTH);
   if (norm == 0.0)
     q = (struct um_quat){1, 0, 0, 0}; /* not given */
   else if (!(fabs(norm - 1.0) <= 1e-6))

@@ -7,6 +7,9 @@
 /* More facets than this in one part are refused: a facet size typed in the wrong unit. */
 #define UM_GEOMETRY_MAX_FACETS ((size_t)4000000)
 
+/* Sizes and coordinates above this are refused, before squares of squares overflow [m]. */
+#define UM_GEOMETRY_MAX_LENGTH 1e7
+
 /* Points closer than this times the diagonal of the part are one vertex [1]. */
 #define UM_GEOMETRY_WELD 1e-9
 

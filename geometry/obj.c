@@ -55,7 +55,9 @@ static enum um_status read_vertex(struct reader *r, char *rest)
     if (!um_core_number_parse(token, &x[k]))
       return FAIL(r, "vertex coordinate '%.40s' is not a finite number", token);
     x[k] *= r->scale;
-    if (!isfinite(x[k])) return FAIL(r, "vertex coordinate '%.40s' is too large", token);
+    if (!(fabs(x[k]) <= UM_GEOMETRY_MAX_LENGTH))
+      return FAIL(r, "vertex coordinate '%.40s' is %g m; at most %g m is accepted", token, x[k],
+                  UM_GEOMETRY_MAX_LENGTH);
   }
   return um_geometry_patch_vertex(r->patch, um_vec3(x[0], x[1], x[2]), NULL);
 }

@@ -160,6 +160,7 @@ static void refuses_wrong_text(void **state)
   refuse("v 0 0 0\nv 1 0\n", ":2: vertex with 2 of 3 coordinates");
   refuse("v 0 0 nan\n", ":1: vertex coordinate 'nan' is not a finite number");
   refuse("v 0 0 1e999\n", ":1: vertex coordinate '1e999'");
+  refuse("v 0 0 1e160\n", ":1: vertex coordinate '1e160' is 1e+160 m; at most 1e+07 m is accepted");
   refuse("v 0 1,5 0\n", ":1: vertex coordinate '1,5'");
   refuse(SQUARE "f 1 2\n", ":5: incomplete face with 2 corners");
   refuse(SQUARE "f\n", ":5: incomplete face with 0 corners");

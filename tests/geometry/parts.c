@@ -55,15 +55,18 @@ static void refused(void **state)
   support_refused(p, 1, "part 'bus': its parents form a circle");
 
   p[0] = support_box("bus", 1, 0, 1);
-  support_refused(p, 1, "part 'bus': size y is 0 m; a finite value above 0 is accepted");
+  support_refused(p, 1, "part 'bus': size y is 0 m; a value above 0 and up to 1e+07 is accepted");
   p[0] = support_box("bus", 1, 1, NAN);
   support_refused(p, 1, "part 'bus': size z is nan m");
+  p[0] = support_box("bus", 1, 1, 1);
+  p[0].size[0] = 1e200;
+  support_refused(p, 1, "part 'bus': size x is 1e+200 m");
   p[0] = support_box("bus", 1, 1, 1);
   p[0].facet_size = -1;
   support_refused(p, 1, "facet size is -1 m");
   p[0] = support_box("bus", 1, 1, 1);
   p[0].position.y = INFINITY;
-  support_refused(p, 1, "its position is not finite");
+  support_refused(p, 1, "its position (0, inf, 0) m is not finite");
   p[0] = support_box("bus", 1, 1, 1);
   p[0].rotation.w = 0.5;
   support_refused(p, 1, "the norm of its rotation is 0.5");
