@@ -12,7 +12,6 @@ enum dimension {
   TIME,
   FACET,
   VERTEX,
-  SURFACE,
   NODE,
   PLACE,
   MATERIAL,
@@ -26,8 +25,13 @@ enum dimension {
   NDIM
 };
 static const char *const dimension_names[NDIM] = {
-    "time",       "facet",     "vertex", "node",   "part",       "material",   "band",
-    "wavelength", "mechanism", "xyz",    "corner", "quaternion", "name_length"};
+    [TIME] = "time",           [FACET] = "facet",
+    [VERTEX] = "vertex",       [NODE] = "node",
+    [PLACE] = "part",          [MATERIAL] = "material",
+    [BAND] = "band",           [WAVELENGTH] = "wavelength",
+    [MECHANISM] = "mechanism", [XYZ] = "xyz",
+    [CORNER] = "corner",       [QUATERNION] = "quaternion",
+    [NAME] = "name_length"};
 
 struct writer {
   struct um_context *context;
@@ -116,9 +120,11 @@ static enum um_status open_file(struct writer *w, const struct um_output_run *ru
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
   const struct um_model_result *r = run->result;
   const size_t length[NDIM] = {
-      r->nobs,    mesh->nfacet, mesh->nvertex,      r->nnode, r->nplace, r->nmaterial,
-      r->nband,   r->nbin,      UM_MECHANISM_COUNT, 3,        3,         4,
-      NAME_LENGTH};
+      [TIME] = r->nobs,    [FACET] = mesh->nfacet, [VERTEX] = mesh->nvertex,
+      [NODE] = r->nnode,   [PLACE] = r->nplace,    [MATERIAL] = r->nmaterial,
+      [BAND] = r->nband,   [WAVELENGTH] = r->nbin, [MECHANISM] = UM_MECHANISM_COUNT,
+      [XYZ] = 3,           [CORNER] = 3,           [QUATERNION] = 4,
+      [NAME] = NAME_LENGTH};
   memcpy(w->length, length, sizeof length);
   UM_TRY(check(w, nc_create(w->path, NC_NETCDF4 | NC_CLOBBER, &w->file)));
   for (int i = 0; i < NDIM; i++)
