@@ -42,7 +42,8 @@ struct tracer {
 };
 static void scene_destroy(struct tracer *t, struct um_thermal_scene *s)
 {
-  um_geometry_sky_destroy(&s->sky);
+  um_core_free(t->context, s->row);
+  um_core_free(t->context, s->freedom);
   um_geometry_visibility_destroy(&s->visibility);
   um_geometry_pose_destroy(t->context, &s->pose);
 }
@@ -52,11 +53,7 @@ static enum um_status scene_create(struct tracer *t, const double *angles, bool 
 {
   UM_TRY(um_geometry_pose_create(t->context, t->geometry, angles, &s->pose));
   UM_TRY(um_geometry_visibility_create(t->context, t->mesh, s->pose, &s->visibility));
-  bool covered = false;
-  for (size_t i = 0; i < t->mesh->nsurface && sky && !covered; i++)
-    covered = !um_geometry_visibility_is_open(s->visibility, i);
-  if (!covered) return UM_OK;
-  return um_geometry_sky_create(t->context, s->visibility, SKY_SAMPLES, &s->sky);
+  return sky ? um_thermal_scene_tabulate(t->context, t->mesh, SKY_SAMPLES, s) : UM_OK;
 }
 
 static struct um_vec3 sun_body(const struct um_environment_sample *sample)
@@ -156,7 +153,7 @@ static void trace_earth(const struct tracer *t, size_t k, const struct um_therma
   um_environment_earth_flux(t->environment, r, sun, sample->sun_distance, normal, t->nnormal, flux);
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap.point);
-  if (scene->sky != NULL) um_thermal_cap_spread(&cap);
+  if (scene->row != NULL) um_thermal_cap_spread(&cap);
   for (size_t s = 0; s < t->mesh->nsurface; s++) {
     const struct um_environment_earth_flux *f = &flux[t->normal_of[s]];
     double albedo = 1.0, planet = 1.0;

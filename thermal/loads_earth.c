@@ -8,15 +8,78 @@
 
 #define CAP_RAYS 2 /* per direction of the cap where joints move */
 
+/* Cell of the cube around the origin that a direction meets: face of the largest component. */
+static size_t cube_cell(struct um_vec3 d)
+{
+  double c[3] = {d.x, d.y, d.z};
+  int axis = fabs(c[0]) >= fabs(c[1]) ? 0 : 1;
+  if (fabs(c[2]) > fabs(c[axis])) axis = 2;
+  double half = 0.5 * UM_THERMAL_CUBE_SIDE, scale = half / fabs(c[axis]);
+  int u = (int)(c[(axis + 1) % 3] * scale + half), v = (int)(c[(axis + 2) % 3] * scale + half);
+  if (u >= UM_THERMAL_CUBE_SIDE) u = UM_THERMAL_CUBE_SIDE - 1;
+  if (v >= UM_THERMAL_CUBE_SIDE) v = UM_THERMAL_CUBE_SIDE - 1;
+  int face = 2 * axis + (c[axis] < 0.0);
+  return (size_t)((face * UM_THERMAL_CUBE_SIDE + v) * UM_THERMAL_CUBE_SIDE + u);
+}
+
+/* Direction through the middle of a cell. */
+static struct um_vec3 cube_direction(size_t cell)
+{
+  size_t u = cell % UM_THERMAL_CUBE_SIDE, v = cell / UM_THERMAL_CUBE_SIDE % UM_THERMAL_CUBE_SIDE;
+  size_t face = cell / (UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE), axis = face / 2;
+  double c[3];
+  c[axis] = face % 2 != 0 ? -1.0 : 1.0;
+  c[(axis + 1) % 3] = (2.0 * (double)u + 1.0) / UM_THERMAL_CUBE_SIDE - 1.0;
+  c[(axis + 2) % 3] = (2.0 * (double)v + 1.0) / UM_THERMAL_CUBE_SIDE - 1.0;
+  return um_vec3_unit(um_vec3(c[0], c[1], c[2]));
+}
+
+enum um_status um_thermal_scene_tabulate(struct um_context *context,
+                                         const struct um_geometry_mesh *mesh, int nsample,
+                                         struct um_thermal_scene *scene)
+{
+  struct um_geometry_sky *sky = NULL;
+  struct um_vec3 *direction = NULL;
+  size_t covered = 0;
+  for (size_t s = 0; s < mesh->nsurface; s++)
+    covered += !um_geometry_visibility_is_open(scene->visibility, s);
+  if (covered == 0) return UM_OK;
+  enum um_status status;
+  UM_CHECK(um_geometry_sky_create(context, scene->visibility, nsample, &sky));
+  UM_CHECK(um_core_allocate(context, UM_THERMAL_CUBE_CELLS, sizeof *direction, &direction));
+  UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *scene->row, &scene->row));
+  UM_CHECK(um_core_allocate(context, covered, UM_THERMAL_CUBE_CELLS, &scene->freedom));
+  for (size_t cell = 0; cell < UM_THERMAL_CUBE_CELLS; cell++)
+    direction[cell] = cube_direction(cell);
+  covered = 0;
+  for (size_t s = 0; s < mesh->nsurface; s++)
+    scene->row[s] = um_geometry_visibility_is_open(scene->visibility, s)
+                        ? SIZE_MAX
+                        : UM_THERMAL_CUBE_CELLS * covered++;
+  long nsurface = (long)mesh->nsurface;
+#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
+  for (long s = 0; s < nsurface; s++)
+    for (size_t cell = 0; cell < UM_THERMAL_CUBE_CELLS && scene->row[s] != SIZE_MAX; cell++) {
+      double f = um_geometry_sky_free(sky, (size_t)s, direction[cell]);
+      scene->freedom[scene->row[s] + cell] = (uint8_t)lround(255.0 * f);
+    }
+done:
+  um_core_free(context, direction);
+  um_geometry_sky_destroy(&sky);
+  return status;
+}
+
 void um_thermal_cap_spread(struct um_thermal_cap *cap)
 {
   for (size_t i = 0; i < cap->n; i++) {
     struct um_vec3 across, along, d = cap->point[i].direction;
     um_core_vec3_frame(d, &across, &along);
     double a = 0.25 * sqrt(cap->point[i].solid_angle);
-    for (int j = 0; j < 4; j++)
+    for (int j = 0; j < 4; j++) {
       cap->four[i][j] = um_vec3_unit(
           um_vec3_axpy(um_vec3_axpy(d, j & 1 ? a : -a, across), j & 2 ? a : -a, along));
+      cap->cell[i][j] = cube_cell(cap->four[i][j]);
+    }
   }
 }
 
@@ -24,14 +87,15 @@ void um_thermal_cap_spread(struct um_thermal_cap *cap)
 static void look_at_sky(const struct um_thermal_scene *scene, size_t surface, struct um_vec3 normal,
                         const struct um_thermal_cap *cap, double *free_of)
 {
+  const uint8_t *freedom = scene->freedom + scene->row[surface];
   for (size_t i = 0; i < cap->n; i++) {
-    double sum = 0.0, n = 0.0;
+    int sum = 0, n = 0;
     for (int j = 0; j < 4; j++) {
       if (!(um_vec3_dot(cap->four[i][j], normal) > 0.0)) continue;
-      sum += um_geometry_sky_free(scene->sky, surface, cap->four[i][j]);
-      n += 1.0;
+      sum += freedom[cap->cell[i][j]];
+      n++;
     }
-    free_of[i] = n > 0.0 ? sum / n : 0.0;
+    free_of[i] = n > 0 ? sum / (255.0 * n) : 0.0;
   }
 }
 
@@ -73,7 +137,7 @@ void um_thermal_cap_shares(const struct um_geometry_mesh *mesh,
                            double *planet)
 {
   double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS] = {0.0};
-  if (scene->sky != NULL)
+  if (scene->row != NULL)
     look_at_sky(scene, surface, normal, cap, free_of);
   else
     look_by_rays(mesh, scene, surface, normal, cap, free_of);

@@ -4,21 +4,31 @@
 
 #include "thermal/loads.h"
 
-/* A pose with its scene and, on a rigid body with anything covered, its sky. */
+/* A pose with its scene and, on a rigid body with anything covered, how free every direction is:
+ * cells of a cube around each covered surface. */
 struct um_thermal_scene {
   struct um_geometry_pose *pose;
   struct um_geometry_visibility *visibility;
-  struct um_geometry_sky *sky;
+  size_t *row;      /* [nsurface] first cell; SIZE_MAX where open. NULL: rays are to be asked */
+  uint8_t *freedom; /* [ncovered][UM_THERMAL_CUBE_CELLS] free fraction times 255 */
 };
+#define UM_THERMAL_CUBE_SIDE  16 /* 5.6 deg: the sky's own cells have 12.6 deg */
+#define UM_THERMAL_CUBE_CELLS (6 * UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE)
+
 /* The visible cap; every direction also as four within its cell, since cells of the sky and of the
  * cap are of one size and would beat. */
 struct um_thermal_cap {
   struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
   struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
+  size_t cell[UM_EARTH_CAP_POINTS][4];
   size_t n;
 };
 
-/* Fill `four` from the points. */
+/* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
+enum um_status um_thermal_scene_tabulate(struct um_context *context,
+                                         const struct um_geometry_mesh *mesh, int nsample,
+                                         struct um_thermal_scene *scene);
+/* Fill `four` and `cell` from the points. */
 void um_thermal_cap_spread(struct um_thermal_cap *cap);
 /* Free shares [1] of the cap before a surface of unit normal `normal`, for what the Earth reflects
  * and for what it emits; 1 where nothing of it lies before the surface. */
