@@ -92,6 +92,39 @@ static void summarise_heat(const struct um_model_trace *trace, const struct um_m
          a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
 }
 
+/* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
+ * the last band; where these coincide, the middle of a third of the run. In order of time. */
+static void choose_instants(const struct um_model_trace *trace, const struct um_model_result *r,
+                            size_t k[PANEL_COLUMNS])
+{
+  size_t longest = 0, n = r->nobs;
+  for (size_t c = 0; c < PANEL_COLUMNS; c++) k[c] = n * (2 * c + 1) / (2 * PANEL_COLUMNS);
+  for (size_t i = 0; i < n; i++) {
+    size_t end = i;
+    while (end < n && !(trace->sunlit[end] > 0.0)) end++;
+    if (end - i > longest) {
+      longest = end - i;
+      k[0] = i + longest / 2;
+    }
+    if (end > i) i = end;
+  }
+  for (size_t c = 1; c < PANEL_COLUMNS; c++) {
+    size_t band = c == 1 ? 0 : r->nband - 1, best = 0;
+    for (size_t i = 1; i < n; i++)
+      if (intensity_of(r, i, band, -1) > intensity_of(r, best, band, -1)) best = i;
+    bool taken = false;
+    for (size_t d = 0; d < c; d++) taken = taken || k[d] == best;
+    if (!taken) k[c] = best;
+  }
+  for (size_t a = 0; a < PANEL_COLUMNS; a++)
+    for (size_t b = a + 1; b < PANEL_COLUMNS; b++)
+      if (k[b] < k[a]) {
+        size_t swap = k[a];
+        k[a] = k[b];
+        k[b] = swap;
+      }
+}
+
 static enum um_status pictures(struct um_context *context, const struct um_output_run *run,
                                const char *folder)
 {
@@ -103,8 +136,10 @@ static enum um_status pictures(struct um_context *context, const struct um_outpu
   UM_TRY(um_core_allocate(context, n, sizeof *panels, &panels));
   UM_CHECK(um_core_allocate(context, n, sizeof *images, &images));
   UM_CHECK(um_core_allocate(context, PANEL_COLUMNS, sizeof *captions, &captions));
+  size_t instant[PANEL_COLUMNS];
+  choose_instants(run->trace, run->result, instant);
   for (size_t c = 0; c < PANEL_COLUMNS; c++) {
-    size_t k = run->result->nobs * (2 * c + 1) / (2 * PANEL_COLUMNS);
+    size_t k = instant[c];
     um_orbit_time_format(run->trace->t_obs[k], captions[c]);
     for (size_t b = 0; b < nband; b++) {
       UM_CHECK(um_model_picture(context, run->model, run->trace, run->result, k, b, PANEL_WIDTH, 4,
