@@ -23,6 +23,9 @@ enum um_status um_thermal_integrator_create(struct um_thermal_system *system, do
                                             struct um_thermal_integrator **out);
 void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator);
 
+/* From the next start on: tolerances times `factor` >= 1; above 1 without the care for the audit.
+ */
+void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, double factor);
 /* Begin (again) at time 0 from node temperatures [n]; eliminated nodes are guesses. mean_cube [n]
  * or NULL: receives the integral of |T|^3 dt [K^3 s] over the run. */
 enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,

@@ -31,17 +31,19 @@
 #include "thermal/integrator_impl.h"
 
 #define ORBITS_LIMIT   40
-#define ANDERSON_DEPTH 3
+#define ANDERSON_DEPTH 1
 #define ANDERSON_DELAY 2    /* plain corrections first, while radiation is far from linear */
 #define LARGEST_CHANGE 0.25 /* of a temperature in one correction */
-#define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
+#define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
+#define LOOSENED       100.0 /* a quarter of the steps */
+#define SLOWEST        1e-6  /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
   struct um_thermal_system *system;
   struct um_thermal_integrator *integrator;
   double period; /* [s] */
   SUNContext sun;
-  N_Vector y, sum, right, part;
+  N_Vector y, sum, right, part, one;
   SUNMatrix matrix;
   SUNLinearSolver solver;
   bool factored; /* the symbolic factorisation was made */
@@ -154,8 +156,9 @@ static enum um_status storage_create(struct periodic *periodic)
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
   if (SUNContext_Create(NULL, &periodic->sun) != 0) return memory_fail(periodic);
   sunindextype n = (sunindextype)system->nunknown;
-  N_Vector *const vectors[4] = {&periodic->y, &periodic->sum, &periodic->right, &periodic->part};
-  for (int k = 0; k < 4; k++) {
+  N_Vector *const vectors[5] = {&periodic->y, &periodic->sum, &periodic->right, &periodic->part,
+                                &periodic->one};
+  for (int k = 0; k < 5; k++) {
     *vectors[k] = N_VNew_Serial(n, periodic->sun);
     if (*vectors[k] == NULL) return memory_fail(periodic);
   }
@@ -177,6 +180,7 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   if (periodic->sum != NULL) N_VDestroy(periodic->sum);
   if (periodic->right != NULL) N_VDestroy(periodic->right);
   if (periodic->part != NULL) N_VDestroy(periodic->part);
+  if (periodic->one != NULL) N_VDestroy(periodic->one);
   if (periodic->sun != NULL) SUNContext_Free(&periodic->sun);
   um_core_free(context, periodic->start);
   um_core_free(context, periodic->end);
@@ -199,37 +203,51 @@ static struct um_thermal_periodic report_make(const struct periodic *periodic)
   return report;
 }
 
+static enum um_status not_converged(struct periodic *periodic, double tolerance, int code)
+{
+  struct um_thermal_periodic report = report_make(periodic);
+  char label[96];
+  um_thermal_network_label(periodic->system->network, (uint32_t)report.drift_node, label,
+                           sizeof label);
+  return um_core_fail(
+      periodic->system->context, UM_ERR_NUMERIC,
+      "no periodic state after %zu orbits: %.3g K away, %s drifts %.3g K per orbit; "
+      "wanted %.3g K (KINSOL code %d: %s)",
+      periodic->orbits, periodic->distance, label, report.drift, tolerance, code,
+      periodic->words[0] != '\0' ? periodic->words : "no message");
+}
+
+/* Fixed point to `tolerance` [K] with integration tolerances times `loosened`. KINSOL judges its
+ * mixed iterate, we the correction itself: go on until that is small. */
+static enum um_status converge(struct periodic *periodic, double tolerance, double loosened)
+{
+  um_thermal_integrator_loosen(periodic->integrator, loosened);
+  int code = KINSetFuncNormTol(periodic->kinsol, tolerance);
+  do {
+    if (code >= 0)
+      code = KINSol(periodic->kinsol, periodic->y, KIN_FP, periodic->one, periodic->one);
+    if (periodic->status != UM_OK) return periodic->status;
+    if (code < 0) return not_converged(periodic, tolerance, code);
+  } while (!(periodic->distance <= tolerance) && periodic->orbits < ORBITS_LIMIT);
+  return periodic->distance <= tolerance ? UM_OK : not_converged(periodic, tolerance, code);
+}
+
 static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
 {
-  struct um_context *context = periodic->system->context;
+  const struct um_thermal_system *system = periodic->system;
   void *kinsol = periodic->kinsol;
   double *y = N_VGetArrayPointer(periodic->y);
-  for (size_t k = 0; k < periodic->system->nunknown; k++)
-    y[k] = periodic->start[periodic->system->node[k]];
-  N_Vector ones = N_VClone(periodic->y);
-  if (ones == NULL) return memory_fail(periodic);
-  N_VConst(1.0, ones);
+  for (size_t k = 0; k < system->nunknown; k++) y[k] = periodic->start[system->node[k]];
+  N_VConst(1.0, periodic->one);
   int code = KINSetErrHandlerFn(kinsol, words_keep, periodic);
   if (code >= 0) code = KINSetMAA(kinsol, ANDERSON_DEPTH);
   if (code >= 0) code = KINInit(kinsol, orbit_callback, periodic->y);
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
   if (code >= 0) code = KINSetNumMaxIters(kinsol, ORBITS_LIMIT);
-  if (code >= 0) code = KINSetFuncNormTol(kinsol, tolerance);
-  if (code >= 0) code = KINSol(kinsol, periodic->y, KIN_FP, ones, ones);
-  N_VDestroy(ones);
-  if (periodic->status != UM_OK) return periodic->status;
-  if (code >= 0 && periodic->distance <= tolerance) return UM_OK;
-  struct um_thermal_periodic report = report_make(periodic);
-  char label[96];
-  um_thermal_network_label(periodic->system->network, (uint32_t)report.drift_node, label,
-                           sizeof label);
-  return um_core_fail(
-      context, UM_ERR_NUMERIC,
-      "no periodic state after %zu orbits: %.3g K away, %s drifts %.3g K per orbit; "
-      "wanted %.3g K (KINSOL code %d: %s)",
-      periodic->orbits, periodic->distance, label, report.drift, tolerance, code,
-      periodic->words[0] != '\0' ? periodic->words : "no message");
+  if (code < 0) return not_converged(periodic, tolerance, code);
+  if (tolerance < ROUGH) UM_TRY(converge(periodic, ROUGH, LOOSENED));
+  return converge(periodic, tolerance, 1.0);
 }
 
 static enum um_status arguments_check(struct um_context *context,

@@ -1,0 +1,204 @@
+/* Laws of a run: energy closes, heat flows add up to the change of temperature, the same bytes for
+ * any number of threads, and what is refused. Subject: the spinning box of box_help.h. */
+#include <stdlib.h>
+
+#include "tests/thermal/box_help.h"
+
+#define PERIOD 6000.0
+#define ROWS   1201 /* every 5 s */
+
+/* Solar heat [J] of nodes from the table: every interval is a product of linear functions of time,
+ * at most cubic, so Simpson's rule is exact. */
+static double solar_exact(const struct um_thermal_network *network,
+                          const struct um_thermal_loads *loads)
+{
+  double sum = 0.0;
+  size_t surfaces = um_thermal_network_surfaces(network);
+  double *row = calloc(loads->ntime, sizeof *row);
+  assert_non_null(row);
+  for (size_t k = 0; k < loads->ntime; k++)
+    for (size_t s = 0; s < surfaces; s++) {
+      const struct um_thermal_surface *surface = um_thermal_network_surface(network, (uint32_t)s);
+      row[k] += surface->area * (surface->absorptance - surface->extraction) *
+                (double)loads->sun[k * loads->nsurface + s];
+    }
+  for (size_t k = 0; k + 1 < loads->ntime; k++) {
+    double a = row[k] * loads->sunlit[k] * loads->irradiance[k];
+    double b = row[k + 1] * loads->sunlit[k + 1] * loads->irradiance[k + 1];
+    double middle = 0.125 * (row[k] + row[k + 1]) * (loads->sunlit[k] + loads->sunlit[k + 1]) *
+                    (loads->irradiance[k] + loads->irradiance[k + 1]);
+    sum += (loads->t[k + 1] - loads->t[k]) * (a + 4.0 * middle + b) / 6.0;
+  }
+  free(row);
+  return sum;
+}
+
+/* |in - out - stored| / (in + out) below 1e-6 with default tolerances, with skins that store heat
+ * and with massless ones; and the integrator saw all of the Sun: BDF steps over the kinks of the
+ * table within the error test, which leaves 1e-5 of the integral. */
+static void test_energy(void **state)
+{
+  (void)state;
+  const double skin[2] = {77.39, 0.0};
+  for (int c = 0; c < 2; c++) {
+    uint32_t interior;
+    struct um_thermal_network *network = box_network(3, skin[c], &interior);
+    struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+    struct um_thermal_solve_options options;
+    um_thermal_solve_defaults(&options);
+    struct um_thermal_history *history = NULL;
+    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history));
+    double sun = solar_exact(network, loads);
+    print_message("skin %.0f J/m2/K: audit %.1e, sun %.1e, %zu steps, %zu rhs, %zu Jacobians\n",
+                  skin[c], history->audit_error, history->audit.solar / sun - 1.0, history->steps,
+                  history->rhs_evaluations, history->jacobians);
+    if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
+    NEAR("solar heat", history->audit.solar / sun, 1.0, 1e-5);
+    um_thermal_history_destroy(help_context, &history);
+    um_thermal_loads_destroy(help_context, &loads);
+    um_thermal_network_destroy(&network);
+  }
+}
+
+/* stored of a node = C dT/dt: central difference of the history over +-0.5 s, where the loads are
+ * smooth; second derivatives leave 1e-3 of the largest rate. The sum over nodes has no conducted
+ * and no exchanged part. */
+static void test_heat_of_nodes(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(3, 77.39, &interior);
+  struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+  struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
+  const double times[3] = {1001.5, 1002.0, 1002.5};
+  struct um_thermal_history *history = NULL;
+  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, 3, &history));
+  size_t n = um_thermal_network_nodes(network);
+  struct um_thermal_heat *heat = calloc(n, sizeof *heat);
+  assert_non_null(heat);
+  OK(um_thermal_heat_of_nodes(help_context, network, loads, &options, times[1],
+                              history->temperature + n, heat));
+  double conducted = 0.0, exchanged = 0.0, gross = 0.0, worst = 0.0, largest = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    double rate = history->temperature[2 * n + i] - history->temperature[i]; /* per 1 s */
+    double capacity = um_thermal_network_capacity(network, (uint32_t)i);
+    worst = fmax(worst, fabs(heat[i].stored / capacity - rate));
+    largest = fmax(largest, fabs(rate));
+    conducted += heat[i].conducted;
+    exchanged += heat[i].exchanged;
+    gross += fabs(heat[i].conducted) + fabs(heat[i].exchanged);
+  }
+  NEAR("C dT/dt", worst, 0.0, 1e-3 * largest);
+  NEAR("conducted sum", conducted, 0.0, 1e-12 * gross);
+  NEAR("exchanged sum", exchanged, 0.0, 1e-12 * gross);
+  free(heat);
+  um_thermal_history_destroy(help_context, &history);
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
+static void test_threads(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(3, 77.39, &interior);
+  struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  struct um_thermal_history *history[2] = {NULL, NULL};
+  int before = um_core_context_threads(help_context);
+  for (int k = 0; k < 2; k++) {
+    um_core_context_set_threads(help_context, k + 1);
+    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history[k]));
+  }
+  um_core_context_set_threads(help_context, before);
+  assert_memory_equal(history[0]->temperature, history[1]->temperature,
+                      ROWS * history[0]->nnode * sizeof(double));
+  assert_memory_equal(&history[0]->audit, &history[1]->audit, sizeof history[0]->audit);
+  for (int k = 0; k < 2; k++) um_thermal_history_destroy(help_context, &history[k]);
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
+/* A spin of 28.17 turns in the window: the state at its end is another attitude's. The iteration
+ * still settles, and the interior's answer is the same as from another start. */
+static void test_incommensurate_spin(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(2, 77.39, &interior);
+  struct um_thermal_loads *loads = box_loads(2, 601, PERIOD, PERIOD / 213.0);
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  size_t n = um_thermal_network_nodes(network);
+  double *temperature = calloc(3 * n, sizeof *temperature), *drift = temperature + 2 * n;
+  assert_non_null(temperature);
+  struct um_thermal_periodic report;
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
+                                      temperature, drift, &report));
+  print_message("%zu orbits, drift %.1e K, distance %.1e K, interior %.4f K\n", report.orbits,
+                report.drift, report.distance, temperature[interior]);
+  assert_true(report.orbits <= 10);
+  NEAR("largest drift", fabs(drift[report.drift_node]), report.drift, 0.0);
+  NEAR("drift", report.drift, 0.0, 0.02);
+  for (size_t i = 0; i < n; i++) temperature[n + i] = 200.0;
+  um_thermal_network_temperatures_set(network, temperature + n);
+  double largest;
+  OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
+                               temperature + n, &largest));
+  for (size_t i = 0; i < n; i++) NEAR("from 200 K", temperature[n + i], temperature[i], 0.02);
+  free(temperature);
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
+/* Every refusal is one line that names what is wrong. */
+static void expect_refused(struct um_thermal_network *network, struct um_thermal_loads *loads,
+                           double from, double to, const char *words)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  struct um_thermal_history *history = NULL;
+  um_core_message_clear(help_context);
+  assert_int_equal(um_thermal_solve(help_context, network, loads, &options, from, &to, 1, &history),
+                   UM_ERR_INPUT);
+  assert_null(history);
+  if (strstr(um_core_message(help_context), words) == NULL)
+    fail_msg("'%s' does not say '%s'", um_core_message(help_context), words);
+  um_core_message_clear(help_context);
+}
+static void test_refused(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(2, 77.39, &interior);
+  struct um_thermal_loads *loads = box_loads(2, 61, PERIOD, 3.0);
+  loads->sun[40 * 3 + 3] = NAN;
+  expect_refused(network, loads, 0.0, 1000.0, "sun on surface 3 at row 3");
+  loads->sun[40 * 3 + 3] = 0.0f;
+  loads->planet[7] = INFINITY;
+  expect_refused(network, loads, 0.0, 1000.0, "planet on surface 7 at row 0");
+  loads->planet[7] = 0.0f;
+  loads->sunlit[5] = NAN;
+  expect_refused(network, loads, 0.0, 1000.0, "sunlit fraction at row 5");
+  loads->sunlit[5] = 1.0;
+  expect_refused(network, loads, 0.0, PERIOD + 1.0, "inside its loads");
+  expect_refused(network, loads, 10.0, 5.0, "not before the start");
+  loads->t[9] = loads->t[7];
+  expect_refused(network, loads, 0.0, 1000.0, "ascending");
+  loads->t[9] = 900.0;
+  loads->nsurface = 30;
+  expect_refused(network, loads, 0.0, 1000.0, "30 surfaces");
+  loads->nsurface = 40;
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_energy), cmocka_unit_test(test_heat_of_nodes),
+      cmocka_unit_test(test_threads), cmocka_unit_test(test_incommensurate_spin),
+      cmocka_unit_test(test_refused)};
+  return cmocka_run_group_tests(tests, help_setup, help_teardown);
+}
