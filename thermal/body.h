@@ -35,6 +35,8 @@ enum um_thermal_part_kind {
   UM_THERMAL_SOLID, /* TetGen tetrahedra */
   UM_THERMAL_LUMPED /* one isothermal node per group and side */
 };
+/* The inner side of a closed body does not radiate: heat crosses it by conduction, contacts and its
+ * interior. */
 struct um_thermal_part_spec {
   uint32_t part;
   enum um_thermal_part_kind kind;
@@ -47,14 +49,19 @@ struct um_thermal_part_spec {
   const struct um_thermal_group_spec *groups;  /* one for every group of the part */
   size_t ngroup;
 };
-/* a, b: "part", "part.group", "part.front", "part.back" or "part.interior"; spread over all nodes
- * there by area. */
+/* a, b: "part", "part.group", "part.group.back", "part.front", "part.back" or "part.interior". The
+ * conductance acts where the two places are nearest (their facets within the smallest gap plus half
+ * a facet edge), by area: faces lying on each other exchange all over, a hinge or bracket at the
+ * edge next to it. An interior is met everywhere by area. Under MLI the wall is met; where MLI
+ * wraps the interior, the interior. Sun-following joints stand at angle 0. See contact.c. */
 struct um_thermal_contact {
   const char *a, *b;
   double conductance; /* [W/K] */
 };
 
-/* Names of places to report: parts, sides, groups, interiors. */
+/* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
+ * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it.
+ */
 struct um_thermal_place {
   char *name;     /* "bus", "bus.+x", "solar_array.front", "bus.interior" */
   uint32_t *node; /* [nnode] */
@@ -67,6 +74,9 @@ struct um_thermal_body {
   size_t nplace;
   size_t ntetrahedron;
 };
+/* UM_ERR_INPUT: a part or group without spec or with two, a value out of range, MLI or conductance
+ * to an interior that is not there, an unknown place in a contact; and what TetGen's wrapper
+ * refuses. specs and contacts are borrowed for the call. */
 enum um_status um_thermal_body_create(struct um_context *context,
                                       const struct um_geometry *geometry,
                                       const struct um_thermal_part_spec *parts, size_t npart,

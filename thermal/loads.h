@@ -21,8 +21,10 @@ struct um_thermal_loads {
 };
 
 /* samples[ntime] ascending; sun samples per facet nsample. Poses follow the joints of each sample.
- * Earth loads: exact unobstructed flux per normal times the free share of the cap by the body-frame
- * sky; Sun: rays. Parallel over times. Progress is reported. */
+ * Earth loads: exact unobstructed flux per normal times the free share of the cap (rigid body: its
+ * sky; moving joints: rays in the pose of the sample; about 1 % of the hemisphere on covered
+ * surfaces, exact on open ones); Sun: rays, left 0 farther than 120 s and one sample from sunlight.
+ * Parallel over times. Progress is reported. */
 enum um_status um_thermal_loads_trace(struct um_context *context,
                                       const struct um_geometry *geometry,
                                       const struct um_environment *environment,

@@ -1,0 +1,136 @@
+/* Every allocation of a body and of its loads fails once: the answer is "out of memory", nothing is
+ * left behind, and the next try works. */
+#include "tests/thermal/body_help.h"
+#include "thermal/loads.h"
+
+struct counter {
+  long live, made, fail_at;
+};
+
+static void *count_allocate(void *self, size_t bytes)
+{
+  struct counter *c = self;
+  if (++c->made == c->fail_at) return NULL;
+  void *block = malloc(bytes);
+  if (block != NULL) c->live++;
+  return block;
+}
+static void *count_reallocate(void *self, void *block, size_t bytes)
+{
+  struct counter *c = self;
+  if (++c->made == c->fail_at) return NULL;
+  void *grown = realloc(block, bytes);
+  if (block == NULL && grown != NULL) c->live++;
+  return grown;
+}
+static void count_release(void *self, void *block)
+{
+  struct counter *c = self;
+  if (block != NULL) c->live--;
+  free(block);
+}
+
+static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
+{
+  *mli = (struct um_thermal_mli){.effective_emittance = 0.01, .areal_heat_capacity = 60.0};
+  help_part(s, "bus", UM_SHAPE_BOX, NULL);
+  s->spec[0].has_interior = true;
+  s->spec[0].interior_capacity = 1e4;
+  s->group[0].mli = mli;
+  s->group[0].interior_conductance = 2.0;
+  help_part(s, "array", UM_SHAPE_PLATE, "paint");
+  s->shape[1].position = um_vec3(1.2, 0, 0);
+  s->shape[1].joint = UM_JOINT_SUN;
+  s->shape[1].joint_axis = um_vec3(1, 0, 0);
+  s->shape[1].joint_normal = um_vec3(0, 0, 1);
+  s->spec[1].kind = UM_THERMAL_LUMPED;
+  help_part(s, "tank", UM_SHAPE_BOX, NULL);
+  s->shape[2].position = um_vec3(-2, 0, 0);
+  s->shape[2].solid = true;
+  s->spec[2].kind = UM_THERMAL_SOLID;
+}
+
+static void test_body(void **state)
+{
+  (void)state;
+  struct help_satellite s = {0};
+  struct um_thermal_mli mli;
+  struct um_context *saved = help_context;
+  struct counter c = {0, 0, 0};
+  struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+  OK(um_core_context_create(&allocator, &help_context));
+  describe(&s, &mli);
+  help_geometry(&s);
+  const struct um_thermal_contact contact[2] = {{"bus", "array", 2.0},
+                                                {"bus.interior", "tank", 1.0}};
+  long live = c.live, tries = 0;
+  enum um_status status = UM_ERR_MEMORY;
+  while (status != UM_OK) {
+    c.made = 0;
+    c.fail_at = ++tries;
+    um_core_message_clear(help_context);
+    status = um_thermal_body_create(help_context, s.geometry, s.spec, s.npart, contact, 2, &s.body);
+    if (status == UM_OK) break;
+    assert_int_equal(status, UM_ERR_MEMORY);
+    assert_null(s.body);
+    assert_int_equal(c.live, live);
+  }
+  print_message("body: %ld allocations failed one by one\n", tries - 1);
+  assert_true(tries > 30);
+  help_end(&s);
+  um_core_context_destroy(&help_context);
+  assert_int_equal(c.live, 0);
+  help_context = saved;
+}
+
+static void test_loads(void **state)
+{
+  (void)state;
+  for (int moving = 0; moving < 2; moving++) {
+    struct help_satellite s = {0};
+    struct um_thermal_mli mli;
+    struct um_context *saved = help_context;
+    struct counter c = {0, 0, 0};
+    struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+    OK(um_core_context_create(&allocator, &help_context));
+    um_core_context_set_threads(help_context, 1);
+    describe(&s, &mli);
+    if (!moving) s.shape[1].joint = UM_JOINT_NONE;
+    help_geometry(&s);
+    struct um_environment environment;
+    um_environment_defaults(&environment);
+    struct um_environment_sample sample = {.r = {7e6, 0, 0},
+                                           .sun = {1, 0, 0},
+                                           .sun_distance = UM_AU,
+                                           .pole = {0, 0, 1},
+                                           .sunlit_fraction = 1.0,
+                                           .q = {1, 0, 0, 0}};
+    long live = c.live, tries = 0;
+    enum um_status status = UM_ERR_MEMORY;
+    struct um_thermal_loads *loads = NULL;
+    while (status != UM_OK) {
+      c.made = 0;
+      c.fail_at = ++tries;
+      um_core_message_clear(help_context);
+      status = um_thermal_loads_trace(help_context, s.geometry, &environment, &sample, 1, NULL, 0,
+                                      4, &loads);
+      if (status == UM_OK) break;
+      assert_int_equal(status, UM_ERR_MEMORY);
+      assert_null(loads);
+      assert_int_equal(c.live, live);
+    }
+    print_message("loads: %ld allocations failed one by one\n", tries - 1);
+    assert_true(tries > 15);
+    um_thermal_loads_destroy(help_context, &loads);
+    help_end(&s);
+    um_core_context_destroy(&help_context);
+    assert_int_equal(c.live, 0);
+    help_context = saved;
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_body), cmocka_unit_test(test_loads)};
+  return cmocka_run_group_tests(tests, help_setup, help_teardown);
+}
