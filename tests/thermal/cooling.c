@@ -113,9 +113,9 @@ static void test_massless_shields(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_defaults),
-      cmocka_unit_test(test_newton), cmocka_unit_test(test_massless_between),
-      cmocka_unit_test(test_massless_shields)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_closed_forms),
+                                     cmocka_unit_test(test_defaults), cmocka_unit_test(test_newton),
+                                     cmocka_unit_test(test_massless_between),
+                                     cmocka_unit_test(test_massless_shields)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
