@@ -45,7 +45,7 @@ enum um_status um_output_write_exr(struct um_context *context, const struct um_o
                                    const char *path);
 /* The satellite as seen in every band at several observations: satellite.png in `folder`, a row per
  * band, a column per instant, each row on one scale of band radiance [W/m^2/sr]; logarithmic over
- * four decades where the brightest pixel outshines the mean a hundredfold. panels[rows * columns].
+ * four decades where one picture outshines another thirtyfold. panels[rows * columns].
  */
 struct um_output_panel {
   const struct um_optics_image *image;

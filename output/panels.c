@@ -7,9 +7,9 @@
 #include "output/gnuplot_impl.h"
 #include "output/output.h"
 
-#define SCRIPT         "satellite.gp"
-#define DECADES        1e-4 /* lower end of a logarithmic scale */
-#define GLINT_CONTRAST 100  /* brightest over mean that asks for one */
+#define SCRIPT   "satellite.gp"
+#define DECADES  1e-4 /* lower end of a logarithmic scale */
+#define CONTRAST 30   /* brightest over faintest picture of a row that asks for one */
 
 /* Radiance over the band [W/m^2/sr]. */
 static float pixel_radiance(const struct um_optics_image *image, size_t pixel)
@@ -21,24 +21,21 @@ static float pixel_radiance(const struct um_optics_image *image, size_t pixel)
 }
 
 struct scale {
-  double largest, mean; /* [W/m^2/sr] over all pixels that see the satellite */
+  double largest;  /* of all pixels of a row [W/m^2/sr] */
+  double faintest; /* largest of the faintest picture that shows anything */
 };
 
 static struct scale scale_of(const struct um_output_panel *panels, size_t columns)
 {
-  struct scale s = {0.0, 0.0};
-  size_t n = 0;
+  struct scale s = {0.0, INFINITY};
   for (size_t c = 0; c < columns; c++) {
     const struct um_optics_image *image = panels[c].image;
-    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++) {
-      if (image->surface[i] == UM_GEOMETRY_NONE) continue;
-      double v = pixel_radiance(image, i);
-      s.largest = fmax(s.largest, v);
-      s.mean += v;
-      n++;
-    }
+    double own = 0.0;
+    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++)
+      own = fmax(own, pixel_radiance(image, i));
+    s.largest = fmax(s.largest, own);
+    if (own > 0.0) s.faintest = fmin(s.faintest, own);
   }
-  if (n > 0) s.mean /= (double)n;
   return s;
 }
 
@@ -66,7 +63,7 @@ static enum um_status write_raw(struct um_context *context, const struct um_opti
 static void script_row(FILE *f, const struct um_output_panel *panels, size_t columns, size_t first)
 {
   struct scale s = scale_of(panels, columns);
-  bool log_scale = s.largest > GLINT_CONTRAST * s.mean && s.mean > 0.0;
+  bool log_scale = s.largest > CONTRAST * s.faintest;
   fprintf(f, "%s logscale cb\n", log_scale ? "set" : "unset");
   fprintf(f, "set cbrange [%.6g:%.6g]\n", log_scale ? DECADES * s.largest : 0.0,
           s.largest > 0.0 ? s.largest : 1.0);

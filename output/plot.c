@@ -9,6 +9,9 @@
 #include "output/gnuplot_impl.h"
 #include "output/output.h"
 
+#define PEAK_CONTRAST 5.0 /* highest over mean in sunlight that asks for a logarithmic axis */
+#define LOG_FLOOR     1e-5
+
 /* Minutes from the first observation, the abscissa of every picture. */
 static double minutes(const struct um_output_run *run, double t)
 {
@@ -52,6 +55,29 @@ static void head(const struct um_output_run *run, FILE *f, const char *picture, 
           fmax(minutes(run, run->trace->t_obs[run->trace->nobs - 1]), 1e-3));
 }
 
+/* Specular peaks outshine the rest by orders of magnitude; such a band gets a logarithmic axis,
+ * five decades down from its maximum. */
+static void ordinate(const struct um_output_run *run, FILE *f, size_t band)
+{
+  const struct um_model_result *r = run->result;
+  double largest = 0.0, lit = 0.0;
+  size_t n = 0;
+  for (size_t k = 0; k < r->nobs; k++) {
+    double total = 0.0;
+    const double *at = r->intensity + (k * r->nband + band) * r->nmaterial * UM_MECHANISM_COUNT;
+    for (size_t i = 0; i < r->nmaterial * UM_MECHANISM_COUNT; i++) total += at[i];
+    largest = fmax(largest, total);
+    if (!(run->trace->sunlit[k] > 0.0)) continue;
+    lit += total;
+    n++;
+  }
+  if (n > 0 && largest > PEAK_CONTRAST * lit / (double)n)
+    fprintf(f, "set logscale y\nset yrange [%.3g:%.3g]\nset format y '10^{%%T}'\n",
+            LOG_FLOOR * largest, 2.0 * largest);
+  else
+    fputs("unset logscale y\nset yrange [0:*]\nset format y '%g'\n", f);
+}
+
 /* Columns of lightcurve.csv: eight before the bands, then nine per band. */
 static void script_lightcurve(const struct um_output_run *run, FILE *f)
 {
@@ -70,18 +96,23 @@ static void script_lightcurve(const struct um_output_run *run, FILE *f)
     fprintf(f, "set ylabel \"");
     print_title(f, band->name);
     fprintf(f, " %g-%g um\\nradiant intensity [W/sr]\"\n", band->from * 1e6, band->to * 1e6);
+    ordinate(run, f, b);
     if (b + 1 == n)
       fprintf(f, "set xlabel \"minutes after %s UTC (grey: no sunlight on the satellite)\"\n",
               start);
     fprintf(f,
-            "plot 'lightcurve.csv' every ::1 using (m(strcol(1))):%zu with lines linewidth 1.6 "
+            "plot 'lightcurve.csv' every ::1 using (m(strcol(1))):%zu with lines linewidth 2.4 "
             "linecolor rgb '%s' title 'total', '' every ::1 using (m(strcol(1))):%zu with lines "
-            "linecolor rgb '#e69f00' title 'Sun', '' every ::1 using (m(strcol(1))):%zu with lines "
+            "linewidth 1.2 dashtype 2 linecolor rgb '#e69f00' title 'Sun', '' every ::1 using "
+            "(m(strcol(1))):%zu with lines "
             "linecolor rgb '#009e73' title 'Earth', '' every ::1 using (m(strcol(1))):%zu with "
             "lines linecolor rgb '#888888' title 'emitted'\n",
             first, colour[b % 4], first + 1, first + 2, first + 3);
   }
-  fputs("unset multiplot\nunset object\nset lmargin\nset key default\n", f);
+  fputs("unset multiplot\nunset object\nset lmargin\nset key default\nunset logscale y\n"
+        "set yrange [*:*]\nset format y "
+        "'%g'\n",
+        f);
 }
 
 static void script_temperatures(const struct um_output_run *run, FILE *f)
