@@ -27,11 +27,13 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   return UM_OK;
 }
 
-/* Whole parts and interiors own their nodes alone, so their heats add up to the satellite's. */
+/* Whole parts (what radiates), walls under MLI and interiors own their nodes alone, so their heats
+ * add up to the satellite's. */
 static bool owns_its_nodes(const char *name)
 {
   const char *dot = strchr(name, '.');
-  return strchr(name, ':') == NULL && (dot == NULL || strcmp(dot, ".interior") == 0);
+  return strchr(name, ':') == NULL &&
+         (dot == NULL || strcmp(dot, ".interior") == 0 || strcmp(dot, ".wall") == 0);
 }
 
 enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)

@@ -1,0 +1,100 @@
+/* The registry: every descriptor is complete, and a core switch changes its own field alone. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "effects/effects.h"
+#include "environment/environment.h"
+
+static void descriptors_are_complete(void **state)
+{
+  (void)state;
+  assert_true(um_effects_count() >= 6);
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    assert_int_equal(e->abi_version, UM_EFFECT_ABI_VERSION);
+    assert_int_equal(e->struct_size, sizeof *e);
+    assert_true(strlen(e->name) > 0 && strlen(e->summary) > 0);
+    assert_true(strlen(e->reference) > 0 && strlen(e->validity) > 0);
+    assert_true(e->targets != 0);
+    assert_ptr_equal(um_effects_find(e->name), e);
+    for (size_t k = 0; k < i; k++) assert_string_not_equal(e->name, um_effects_at(k)->name);
+  }
+  assert_null(um_effects_find("no_such_effect"));
+}
+
+static void names_are_cut_to_size(void **state)
+{
+  (void)state;
+  char names[512], few[8];
+  um_effects_names(names, sizeof names);
+  for (size_t i = 0; i < um_effects_count(); i++)
+    assert_non_null(strstr(names, um_effects_at(i)->name));
+  um_effects_names(few, sizeof few);
+  assert_true(strlen(few) < sizeof few);
+}
+
+/* What each switch is to change, and nothing else. */
+static void check_switch(const char *name, void (*change)(struct um_environment *))
+{
+  struct um_environment expected, got;
+  memset(&expected, 0, sizeof expected);
+  memset(&got, 0, sizeof got);
+  um_environment_defaults(&expected);
+  um_environment_defaults(&got);
+  change(&expected);
+  const struct um_effect *e = um_effects_find(name);
+  assert_non_null(e);
+  assert_non_null(e->switch_off);
+  assert_int_equal(e->switch_off(NULL, &got), UM_OK);
+  assert_memory_equal(&got, &expected, sizeof got);
+}
+
+static void no_albedo(struct um_environment *e) { e->albedo_on = false; }
+static void no_earth_ir(struct um_environment *e) { e->planet_on = false; }
+static void no_earthshine(struct um_environment *e) { e->earthshine_on = false; }
+static void no_reflection(struct um_environment *e) { e->earth_reflection_on = false; }
+static void no_penumbra(struct um_environment *e) { e->disc = UM_DISC_POINT; }
+static void no_oblateness(struct um_environment *e) { e->shadow = UM_SHADOW_SPHERE; }
+
+static void switches_change_one_field(void **state)
+{
+  (void)state;
+  check_switch("albedo", no_albedo);
+  check_switch("earth_ir", no_earth_ir);
+  check_switch("earthshine", no_earthshine);
+  check_switch("reflected_earth_ir", no_reflection);
+  check_switch("penumbra", no_penumbra);
+  check_switch("oblateness", no_oblateness);
+}
+
+/* Without an ellipsoid there is nothing to make round. */
+static void oblateness_leaves_other_shadows(void **state)
+{
+  (void)state;
+  const struct um_effect *e = um_effects_find("oblateness");
+  const enum um_environment_shadow other[] = {UM_SHADOW_NONE, UM_SHADOW_CYLINDER, UM_SHADOW_SPHERE};
+  for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
+    struct um_environment environment;
+    um_environment_defaults(&environment);
+    environment.shadow = other[i];
+    assert_int_equal(e->switch_off(NULL, &environment), UM_OK);
+    assert_int_equal(environment.shadow, other[i]);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(descriptors_are_complete),
+      cmocka_unit_test(names_are_cut_to_size),
+      cmocka_unit_test(switches_change_one_field),
+      cmocka_unit_test(oblateness_leaves_other_shadows),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
