@@ -1,0 +1,249 @@
+/* See command.h. Standard output and error go into files, so that no pipe can fill up. */
+#include "tests/app/command.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define ARGUMENTS_MAX 32
+
+static char home[4096];   /* working folder of the test program */
+static char folder[4096]; /* the one that commands run in */
+
+static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
+{
+  (void)st;
+  (void)kind;
+  (void)ftw;
+  return remove(path);
+}
+
+int command_enter(void **state)
+{
+  (void)state;
+  if (home[0] == '\0' && getcwd(home, sizeof home) == NULL) return -1;
+  snprintf(folder, sizeof folder, "%.4000s/cli-XXXXXX", home);
+  return mkdtemp(folder) == NULL ? -1 : chdir(folder);
+}
+
+int command_leave(void **state)
+{
+  (void)state;
+  return chdir(home) == 0 ? nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS) : -1;
+}
+
+static _Noreturn void become(const char *const *arguments, const char *out, const char *err)
+{
+  char *list[ARGUMENTS_MAX + 2] = {(char *)"umbra"};
+  size_t n = 1;
+  while (*arguments != NULL && n <= ARGUMENTS_MAX) list[n++] = (char *)*arguments++;
+  int o = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  int e = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666), i = open("/dev/null", O_RDONLY);
+  if (o < 0 || e < 0 || i < 0 || dup2(i, 0) < 0 || dup2(o, 1) < 0 || dup2(e, 2) < 0) _exit(126);
+  execv(UMBRA_PROGRAM, list);
+  _exit(127);
+}
+
+struct command command_run_list(const char *const *arguments)
+{
+  char out[4200], err[4200];
+  struct command command = {0};
+  int state = 0;
+  /* beside the folder, so that they are not among the files that a test looks at */
+  snprintf(out, sizeof out, "%s.out", folder);
+  snprintf(err, sizeof err, "%s.err", folder);
+  fflush(NULL);
+  pid_t child = fork();
+  if (child == 0) become(arguments, out, err);
+  assert_true(child > 0);
+  while (waitpid(child, &state, 0) < 0) assert_int_equal(errno, EINTR);
+  command.code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+  command.out = command_read(out);
+  command.err = command_read(err);
+  remove(out);
+  remove(err);
+  return command;
+}
+
+static void collect(const char **list, const char *first, va_list rest)
+{
+  size_t n = 0;
+  for (const char *a = first; a != NULL && n < ARGUMENTS_MAX; a = va_arg(rest, const char *))
+    list[n++] = a;
+  list[n] = NULL;
+}
+
+struct command command_run(const char *first, ...)
+{
+  const char *list[ARGUMENTS_MAX + 1];
+  va_list rest;
+  va_start(rest, first);
+  collect(list, first, rest);
+  va_end(rest);
+  return command_run_list(list);
+}
+
+void command_expect(int code, const char *first, ...)
+{
+  const char *list[ARGUMENTS_MAX + 1];
+  va_list rest;
+  va_start(rest, first);
+  collect(list, first, rest);
+  va_end(rest);
+  struct command command = command_run_list(list);
+  if (command.code != code)
+    fail_msg("umbra %s: exit %d, expected %d; it said:\n%s%s", first, command.code, code,
+             command.out, command.err);
+  command_release(&command);
+}
+
+void command_release(struct command *command)
+{
+  free(command->out);
+  free(command->err);
+  command->out = command->err = NULL;
+}
+
+char *command_read_bytes(const char *path, size_t *length)
+{
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) fail_msg("%s cannot be read: %s", path, strerror(errno));
+  assert_int_equal(fseek(file, 0, SEEK_END), 0);
+  long size = ftell(file);
+  assert_true(size >= 0);
+  rewind(file);
+  char *text = calloc((size_t)size + 1, 1);
+  assert_non_null(text);
+  assert_int_equal(fread(text, 1, (size_t)size, file), size);
+  fclose(file);
+  *length = (size_t)size;
+  return text;
+}
+
+char *command_read(const char *path)
+{
+  size_t length;
+  return command_read_bytes(path, &length);
+}
+
+void command_write_bytes(const char *path, const void *bytes, size_t length)
+{
+  FILE *file = fopen(path, "wb");
+  assert_non_null(file);
+  assert_int_equal(fwrite(bytes, 1, length, file), length);
+  assert_int_equal(fclose(file), 0);
+}
+
+void command_write(const char *path, const char *text)
+{
+  command_write_bytes(path, text, strlen(text));
+}
+
+bool command_exists(const char *path)
+{
+  struct stat st;
+  return lstat(path, &st) == 0;
+}
+
+/* FNV-1a, enough to see that a file is the same. */
+static unsigned long hash_of(const char *path)
+{
+  size_t length;
+  unsigned long hash = 2166136261u;
+  char *bytes = command_read_bytes(path, &length);
+  for (size_t i = 0; i < length; i++)
+    hash = ((hash ^ (unsigned char)bytes[i]) * 16777619u) & 0xffffffffu;
+  free(bytes);
+  return hash;
+}
+
+static char **entries; /* of the snapshot in the making */
+static size_t nentry;
+
+static int take_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
+{
+  char text[4400];
+  (void)ftw;
+  if (kind == FTW_F)
+    snprintf(text, sizeof text, "%.4200s %ld bytes %08lx\n", path, (long)st->st_size,
+             hash_of(path));
+  else
+    snprintf(text, sizeof text, "%.4200s/\n", path);
+  char **grown = realloc(entries, (nentry + 1) * sizeof *entries);
+  assert_non_null(grown);
+  entries = grown;
+  entries[nentry] = strdup(text);
+  assert_non_null(entries[nentry++]);
+  return 0;
+}
+
+static int by_text(const void *a, const void *b)
+{
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+char *command_snapshot(const char *path)
+{
+  size_t length = 1;
+  nentry = 0;
+  assert_int_equal(nftw(path, take_entry, 16, FTW_PHYS), 0);
+  qsort(entries, nentry, sizeof *entries, by_text);
+  for (size_t i = 0; i < nentry; i++) length += strlen(entries[i]);
+  char *text = calloc(length, 1);
+  assert_non_null(text);
+  for (size_t i = 0; i < nentry; i++) {
+    strcat(text, entries[i]);
+    free(entries[i]);
+  }
+  free(entries);
+  entries = NULL;
+  return text;
+}
+
+char *command_data(const char *name)
+{
+  char path[4096];
+  snprintf(path, sizeof path, "%s/tests/app/data/%s", UMBRA_SOURCE_DIR, name);
+  return command_read(path);
+}
+
+char *command_edit(char *text, const char *find, const char *replace)
+{
+  char *at = strstr(text, find);
+  if (at == NULL) fail_msg("nothing to edit: '%s'", find);
+  size_t n = strlen(text) + strlen(replace) + 1;
+  char *edited = calloc(n, 1);
+  assert_non_null(edited);
+  snprintf(edited, n, "%.*s%s%s", (int)(at - text), text, replace, at + strlen(find));
+  free(text);
+  return edited;
+}
+
+void command_copy_data(const char *name)
+{
+  char *text = command_data(name);
+  command_write(name, text);
+  free(text);
+}
+
+int command_line_of(const char *whole, const char *text)
+{
+  const char *at = strstr(whole, text);
+  if (at == NULL) fail_msg("no line holds '%s'", text);
+  int line = 1;
+  for (const char *c = whole; c < at; c++) line += *c == '\n';
+  return line;
+}
+
+size_t command_count_lines(const char *text)
+{
+  size_t n = 0;
+  for (; *text != '\0'; text++) n += *text == '\n';
+  return n;
+}

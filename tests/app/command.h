@@ -1,0 +1,47 @@
+/* Running the umbra command from a test: in a fresh folder, with everything it says kept. */
+#ifndef UMBRA_TESTS_APP_COMMAND_H
+#define UMBRA_TESTS_APP_COMMAND_H
+
+#include <stdbool.h>
+
+#include "tests/core/cmocka_all.h"
+
+/* What a command did; texts end in NUL. */
+struct command {
+  int code; /* exit status; 128 + signal when it was killed */
+  char *out, *err;
+};
+
+/* CMocka setup and teardown: a new empty folder becomes the working folder; it is removed. */
+int command_enter(void **state);
+int command_leave(void **state);
+
+/* Run `umbra` with the arguments up to NULL; command_release frees the texts. */
+struct command command_run(const char *first, ...) __attribute__((sentinel));
+struct command command_run_list(const char *const *arguments);
+void command_release(struct command *command);
+/* Run and insist on the exit status; a message shows what was said. Nothing is returned. */
+void command_expect(int code, const char *first, ...) __attribute__((sentinel));
+
+/* Whole file; the caller frees. The test fails when it cannot be read. */
+char *command_read_bytes(const char *path, size_t *length);
+char *command_read(const char *path);
+void command_write(const char *path, const char *text);
+void command_write_bytes(const char *path, const void *bytes, size_t length);
+bool command_exists(const char *path);
+/* Names and contents below a folder, folders ending in '/', as one text; the caller frees. Equal
+ * texts mean that nothing was added, removed or changed. */
+char *command_snapshot(const char *folder);
+
+/* A file of tests/app/data; the caller frees. */
+char *command_data(const char *name);
+/* Copy of `text` with its first `find` replaced; the test fails when there is none. Frees `text`.
+ */
+char *command_edit(char *text, const char *find, const char *replace);
+/* Write data file `name` under the same name into the working folder. */
+void command_copy_data(const char *name);
+/* Line on which `text` begins in `whole`, 1-based. */
+int command_line_of(const char *whole, const char *text);
+size_t command_count_lines(const char *text);
+
+#endif
