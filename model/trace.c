@@ -3,7 +3,8 @@
  * Observations are instants at the observer (several per exposure); the satellite's own times are
  * earlier by the light time. Heat is computed from whole orbits before the first observation. The
  * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
- * instant is a grid time, so that optics and heat use the same fluxes. */
+ * instant is a grid time, so that optics and heat use the same fluxes. The loads are linear between
+ * grid times: a shadow without penumbra, which is a jump, has one on either side of its edge. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,10 +17,11 @@
 #define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
+#define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
 
 struct grid_time {
   double t;
-  bool observed;
+  bool wanted; /* observed instant, or a side of a jump: never displaced */
 };
 
 static int compare_times(const void *a, const void *b)
@@ -81,7 +83,23 @@ static double grid_step(const struct um_model *model, const struct um_model_trac
   return rate > 0.0 ? fmin(LONGEST_STEP, TURN_PER_STEP / rate) : LONGEST_STEP;
 }
 
-/* Times strictly ascending; an observed instant displaces a neighbour that is not one. */
+/* Where an event stands in the grid. Behind a cylinder, or before a Sun without a disc, the three
+ * events of an edge coincide: penumbra and umbra are then set on its two sides. */
+static struct grid_time event_time(const struct um_model *model,
+                                   const struct um_environment_event *event)
+{
+  double side = 0.0;
+  if (model->environment.shadow == UM_SHADOW_CYLINDER ||
+      model->environment.disc == UM_DISC_POINT) {
+    if (event->kind == UM_EVENT_PENUMBRA_ENTRY || event->kind == UM_EVENT_UMBRA_EXIT)
+      side = -JUMP_SIDE;
+    else if (event->kind == UM_EVENT_UMBRA_ENTRY || event->kind == UM_EVENT_PENUMBRA_EXIT)
+      side = JUMP_SIDE;
+  }
+  return (struct grid_time){event->t_tai + side, side != 0.0};
+}
+
+/* Times strictly ascending; a wanted one displaces a neighbour that is not. */
 static size_t merge_times(struct grid_time *grid, size_t n)
 {
   size_t kept = 0;
@@ -89,9 +107,9 @@ static size_t merge_times(struct grid_time *grid, size_t n)
   for (size_t i = 0; i < n; i++) {
     struct grid_time *last = kept > 0 ? &grid[kept - 1] : NULL;
     if (last == NULL || grid[i].t - last->t >= SAME_TIME ||
-        (grid[i].observed && last->observed && grid[i].t > last->t))
+        (grid[i].wanted && last->wanted && grid[i].t > last->t))
       grid[kept++] = grid[i];
-    else if (grid[i].observed && !last->observed)
+    else if (grid[i].wanted && !last->wanted)
       *last = grid[i];
   }
   return kept;
@@ -114,10 +132,10 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
   for (size_t i = 0; i < ninstant; i++)
     grid[n++] = (struct grid_time){trace->sample[i].t_tai, true};
   for (size_t i = 0; i < trace->nevent; i++) {
-    grid[n++].t = trace->event[i].t_tai;
+    grid[n++] = event_time(model, &trace->event[i]);
     if (i + 1 == trace->nevent) break;
     double gap = trace->event[i + 1].t_tai - trace->event[i].t_tai;
-    if (!(gap < PENUMBRA_LONGEST)) continue;
+    if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
     for (int k = 1; k < PENUMBRA_POINTS; k++)
       grid[n++].t = trace->event[i].t_tai + gap * k / PENUMBRA_POINTS;
   }
@@ -141,7 +159,7 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
     UM_CHECK(um_core_progress_step(context, 1));
   }
   um_core_progress_end(context);
-  for (size_t i = 0; i < trace->nevent; i++) edge[i] = trace->event[i].t_tai;
+  for (size_t i = 0; i < trace->nevent; i++) edge[i] = event_time(model, &trace->event[i]).t;
   UM_CHECK(um_thermal_loads_trace(context, model->geometry, &model->environment, samples, n, edge,
                                   trace->nevent, model->scenario->thermal->samples, &trace->loads));
 done:
