@@ -24,30 +24,19 @@ static void material_energy(const struct um_model_result *r, size_t band, double
                                (size_t)i];
 }
 
-static double intensity_of(const struct um_model_result *r, size_t k, size_t band, int mechanism)
-{
-  double sum = 0.0;
-  for (size_t m = 0; m < r->nmaterial; m++)
-    for (int i = 0; i < UM_MECHANISM_COUNT; i++)
-      if (mechanism < 0 || i == mechanism)
-        sum += r->intensity[((k * r->nband + band) * r->nmaterial + m) * UM_MECHANISM_COUNT +
-                            (size_t)i];
-  return sum;
-}
-
 static void summarise_band(const struct um_model *model, const struct um_model_trace *trace,
                            const struct um_model_result *r, size_t band, double *energy)
 {
   double low = INFINITY, high = 0.0, error = 0.0, umbra_sun = 0.0, umbra_low = INFINITY, sum = 0.0;
   size_t umbra = 0, best = 0;
   for (size_t k = 0; k < r->nobs; k++) {
-    double total = intensity_of(r, k, band, -1);
+    double total = um_model_result_intensity(r, k, band, -1);
     low = fmin(low, total);
     high = fmax(high, total);
     if (total > 0.0) error = fmax(error, r->standard_error[k * r->nband + band] / total);
     if (trace->sunlit[k] > 0.0) continue;
     umbra++;
-    umbra_sun = fmax(umbra_sun, intensity_of(r, k, band, UM_MECHANISM_SUN));
+    umbra_sun = fmax(umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
     umbra_low = fmin(umbra_low, total);
   }
   printf("%-5s %.4g to %.4g W/sr", model->band[band].name, low, high);
@@ -111,7 +100,8 @@ static void choose_instants(const struct um_model_trace *trace, const struct um_
   for (size_t c = 1; c < PANEL_COLUMNS; c++) {
     size_t band = c == 1 ? 0 : r->nband - 1, best = 0;
     for (size_t i = 1; i < n; i++)
-      if (intensity_of(r, i, band, -1) > intensity_of(r, best, band, -1)) best = i;
+      if (um_model_result_intensity(r, i, band, -1) > um_model_result_intensity(r, best, band, -1))
+        best = i;
     bool taken = false;
     for (size_t d = 0; d < c; d++) taken = taken || k[d] == best;
     if (!taken) k[c] = best;

@@ -117,6 +117,11 @@ struct um_model_result {
 /* Run on a trace made from the same model. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
                             const struct um_model_trace *trace, struct um_model_result **out);
+/* Radiant intensity of one observation and band, all materials together [W/sr]; mechanism < 0: all.
+ */
+double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,
+                                 int mechanism);
+
 /* Picture of observation k in a band, up being away from the Earth; see um_optics_image_render.
  * UM_ERR_INPUT without an observer. */
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,

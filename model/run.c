@@ -46,6 +46,18 @@ done:
   return status;
 }
 
+double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,
+                                 int mechanism)
+{
+  const double *at =
+      result->intensity + (k * result->nband + band) * result->nmaterial * UM_MECHANISM_COUNT;
+  double sum = 0.0;
+  for (size_t m = 0; m < result->nmaterial; m++)
+    for (int i = 0; i < UM_MECHANISM_COUNT; i++)
+      if (mechanism < 0 || i == mechanism) sum += at[m * UM_MECHANISM_COUNT + (size_t)i];
+  return sum;
+}
+
 void um_model_result_destroy(struct um_context *context, struct um_model_result **result)
 {
   if (result == NULL || *result == NULL) return;

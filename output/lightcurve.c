@@ -10,15 +10,6 @@
 static const char *const mechanism_names[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
                                                                 "interreflected", "other"};
 
-/* Intensity of one observation, band and mechanism, all materials together [W/sr]. */
-static double by_mechanism(const struct um_model_result *r, size_t k, size_t band, int mechanism)
-{
-  const double *at = r->intensity + (k * r->nband + band) * r->nmaterial * UM_MECHANISM_COUNT;
-  double sum = 0.0;
-  for (size_t m = 0; m < r->nmaterial; m++) sum += at[m * UM_MECHANISM_COUNT + (size_t)mechanism];
-  return sum;
-}
-
 static void write_header(const struct um_output_run *run, FILE *file)
 {
   fputs("time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"
@@ -58,7 +49,8 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
     um_output_csv_number(file, look->sun_elevation / UM_DEG);
     for (size_t b = 0; b < r->nband; b++) {
       double part[UM_MECHANISM_COUNT], total = 0.0;
-      for (int m = 0; m < UM_MECHANISM_COUNT; m++) total += part[m] = by_mechanism(r, k, b, m);
+      for (int m = 0; m < UM_MECHANISM_COUNT; m++)
+        total += part[m] = um_model_result_intensity(r, k, b, m);
       um_output_csv_number(file, total);
       for (int m = 0; m < UM_MECHANISM_COUNT; m++) um_output_csv_number(file, part[m]);
       um_output_csv_number(file, r->standard_error[k * r->nband + b]);

@@ -63,9 +63,7 @@ static void ordinate(const struct um_output_run *run, FILE *f, size_t band)
   double largest = 0.0, lit = 0.0;
   size_t n = 0;
   for (size_t k = 0; k < r->nobs; k++) {
-    double total = 0.0;
-    const double *at = r->intensity + (k * r->nband + band) * r->nmaterial * UM_MECHANISM_COUNT;
-    for (size_t i = 0; i < r->nmaterial * UM_MECHANISM_COUNT; i++) total += at[i];
+    double total = um_model_result_intensity(r, k, band, -1);
     largest = fmax(largest, total);
     if (!(run->trace->sunlit[k] > 0.0)) continue;
     lit += total;

@@ -119,17 +119,6 @@ static void light_returns_behind_a_sphere(void **state)
   um_model_destroy(pass->context, &sphere.model);
 }
 
-static double band_intensity(const struct um_model_result *r, size_t k, size_t band, int mechanism)
-{
-  double sum = 0.0;
-  for (size_t m = 0; m < r->nmaterial; m++)
-    for (int i = 0; i < UM_MECHANISM_COUNT; i++)
-      if (mechanism < 0 || i == mechanism)
-        sum += r->intensity[((k * r->nband + band) * r->nmaterial + m) * UM_MECHANISM_COUNT +
-                            (size_t)i];
-  return sum;
-}
-
 /* The point of the program: in the umbra VIS has no sunlight at all, LWIR glows on. */
 static void umbra_is_dark_in_vis_alone(void **state)
 {
@@ -138,14 +127,14 @@ static void umbra_is_dark_in_vis_alone(void **state)
   size_t lwir = um_model_band_find(pass->model, "lwir");
   size_t umbra = 0, lit = 0;
   for (size_t k = 0; k < pass->trace->nobs; k++) {
-    double sun = band_intensity(pass->result, k, vis, UM_MECHANISM_SUN);
+    double sun = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_SUN);
     if (pass->trace->sunlit[k] > 0.0) {
       lit += sun > 0.0;
     } else {
       assert_true(sun == 0.0);
       umbra++;
     }
-    assert_true(band_intensity(pass->result, k, lwir, UM_MECHANISM_EMITTED) > 100.0);
+    assert_true(um_model_result_intensity(pass->result, k, lwir, UM_MECHANISM_EMITTED) > 100.0);
   }
   assert_true(umbra >= 34 &&
               lit >= 30); /* 350 s and 430 s at 10 s; some instants show no lit face */
@@ -159,7 +148,7 @@ static void sums_agree(void **state)
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++)
       for (int m = 0; m < UM_MECHANISM_COUNT; m++) {
-        double total = band_intensity(r, k, b, m), spectrum = 0.0;
+        double total = um_model_result_intensity(r, k, b, m), spectrum = 0.0;
         for (size_t i = 0; i < r->nbin; i++)
           if (r->bin_band[i] == b)
             spectrum +=
@@ -196,7 +185,7 @@ static void run_is_consistent(void **state)
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++) {
       double range = pass->trace->look[k].range;
-      double expected = band_intensity(r, k, b, -1) / (range * range);
+      double expected = um_model_result_intensity(r, k, b, -1) / (range * range);
       assert_true(fabs(r->irradiance[k * r->nband + b] - expected) <= 1e-12 * expected);
     }
   assert_true(r->audit_error <= 1e-6);
