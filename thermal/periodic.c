@@ -35,7 +35,7 @@
 #define ANDERSON_DELAY 2    /* plain corrections first, while radiation is far from linear */
 #define LARGEST_CHANGE 0.25 /* of a temperature in one correction */
 #define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
-#define LOOSENED       100.0 /* a quarter of the steps */
+#define LOOSENED       100.0 /* a fifth of the steps */
 #define SLOWEST        1e-6  /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {

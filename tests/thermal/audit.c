@@ -34,8 +34,9 @@ static double solar_exact(const struct um_thermal_network *network,
 }
 
 /* |in - out - stored| / (in + out) below 1e-6 with default tolerances, with skins that store heat
- * and with massless ones; and the integrator saw all of the Sun: BDF steps over the kinks of the
- * table within the error test, which leaves 1e-5 of the integral. */
+ * and with massless ones. And the integrator saw all of the Sun, although BDF steps over the kinks
+ * of the table: 5 mK, the accuracy asked of temperatures, in walls and panel (142 kJ/K) is 0.7 kJ
+ * of 25 MJ, or 3e-5. */
 static void test_energy(void **state)
 {
   (void)state;
@@ -49,11 +50,12 @@ static void test_energy(void **state)
     struct um_thermal_history *history = NULL;
     OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history));
     double sun = solar_exact(network, loads);
-    print_message("skin %.0f J/m2/K: audit %.1e, sun %.1e, %zu steps, %zu rhs, %zu Jacobians\n",
-                  skin[c], history->audit_error, history->audit.solar / sun - 1.0, history->steps,
-                  history->rhs_evaluations, history->jacobians);
+    print_message(
+        "skin %.0f J/m2/K: audit %.1e, sun %.3g J (%.1e), %zu steps, %zu rhs, %zu Jacobians\n",
+        skin[c], history->audit_error, sun, history->audit.solar / sun - 1.0, history->steps,
+        history->rhs_evaluations, history->jacobians);
     if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
-    NEAR("solar heat", history->audit.solar / sun, 1.0, 1e-5);
+    NEAR("solar heat", history->audit.solar / sun, 1.0, 3e-5);
     um_thermal_history_destroy(help_context, &history);
     um_thermal_loads_destroy(help_context, &loads);
     um_thermal_network_destroy(&network);

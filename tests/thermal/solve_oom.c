@@ -1,0 +1,129 @@
+/* Every allocation of ours in a run, a periodic orbit, a steady state and a reading of tables fails
+ * once: the answer is "out of memory", nothing is left behind, and the next try works. */
+#include <stdlib.h>
+
+#include "tests/thermal/box_help.h"
+
+struct counter {
+  long live, made, fail_at;
+};
+
+static void *count_allocate(void *self, size_t bytes)
+{
+  struct counter *c = self;
+  if (++c->made == c->fail_at) return NULL;
+  void *block = malloc(bytes);
+  if (block != NULL) c->live++;
+  return block;
+}
+static void *count_reallocate(void *self, void *block, size_t bytes)
+{
+  struct counter *c = self;
+  if (++c->made == c->fail_at) return NULL;
+  void *grown = realloc(block, bytes);
+  if (block == NULL && grown != NULL) c->live++;
+  return grown;
+}
+static void count_release(void *self, void *block)
+{
+  struct counter *c = self;
+  if (block != NULL) c->live--;
+  free(block);
+}
+
+struct subject {
+  struct um_context *context;
+  const struct um_thermal_network *network;
+  const struct um_thermal_loads *loads;
+  const char *nodes, *links; /* paths */
+};
+typedef enum um_status (*deed)(const struct subject *s);
+
+static enum um_status run(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  struct um_thermal_history *history = NULL;
+  double t = 300.0;
+  enum um_status status =
+      um_thermal_solve(s->context, s->network, s->loads, &options, 0.0, &t, 1, &history);
+  um_thermal_history_destroy(s->context, &history);
+  return status;
+}
+static enum um_status periodic(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  double temperature[64], drift;
+  return um_thermal_solve_periodic(s->context, s->network, s->loads, &options, 0.0, 6000.0, 1.0,
+                                   temperature, &drift);
+}
+static enum um_status steady(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  double temperature[64];
+  return um_thermal_solve_steady(s->context, s->network, s->loads, 0, &options, temperature);
+}
+static enum um_status read(const struct subject *s)
+{
+  struct um_thermal_network *network = NULL;
+  enum um_status status = um_thermal_network_read(s->context, s->nodes, s->links, &network);
+  um_thermal_network_destroy(&network);
+  return status;
+}
+
+static void fail_everywhere(deed act, struct subject s)
+{
+  struct counter c = {0, 0, 0};
+  struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+  assert_int_equal(um_core_context_create(&allocator, &s.context), UM_OK);
+  long live = c.live;
+  c.made = 0;
+  assert_int_equal(act(&s), UM_OK);
+  long made = c.made;
+  assert_int_equal(c.live, live);
+  assert_true(made > 5);
+  for (long k = 1; k <= made; k++) {
+    um_core_message_clear(s.context);
+    c.made = 0;
+    c.fail_at = k;
+    assert_int_equal(act(&s), UM_ERR_MEMORY);
+    assert_int_equal(c.live, live);
+  }
+  c.fail_at = 0;
+  assert_int_equal(act(&s), UM_OK);
+  um_core_context_destroy(&s.context);
+}
+
+static void test_every_allocation(void **state)
+{
+  (void)state;
+  const char *const path[2] = {"thermal_oom_nodes.csv", "thermal_oom_conductors.csv"};
+  const char *const text[2] = {"name,kind,capacity_J_K,T0_K,power_W\na,diffusive,1,300,0\n"
+                               "b,boundary,0,200,0\n",
+                               "kind,a,b,value\nGL,a,b,1\nGR,a,space,1\n"};
+  for (int k = 0; k < 2; k++) {
+    FILE *file = fopen(path[k], "wb");
+    assert_non_null(file);
+    fputs(text[k], file);
+    fclose(file);
+  }
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(1, 0.0, &interior); /* massless skins */
+  struct um_thermal_loads *loads = box_loads(1, 61, 6000.0, 1.0);
+  struct subject s = {NULL, network, loads, path[0], path[1]};
+  fail_everywhere(run, s);
+  fail_everywhere(periodic, s);
+  fail_everywhere(steady, s);
+  fail_everywhere(read, s);
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+  for (int k = 0; k < 2; k++) remove(path[k]);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation)};
+  return cmocka_run_group_tests(tests, help_setup, help_teardown);
+}
