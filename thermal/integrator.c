@@ -21,7 +21,7 @@
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
-#define MAX_STEP_INTERVALS 4.0
+#define MAX_STEP_INTERVALS 2.0
 #define NEWTON_SHARE       1e-4
 #define STEPS_LIMIT        50000000u /* of one run: an end for what would never come to one */
 #define SHORTEST_SEGMENT   1e-6      /* [s] stops closer than this are one */
