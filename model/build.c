@@ -1,4 +1,6 @@
 /* Building a model: the order of the steps, and what they share. */
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/file.h"
@@ -21,15 +23,37 @@ enum um_status um_model_resolve(struct um_context *context, struct um_model *mod
   return status;
 }
 
-enum um_status um_model_blame(struct um_context *context, const struct um_mark *at,
+enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
                               enum um_status status)
 {
   if (status == UM_OK || status == UM_ERR_MEMORY) return status;
+  const char *dot = at->path[0] != '\0' && key != NULL ? "." : "";
+  if (key == NULL) key = "";
+  if (at->path[0] != '\0' || key[0] != '\0')
+    um_core_message_prefix(context, "%s%s%s", at->path, dot, key);
   if (at->line > 0)
-    um_core_message_prefix(context, "%s:%d: %s", at->file, at->line, at->path);
+    um_core_message_prefix(context, "%s:%d", at->file, at->line);
   else
-    um_core_message_prefix(context, "%s: %s", at->file, at->path);
+    um_core_message_prefix(context, "%s", at->file);
   return status;
+}
+
+enum um_status um_model_fail(struct um_context *context, const struct um_mark *at, const char *key,
+                             const char *format, ...)
+{
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return um_model_blame(context, at, key, um_core_fail(context, UM_ERR_INPUT, "%s", text));
+}
+
+bool um_model_name_is_plain(const char *name)
+{
+  for (const char *c = name; *c != '\0'; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f || strchr("./:,;'\"\\", *c) != NULL) return false;
+  return name[0] != '\0';
 }
 
 enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,
@@ -38,7 +62,7 @@ enum um_status um_model_unit(struct um_context *context, const struct um_mark *a
   struct um_vec3 u = um_vec3(v[0], v[1], v[2]);
   double norm = um_vec3_norm(u);
   if (!(norm > 0.0))
-    return um_core_mark_fail(context, at, "%s is the zero vector; a direction is needed", key);
+    return um_model_fail(context, at, key, "is the zero vector; accepted: a direction");
   *out = um_vec3_scale(u, 1.0 / norm);
   return UM_OK;
 }

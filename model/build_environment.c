@@ -33,8 +33,22 @@ static enum um_status find_effect(struct um_context *context, const char *name, 
     if (*out != NULL) return UM_OK;
   }
   um_effects_names(names, sizeof names);
-  return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.*s'; known: %s",
+  return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.*s'; accepted: %s",
                       (int)(length > 60 ? 60 : length), name, names);
+}
+
+/* Two entries of one effect on one target would leave it to their order which one counts. */
+static enum um_status check_listed_once(struct um_context *context,
+                                        const struct um_scenario_effect *uses, size_t k)
+{
+  const char *target = uses[k].target == NULL ? "" : uses[k].target;
+  for (size_t i = 0; i < k; i++)
+    if (strcmp(uses[i].effect, uses[k].effect) == 0 &&
+        strcmp(uses[i].target == NULL ? "" : uses[i].target, target) == 0)
+      return um_model_fail(context, &uses[k].at, "effect",
+                           "'%s' is already listed on line %d; accepted: once", uses[k].effect,
+                           uses[i].at.line);
+  return UM_OK;
 }
 
 /* `state` of each registered effect, from the scenario's list, then --with, then --without. */
@@ -45,10 +59,12 @@ static enum um_status collect_states(struct um_context *context, const struct um
   const struct um_scenario_effect *uses = model->scenario->effects.items;
   for (size_t k = 0; k < model->scenario->effects.count; k++) {
     const struct um_effect *effect = NULL;
-    UM_TRY(um_model_blame(context, &uses[k].at,
+    UM_TRY(um_model_blame(context, &uses[k].at, "effect",
                           find_effect(context, uses[k].effect, strlen(uses[k].effect), &effect)));
     if (uses[k].target != NULL && effect->targets == UM_TARGET_GLOBAL)
-      return um_core_mark_fail(context, &uses[k].at, "effect '%s' takes no target", effect->name);
+      return um_model_fail(context, &uses[k].at, "target",
+                           "effect '%s' acts on everything; accepted: no target", effect->name);
+    UM_TRY(check_listed_once(context, uses, k));
     for (size_t i = 0; i < um_effects_count(); i++)
       if (um_effects_at(i) == effect) on[i] = !uses[k].off;
   }

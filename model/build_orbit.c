@@ -24,7 +24,7 @@ static enum um_status build_orientation(struct um_context *context, struct um_mo
   if (from->finals == NULL) return UM_OK;
   const char *path = NULL;
   UM_TRY(um_model_resolve(context, model, &from->at, from->finals, &path));
-  return um_model_blame(context, &from->at,
+  return um_model_blame(context, &from->at, "finals",
                         um_orbit_finals_read(context, path, &model->orientation.finals));
 }
 
@@ -64,20 +64,41 @@ static enum um_status trajectory_of_kepler(struct um_context *context,
   return um_orbit_trajectory_create_kepler(context, &kepler, out);
 }
 
+/* The first set of a file; its lines are counted in the set, as the message says. */
+static enum um_status trajectory_of_tle_file(struct um_context *context, struct um_model *model,
+                                             const char *name, struct um_orbit_trajectory **out)
+{
+  const char *path = NULL;
+  char *text = NULL;
+  size_t length;
+  UM_TRY(um_model_resolve(context, model, &model->scenario->orbit->at, name, &path));
+  UM_TRY(um_core_file_read(context, path, 1 << 20, &text, &length));
+  enum um_status status =
+      strlen(text) == length
+          ? trajectory_of_tle(context, model, text, out)
+          : um_core_fail(context, UM_ERR_INPUT, "not a text file; accepted: two-line elements");
+  um_core_free(context, text);
+  if (status != UM_OK) um_core_message_prefix(context, "%s", path);
+  return status;
+}
+
+/* Key of the orbit that is given. */
+static const char *orbit_key(const struct um_scenario_orbit *orbit)
+{
+  if (orbit->tle != NULL) return "tle";
+  if (orbit->tle_file != NULL) return "tle_file";
+  if (orbit->kepler != NULL) return "kepler";
+  if (orbit->circular != NULL) return "circular";
+  return orbit->table != NULL ? "table" : "fixed";
+}
+
 static enum um_status build_trajectory(struct um_context *context, struct um_model *model)
 {
   const struct um_scenario_orbit *orbit = model->scenario->orbit;
   const char *path = NULL;
   if (orbit->tle != NULL) return trajectory_of_tle(context, model, orbit->tle, &model->trajectory);
-  if (orbit->tle_file != NULL) {
-    char *text = NULL;
-    size_t length;
-    UM_TRY(um_model_resolve(context, model, &orbit->at, orbit->tle_file, &path));
-    UM_TRY(um_core_file_read(context, path, 1 << 20, &text, &length));
-    enum um_status status = trajectory_of_tle(context, model, text, &model->trajectory);
-    um_core_free(context, text);
-    return status;
-  }
+  if (orbit->tle_file != NULL)
+    return trajectory_of_tle_file(context, model, orbit->tle_file, &model->trajectory);
   if (orbit->kepler != NULL)
     return trajectory_of_kepler(context, orbit->kepler, &model->trajectory);
   if (orbit->circular != NULL) {
@@ -101,7 +122,7 @@ static enum um_status exact_numbers(struct um_context *context, const struct um_
                                     const char *key, const struct um_schema_list *list, size_t n)
 {
   if (list->count == n) return UM_OK;
-  return um_core_mark_fail(context, at, "%s has %zu numbers; %zu are needed", key, list->count, n);
+  return um_model_fail(context, at, key, "has %zu numbers; accepted: %zu", list->count, n);
 }
 
 static enum um_status quaternion_of(struct um_context *context, const struct um_mark *at,
@@ -109,7 +130,8 @@ static enum um_status quaternion_of(struct um_context *context, const struct um_
 {
   double norm = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
   if (!(fabs(norm - 1.0) < 1e-3))
-    return um_core_mark_fail(context, at, "q_gcrs has the norm %.6g; 1 is needed", norm);
+    return um_model_fail(context, at, "q_gcrs", "has the norm %.6g; accepted: 1 within 0.001",
+                         norm);
   *out = um_quat_normalize((struct um_quat){v[0], v[1], v[2], v[3]});
   return UM_OK;
 }
@@ -165,6 +187,20 @@ static enum um_status law_of(struct um_context *context, struct um_model *model,
   return um_model_resolve(context, model, &from->table->at, from->table->file, &law->table_path);
 }
 
+/* The law is that whose table the message begins with, or the only one; else the first. */
+static enum um_status blame_law(struct um_context *context, const struct um_scenario_attitude *from,
+                                const struct um_orbit_attitude_law *laws, size_t n,
+                                enum um_status status)
+{
+  for (size_t i = 0; i < n; i++) {
+    const char *path = laws[i].table_path;
+    if (laws[i].kind == UM_ATTITUDE_TABLE &&
+        strncmp(um_core_message(context), path, strlen(path)) == 0)
+      return um_model_blame(context, &from[i].table->at, NULL, status);
+  }
+  return um_model_blame(context, &from[0].at, NULL, status);
+}
+
 static enum um_status build_attitude(struct um_context *context, struct um_model *model)
 {
   const struct um_schema_list *list = &model->scenario->attitude;
@@ -172,18 +208,19 @@ static enum um_status build_attitude(struct um_context *context, struct um_model
   enum um_status status = UM_OK;
   struct um_orbit_attitude_law *laws = NULL;
   if (list->count == 0)
-    return um_core_mark_fail(context, &model->scenario->at, "attitude is empty; one law is needed");
+    return um_model_fail(context, &model->scenario->at, "attitude",
+                         "is empty; accepted: one law or more");
   UM_TRY(um_core_allocate(context, list->count, sizeof *laws, &laws));
   for (size_t i = 0; i < list->count; i++) {
     UM_CHECK(law_of(context, model, &from[i], &laws[i]));
     if (i > 0 && !(laws[i].from_tai > laws[i - 1].from_tai)) {
-      status = um_core_mark_fail(context, &from[i].at,
-                                 "from_utc must be later than that of the law before it");
+      status = um_model_fail(context, &from[i].at, "from_utc",
+                             "accepted: a time later than that of the law before it");
       goto done;
     }
   }
-  UM_CHECK(um_model_blame(context, &from[0].at,
-                          um_orbit_attitude_create(context, laws, list->count, &model->attitude)));
+  status = um_orbit_attitude_create(context, laws, list->count, &model->attitude);
+  if (status != UM_OK) status = blame_law(context, from, laws, list->count, status);
 done:
   um_core_free(context, laws);
   return status;
@@ -214,13 +251,13 @@ static enum um_status build_observer(struct um_context *context, struct um_model
   const struct um_scenario_moving_observer *moving = from->trajectory;
   if (moving->tle != NULL) {
     UM_TRY(um_model_blame(
-        context, &moving->at,
+        context, &moving->at, "tle",
         trajectory_of_tle(context, model, moving->tle, &model->observer_trajectory)));
   } else {
     const char *path = NULL;
     UM_TRY(um_model_resolve(context, model, &moving->at, moving->table, &path));
     UM_TRY(um_model_blame(
-        context, &moving->at,
+        context, &moving->at, "table",
         um_orbit_trajectory_create_table(context, path, &model->observer_trajectory)));
   }
   to->trajectory = model->observer_trajectory;
@@ -230,7 +267,8 @@ static enum um_status build_observer(struct um_context *context, struct um_model
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model)
 {
   UM_TRY(build_orientation(context, model));
-  UM_TRY(um_model_blame(context, &model->scenario->orbit->at, build_trajectory(context, model)));
+  UM_TRY(um_model_blame(context, &model->scenario->orbit->at, orbit_key(model->scenario->orbit),
+                        build_trajectory(context, model)));
   UM_TRY(build_attitude(context, model));
   UM_TRY(build_observer(context, model));
   if (model->sun_frozen)

@@ -1,8 +1,10 @@
 /* From the scenario's parts to geometry and material records. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/words.h"
 #include "model/model_impl.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
@@ -83,9 +85,9 @@ static enum um_status skins_of(struct um_context *context, struct um_model *mode
   const struct um_scenario_skin *single = from->materials.items;
   struct um_geometry_skin *skin = NULL;
   if (from->outside != NULL && (from->front != NULL || from->back != NULL))
-    return um_core_mark_fail(context, &from->at,
-                             "outside is for closed parts, front and back are for open ones; "
-                             "give one or the other");
+    return um_model_fail(context, &from->at, "outside",
+                         "is for closed parts, front and back are for open ones; accepted: one or "
+                         "the other");
   UM_TRY(um_core_document_allocate(context, model->document, from->materials.count + 1,
                                    sizeof *skin, &skin));
   for (size_t i = 0; i < from->materials.count; i++)
@@ -104,9 +106,11 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
                               const struct um_scenario_part *from, struct um_geometry_part_spec *to)
 {
   to->name = from->name;
-  if (from->name[0] == '\0' || strpbrk(from->name, "./:,") != NULL)
-    return um_core_mark_fail(context, &from->at, "name '%s' must not be empty nor hold . / : or ,",
-                             from->name);
+  if (!um_model_name_is_plain(from->name))
+    return um_model_fail(context, &from->at, "name",
+                         "'%s' is not accepted; accepted: a word without . / : , ; quotes and "
+                         "control characters",
+                         from->name);
   shape_of(from, to);
   if (to->shape == UM_SHAPE_MESH)
     UM_TRY(um_model_resolve(context, model, &from->mesh->at, from->mesh->file, &to->mesh_path));
@@ -119,22 +123,98 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
   return UM_OK;
 }
 
+/* The material under a key is in the library; the message names the nearest. */
+static enum um_status check_material(struct um_context *context, const struct um_model *model,
+                                     const struct um_mark *at, const char *key, const char *name)
+{
+  char near[1024];
+  if (name == NULL || um_materials_library_find(model->library, name) != NULL) return UM_OK;
+  um_materials_library_suggest(model->library, name, near, sizeof near);
+  return um_model_fail(context, at, key, "no material is called '%s'; %s", name, near);
+}
+
 /* Every name in a scenario is checked with its line before the geometry is built. */
 static enum um_status check_materials(struct um_context *context, const struct um_model *model,
-                                      const struct um_scenario_part *part,
-                                      const struct um_geometry_part_spec *spec)
+                                      const struct um_scenario_part *part)
 {
-  for (size_t i = 0; i < spec->nskin; i++) {
-    const char *names[2] = {spec->skins[i].front, spec->skins[i].back};
-    for (int k = 0; k < 2; k++) {
-      char near[256];
-      if (names[k] == NULL || um_materials_library_find(model->library, names[k]) != NULL) continue;
-      um_materials_library_suggest(model->library, names[k], near, sizeof near);
-      return um_core_mark_fail(context, &part->at, "no material is called '%s'; %s", names[k],
-                               near);
-    }
+  const struct um_scenario_skin *skin = part->materials.items;
+  const struct um_scenario_group *group = part->groups.items;
+  UM_TRY(check_material(context, model, &part->at, "outside", part->outside));
+  UM_TRY(check_material(context, model, &part->at, "front", part->front));
+  UM_TRY(check_material(context, model, &part->at, "back", part->back));
+  for (size_t i = 0; i < part->materials.count; i++) {
+    UM_TRY(check_material(context, model, &skin[i].at, NULL, skin[i].front));
+    UM_TRY(check_material(context, model, &skin[i].at, "back", skin[i].back));
+  }
+  if (part->shell != NULL)
+    UM_TRY(check_material(context, model, &part->shell->at, "material", part->shell->material));
+  if (part->solid != NULL)
+    UM_TRY(check_material(context, model, &part->solid->at, "material", part->solid->material));
+  for (size_t i = 0; i < part->groups.count; i++)
+    if (group[i].shell != NULL)
+      UM_TRY(check_material(context, model, &group[i].shell->at, "material",
+                            group[i].shell->material));
+  return UM_OK;
+}
+
+static enum um_status check_parent(struct um_context *context, const struct um_model *model,
+                                   const struct um_scenario_part *part)
+{
+  char names[512] = "";
+  if (part->parent == NULL) return UM_OK;
+  for (size_t i = 0; i < model->scenario->parts.count; i++) {
+    if (strcmp(part_at(model, i)->name, part->parent) == 0) return UM_OK;
+    if (part_at(model, i) != part)
+      um_core_words_append(names, sizeof names, part_at(model, i)->name);
+  }
+  return um_model_fail(context, &part->at, "parent", "'%s' is not a part; accepted: %s",
+                       part->parent, names[0] == '\0' ? "none, there is no other part" : names);
+}
+
+/* A back on a closed surface would radiate its heat into the body, which counts as space. */
+static enum um_status check_backs(struct um_context *context, const struct um_model *model)
+{
+  for (size_t i = 0; i < model->scenario->parts.count; i++) {
+    const struct um_scenario_part *part = part_at(model, i);
+    const struct um_scenario_skin *skin = part->materials.items;
+    if (!um_geometry_report(model->geometry, i).closed) continue;
+    if (part->back != NULL)
+      return um_model_fail(context, &part->at, "back",
+                           "the part is closed and has no back; accepted: outside");
+    for (size_t k = 0; k < part->materials.count; k++)
+      if (skin[k].back != NULL)
+        return um_model_fail(context, &skin[k].at, "back",
+                             "the part is closed and has no back; accepted: front");
   }
   return UM_OK;
+}
+
+/* Does the recorded message begin with this and a character that ends a name? */
+static bool message_begins(const struct um_context *context, const char *text)
+{
+  const char *message = um_core_message(context);
+  size_t n = strlen(text);
+  return strncmp(message, text, n) == 0 && strchr(":, '", message[n]) != NULL;
+}
+
+enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,
+                                   enum um_status status)
+{
+  for (size_t i = 0; i < model->scenario->parts.count; i++) {
+    const struct um_scenario_part *part = part_at(model, i);
+    const char *path = NULL;
+    char quoted[512], plain[512];
+    snprintf(quoted, sizeof quoted, "part '%s'", part->name);
+    snprintf(plain, sizeof plain, "part %s", part->name);
+    if (message_begins(context, quoted) || message_begins(context, plain))
+      return um_model_blame(context, &part->at, NULL, status);
+    if (part->mesh == NULL) continue;
+    UM_TRY(um_model_resolve(context, model, &part->mesh->at, part->mesh->file, &path));
+    if (message_begins(context, path))
+      return um_model_blame(context, &part->mesh->at, NULL, status);
+  }
+  um_core_message_prefix(context, "%s", model->scenario->at.file);
+  return status;
 }
 
 static enum um_status build_library(struct um_context *context, struct um_model *model)
@@ -149,7 +229,8 @@ static enum um_status build_library(struct um_context *context, struct um_model 
   for (size_t i = 0; i < model->scenario->material_files.count; i++) {
     const char *path = NULL;
     UM_TRY(um_model_resolve(context, model, &model->scenario->at, files[i], &path));
-    UM_TRY(um_materials_library_read_file(context, model->library, path, NULL, 0));
+    UM_TRY(um_model_blame(context, &model->scenario->at, "material_files",
+                          um_materials_library_read_file(context, model->library, path, NULL, 0)));
   }
   return UM_OK;
 }
@@ -177,9 +258,15 @@ static enum um_status build_bands(struct um_context *context, struct um_model *m
     return UM_OK;
   }
   for (size_t i = 0; i < list->count; i++) {
+    if (!um_model_name_is_plain(from[i].name))
+      return um_model_fail(context, &from[i].at, NULL,
+                           "'%s' cannot name a band; accepted: a word without . / : , ; quotes and "
+                           "control characters",
+                           from[i].name);
     if (!(from[i].from_um < from[i].to_um))
-      return um_core_mark_fail(context, &from[i].at, "from_um %g must be less than to_um %g",
-                               from[i].from_um, from[i].to_um);
+      return um_model_fail(context, &from[i].at, "to_um",
+                           "%g is not above from_um %g; accepted: more than that", from[i].to_um,
+                           from[i].from_um);
     model->band[i] = (struct um_optics_band){from[i].name, from[i].from_um * 1e-6,
                                              from[i].to_um * 1e-6, from[i].bins};
   }
@@ -192,19 +279,22 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
   enum um_status status;
   struct um_geometry_part_spec *specs = NULL;
   if (n == 0)
-    return um_core_mark_fail(context, &model->scenario->at, "parts is empty; one part is needed");
+    return um_model_fail(context, &model->scenario->at, "parts",
+                         "is empty; accepted: one part or more");
   UM_TRY(build_library(context, model));
   UM_TRY(build_bands(context, model));
   UM_TRY(um_core_allocate(context, n, sizeof *specs, &specs));
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(spec_of(context, model, part_at(model, i), &specs[i]));
-    UM_CHECK(check_materials(context, model, part_at(model, i), &specs[i]));
+    UM_CHECK(check_materials(context, model, part_at(model, i)));
+    UM_CHECK(check_parent(context, model, part_at(model, i)));
   }
   status = um_geometry_create(context, specs, n, &model->geometry);
   if (status != UM_OK) {
-    um_core_message_prefix(context, "%s", model->scenario->at.file);
+    status = um_model_blame_part(context, model, status);
     goto done;
   }
+  UM_CHECK(check_backs(context, model));
   UM_CHECK(build_records(context, model));
 done:
   um_core_free(context, specs);

@@ -1,7 +1,9 @@
 /* From the scenario's parts and material records to the heat network. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "core/words.h"
 #include "model/model_impl.h"
 
 #define EMITTANCE_TEMPERATURE 300.0 /* total emittances are taken here [K] */
@@ -30,8 +32,6 @@ static enum um_status shell_of(const struct assembly *a, const struct um_scenari
   if (from->material != NULL) {
     const struct um_materials_record *record =
         um_materials_library_find(a->model->library, from->material);
-    if (record == NULL)
-      return um_core_mark_fail(a->context, &from->at, "no material is called '%s'", from->material);
     struct um_materials_bulk bulk = um_materials_bulk(record);
     double thickness = isnan(from->thickness_mm) ? bulk.thickness : from->thickness_mm * 1e-3;
     if (isnan(to->areal_heat_capacity))
@@ -180,8 +180,6 @@ static enum um_status solid_of(const struct assembly *a, const struct um_scenari
   if (from->material != NULL) {
     const struct um_materials_record *record =
         um_materials_library_find(a->model->library, from->material);
-    if (record == NULL)
-      return um_core_mark_fail(a->context, &from->at, "no material is called '%s'", from->material);
     struct um_materials_bulk bulk = um_materials_bulk(record);
     if (isnan(to->density)) to->density = bulk.density;
     if (isnan(to->specific_heat)) to->specific_heat = bulk.specific_heat;
@@ -200,13 +198,17 @@ static enum um_status check_group_names(const struct assembly *a,
   const struct um_scenario_group *own = part->groups.items;
   for (size_t k = 0; k < part->groups.count; k++) {
     bool found = false;
+    char names[512] = "";
     for (size_t g = 0; g < um_geometry_group_count(a->model->geometry); g++) {
       const struct um_geometry_group *group = um_geometry_group(a->model->geometry, g);
-      found = found || (group->part == index && strcmp(group->name, own[k].name) == 0);
+      if (group->part != index) continue;
+      um_core_words_append(names, sizeof names, group->name);
+      found = found || strcmp(group->name, own[k].name) == 0;
     }
     if (!found)
-      return um_core_mark_fail(a->context, &own[k].at, "the part '%s' has no group '%s'",
-                               part->name, own[k].name);
+      return um_model_fail(a->context, &own[k].at, NULL,
+                           "the part '%s' has no group '%s'; accepted: %s", part->name, own[k].name,
+                           names);
   }
   return UM_OK;
 }
@@ -220,7 +222,8 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   to->part = index;
   to->kind = part->lumped ? UM_THERMAL_LUMPED : UM_THERMAL_SHELL;
   if (part->lumped && part->solid != NULL)
-    return um_core_mark_fail(a->context, &part->at, "lumped and solid exclude each other");
+    return um_model_fail(a->context, &part->at, "solid",
+                         "excludes lumped; accepted: one of the two");
   if (part->solid != NULL) UM_TRY(solid_of(a, part, to));
   UM_TRY(check_group_names(a, part, index));
   to->start_temperature = isnan(part->start_temperature_K)
@@ -247,9 +250,27 @@ static enum um_status contacts_of(const struct assembly *a, struct um_thermal_co
   const struct um_scenario_contact *from = list->items;
   UM_TRY(um_core_document_allocate(a->context, a->model->document, list->count + 1, sizeof **out,
                                    out));
-  for (size_t i = 0; i < list->count; i++)
+  for (size_t i = 0; i < list->count; i++) {
+    if (strcmp(from[i].a, from[i].b) == 0)
+      return um_model_fail(a->context, &from[i].at, "b",
+                           "'%s' is the same place as a; accepted: another place", from[i].b);
     (*out)[i] = (struct um_thermal_contact){from[i].a, from[i].b, from[i].conductance_W_K};
+  }
   return UM_OK;
+}
+
+/* The heat network names the contact or the part; its line is ours to add. */
+static enum um_status blame_body(struct um_context *context, struct um_model *model,
+                                 enum um_status status)
+{
+  const struct um_scenario_contact *contact = model->scenario->contacts.items;
+  for (size_t i = 0; i < model->scenario->contacts.count; i++) {
+    char begin[512];
+    int n = snprintf(begin, sizeof begin, "contact %s - %s:", contact[i].a, contact[i].b);
+    if (n < (int)sizeof begin && strncmp(um_core_message(context), begin, (size_t)n) == 0)
+      return um_model_blame(context, &contact[i].at, NULL, status);
+  }
+  return um_model_blame_part(context, model, status);
 }
 
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model)
@@ -271,7 +292,7 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
   UM_CHECK(contacts_of(&a, &contacts));
   status = um_thermal_body_create(context, model->geometry, parts, n, contacts,
                                   model->scenario->contacts.count, &model->body);
-  if (status != UM_OK) um_core_message_prefix(context, "%s", model->scenario->at.file);
+  if (status != UM_OK) status = blame_body(context, model, status);
 done:
   um_core_free(context, parts);
   return status;

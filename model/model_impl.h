@@ -17,9 +17,20 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
 /* Path relative to the file of a mark; owned by the document. */
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
                                 const struct um_mark *at, const char *relative, const char **out);
-/* Put "file:line: path: " before the recorded message. Returns status. */
-enum um_status um_model_blame(struct um_context *context, const struct um_mark *at,
+/* Put "file:line: path.key: " before the recorded message; key NULL: the mapping itself. Returns
+ * status. */
+enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
                               enum um_status status);
+/* Record "file:line: path.key: message" and return UM_ERR_INPUT. */
+enum um_status um_model_fail(struct um_context *context, const struct um_mark *at, const char *key,
+                             const char *format, ...) UM_PRINTF(4, 5);
+/* True for a name that can stand in a CSV header, in a key path and in a netCDF name: not empty, no
+ * control characters, none of . / : , ; ' " and backslash. */
+bool um_model_name_is_plain(const char *name);
+/* Put file and line of the part before a message that begins with "part NAME", "part 'NAME'" or the
+ * path of its mesh, as those of geometry and heat network do; else the file. Returns status. */
+enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,
+                                   enum um_status status);
 /* Unit vector of three numbers; UM_ERR_INPUT naming `key` when it is zero. */
 enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,
                              const double v[3], struct um_vec3 *out);

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "core/file.h"
+#include "model/model_impl.h"
 #include "orbit/time.h"
 
 static enum um_status check_time(struct um_context *context, const struct um_scenario *scenario)
@@ -15,22 +16,27 @@ static enum um_status check_time(struct um_context *context, const struct um_sce
   um_orbit_time_format(time->start, start);
   um_orbit_time_format(time->stop, stop);
   if (!(time->stop >= time->start))
-    return um_core_mark_fail(context, &time->at, "stop_utc %s is before start_utc %s", stop, start);
+    return um_model_fail(context, &time->at, "stop_utc",
+                         "%s is before start_utc %s; accepted: that time or later", stop, start);
   double n = (time->stop - time->start) / time->step_s;
   if (!(n < 1e6))
-    return um_core_mark_fail(context, &time->at,
-                             "%.3g observations from %s to %s every %g s; at most 1e6 are accepted",
-                             n, start, stop, time->step_s);
+    return um_model_fail(context, &time->at, "step_s",
+                         "%.3g observations from %s to %s every %g s; at most 1e6 are accepted", n,
+                         start, stop, time->step_s);
   return UM_OK;
 }
 
 /* The name becomes a folder. */
 static enum um_status check_name(struct um_context *context, const struct um_scenario *scenario)
 {
-  if (um_core_path_is_plain(scenario->name)) return UM_OK;
-  return um_core_mark_fail(context, &scenario->at,
-                           "name '%s' cannot name a folder: no slashes, not empty, not . or ..",
-                           scenario->name);
+  bool control = false;
+  for (const char *c = scenario->name; *c != '\0'; c++)
+    control = control || (unsigned char)*c < 0x20 || *c == 0x7f;
+  if (um_core_path_is_plain(scenario->name) && !control) return UM_OK;
+  return um_model_fail(context, &scenario->at, "name",
+                       "'%s' cannot name a folder; accepted: a word without slashes and control "
+                       "characters, not . or ..",
+                       scenario->name);
 }
 
 static enum um_status check_parts(struct um_context *context, const struct um_scenario *scenario)
@@ -39,8 +45,9 @@ static enum um_status check_parts(struct um_context *context, const struct um_sc
   for (size_t i = 0; i < scenario->parts.count; i++)
     for (size_t k = 0; k < i; k++)
       if (strcmp(part[i].name, part[k].name) == 0)
-        return um_core_mark_fail(context, &part[i].at, "name '%s' is taken by the part on line %d",
-                                 part[i].name, part[k].at.line);
+        return um_model_fail(context, &part[i].at, "name",
+                             "'%s' is taken by the part on line %d; accepted: names used once",
+                             part[i].name, part[k].at.line);
   return UM_OK;
 }
 
