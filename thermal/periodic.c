@@ -205,16 +205,19 @@ static struct um_thermal_periodic report_make(const struct periodic *periodic)
 
 static enum um_status not_converged(struct periodic *periodic, double tolerance, int code)
 {
+  const struct um_thermal_system *system = periodic->system;
   struct um_thermal_periodic report = report_make(periodic);
+  const struct um_thermal_solve_options *options = &system->options;
+  /* of one step; one orbit cannot be told from another better than that */
+  double step = options->relative_tolerance * 300.0 + options->absolute_tolerance;
   char label[96];
-  um_thermal_network_label(periodic->system->network, (uint32_t)report.drift_node, label,
-                           sizeof label);
+  um_thermal_network_label(system->network, (uint32_t)report.drift_node, label, sizeof label);
   return um_core_fail(
-      periodic->system->context, UM_ERR_NUMERIC,
+      system->context, UM_ERR_NUMERIC,
       "no periodic state after %zu orbits: %.3g K away, %s drifts %.3g K per orbit; "
-      "wanted %.3g K (KINSOL code %d: %s)",
-      periodic->orbits, periodic->distance, label, report.drift, tolerance, code,
-      periodic->words[0] != '\0' ? periodic->words : "no message");
+      "wanted %.3g K, integrated to %.2g K a step (KINSOL code %d%s%s)",
+      periodic->orbits, periodic->distance, label, report.drift, tolerance, step, code,
+      periodic->words[0] != '\0' ? ": " : "", periodic->words);
 }
 
 /* Fixed point to `tolerance` [K] with integration tolerances times `loosened`. KINSOL judges its

@@ -121,6 +121,67 @@ static void test_threads(void **state)
   um_thermal_network_destroy(&network);
 }
 
+/* Last temperatures and audit of one run over the table from its first row. */
+static struct um_thermal_history *whole_run(const struct um_thermal_network *network,
+                                            const struct um_thermal_loads *loads,
+                                            const struct um_thermal_solve_options *options)
+{
+  struct um_thermal_history *history = NULL;
+  OK(um_thermal_solve(help_context, network, loads, options, loads->t[0],
+                      loads->t + loads->ntime - 1, 1, &history));
+  return history;
+}
+
+/* A switched-off load is the same bytes as a table without it. */
+static void test_switches(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(2, 77.39, &interior);
+  for (int c = 0; c < 2; c++) {
+    struct um_thermal_loads *loads = box_loads(2, 301, PERIOD, 5.0);
+    struct um_thermal_solve_options options;
+    um_thermal_solve_defaults(&options);
+    struct um_thermal_history *with = whole_run(network, loads, &options);
+    *(c == 0 ? &options.albedo_on : &options.planet_on) = false;
+    struct um_thermal_history *off = whole_run(network, loads, &options);
+    memset(c == 0 ? loads->albedo : loads->planet, 0,
+           loads->ntime * loads->nsurface * sizeof(float));
+    um_thermal_solve_defaults(&options);
+    struct um_thermal_history *none = whole_run(network, loads, &options);
+    assert_true((c == 0 ? off->audit.albedo : off->audit.planet) == 0.0);
+    assert_memory_equal(off->temperature, none->temperature, off->nnode * sizeof(double));
+    assert_true(with->temperature[1] > off->temperature[1] + 0.01);
+    um_thermal_history_destroy(help_context, &with);
+    um_thermal_history_destroy(help_context, &off);
+    um_thermal_history_destroy(help_context, &none);
+    um_thermal_loads_destroy(help_context, &loads);
+  }
+  um_thermal_network_destroy(&network);
+}
+
+/* The origin of time does not matter: at 5.3e8 s (2016 in TAI from J2000) the table's times are
+ * rounded by 6e-8 s, so the steps differ; either run is within 1e-5 K of the truth at these
+ * tolerances. */
+static void test_origin_of_time(void **state)
+{
+  (void)state;
+  uint32_t interior;
+  struct um_thermal_network *network = box_network(2, 77.39, &interior);
+  struct um_thermal_loads *loads = box_loads(2, 301, PERIOD, 5.0);
+  struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
+  struct um_thermal_history *here = whole_run(network, loads, &options);
+  for (size_t k = 0; k < loads->ntime; k++) loads->t[k] += 5.3e8;
+  for (size_t k = 0; k < loads->nedge; k++) loads->edge[k] += 5.3e8;
+  struct um_thermal_history *there = whole_run(network, loads, &options);
+  for (size_t i = 0; i < here->nnode; i++)
+    NEAR("at 5.3e8 s", there->temperature[i], here->temperature[i], 2e-5);
+  um_thermal_history_destroy(help_context, &here);
+  um_thermal_history_destroy(help_context, &there);
+  um_thermal_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
 /* A spin of 28.17 turns in the window: the state at its end is another attitude's. The iteration
  * still settles, and the interior's answer is the same as from another start. */
 static void test_incommensurate_spin(void **state)
@@ -198,8 +259,9 @@ static void test_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_energy), cmocka_unit_test(test_heat_of_nodes),
-      cmocka_unit_test(test_threads), cmocka_unit_test(test_incommensurate_spin),
+      cmocka_unit_test(test_energy),         cmocka_unit_test(test_heat_of_nodes),
+      cmocka_unit_test(test_threads),        cmocka_unit_test(test_switches),
+      cmocka_unit_test(test_origin_of_time), cmocka_unit_test(test_incommensurate_spin),
       cmocka_unit_test(test_refused)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
