@@ -30,7 +30,16 @@ enum um_schema_type {
   UM_SCHEMA_LIST,    /* struct um_schema_list of T: a sequence of mappings */
   UM_SCHEMA_DICT,    /* struct um_schema_list of T: a mapping name -> mapping; T is
                         { struct um_mark at; const char *name; ... } */
-  UM_SCHEMA_PARSED   /* anything scalar through `parse`, e.g. a UTC into a double */
+  UM_SCHEMA_PARSED,  /* anything scalar through `parse`, e.g. a UTC into a double */
+  UM_SCHEMA_REST     /* struct um_schema_list of struct um_schema_number: every key of this mapping
+                        that no other field names; `key` is what the reference calls them */
+};
+
+/* One key of a UM_SCHEMA_REST field. */
+struct um_schema_number {
+  struct um_mark at;
+  const char *name;
+  double value; /* finite */
 };
 
 struct um_schema_list {

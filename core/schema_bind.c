@@ -177,6 +177,27 @@ static enum um_status bind_map(struct binder *b, const struct um_schema_field *f
   return UM_OK;
 }
 
+/* Every key that no field names, as a number. */
+static enum um_status bind_rest(struct binder *b, const struct um_schema_object *object,
+                                const struct um_schema_field *field, const struct um_node *node,
+                                struct um_schema_list *out)
+{
+  struct um_schema_number *item;
+  struct um_schema_field number = *field;
+  number.type = UM_SCHEMA_NUMBER;
+  if (node->kind != UM_NODE_MAP) return UM_OK;
+  UM_TRY(um_core_document_allocate(b->context, b->document, node->count, sizeof *item, &item));
+  out->items = item;
+  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
+    if (um_core_schema_find(object, n->key) != NULL) continue;
+    item[out->count].at = n->at;
+    item[out->count].name = n->key;
+    UM_TRY(bind_number(b, &number, n, &item[out->count].value));
+    out->count++;
+  }
+  return UM_OK;
+}
+
 static enum um_status bind_field(struct binder *b, const struct um_schema_field *field,
                                  const struct um_node *node, char *target)
 {
@@ -204,6 +225,8 @@ static enum um_status bind_field(struct binder *b, const struct um_schema_field 
     return bind_list(b, field, node, at);
   case UM_SCHEMA_PARSED:
     return bind_parsed(b, field, node, at);
+  case UM_SCHEMA_REST:
+    break; /* by bind_rest, with the whole mapping */
   }
   return UM_OK;
 }
@@ -246,6 +269,10 @@ static enum um_status bind_object(struct binder *b, const struct um_schema_objec
   for (size_t i = 0; i < object->nfield; i++) {
     const struct um_schema_field *field = &object->fields[i];
     const struct um_node *child = NULL;
+    if (field->type == UM_SCHEMA_REST) {
+      UM_TRY(bind_rest(b, object, field, node, (void *)(target + field->offset)));
+      continue;
+    }
     if (!scalar)
       child = um_core_node_child(node, field->key);
     else if (strcmp(field->key, object->scalar_key) == 0)

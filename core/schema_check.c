@@ -4,19 +4,27 @@
 #include "core/schema_impl.h"
 #include "core/words.h"
 
-static const struct um_schema_field *find_field(const struct um_schema_object *object,
-                                                const char *key)
+const struct um_schema_field *um_core_schema_find(const struct um_schema_object *object,
+                                                  const char *key)
 {
   for (size_t i = 0; i < object->nfield; i++)
-    if (strcmp(object->fields[i].key, key) == 0) return &object->fields[i];
+    if (object->fields[i].type != UM_SCHEMA_REST && strcmp(object->fields[i].key, key) == 0)
+      return &object->fields[i];
   return NULL;
+}
+
+static bool takes_rest(const struct um_schema_object *object)
+{
+  for (size_t i = 0; i < object->nfield; i++)
+    if (object->fields[i].type == UM_SCHEMA_REST) return true;
+  return false;
 }
 
 static enum um_status check_known(struct um_context *context, const struct um_schema_object *object,
                                   const struct um_node *node)
 {
   for (const struct um_node *n = node->first; n != NULL; n = n->next) {
-    if (find_field(object, n->key) != NULL) continue;
+    if (um_core_schema_find(object, n->key) != NULL || takes_rest(object)) continue;
     char known[512] = "";
     const char *nearest = NULL;
     size_t distance = 0;

@@ -65,6 +65,7 @@ static bool write_field(FILE *file, const struct um_schema_field *field, int dep
   bool good = true;
   switch (field->type) {
   case UM_SCHEMA_NUMBER:
+  case UM_SCHEMA_REST:
     open_number(file, field, "number");
     break;
   case UM_SCHEMA_INTEGER:
@@ -190,13 +191,24 @@ static bool write_members(FILE *file, const struct um_schema_object *object, con
   if (help == NULL) help = object->help;
   if (help != NULL) write_member(file, "description", help);
   fputs(", \"properties\": {", file);
+  const struct um_schema_field *rest = NULL;
+  bool first = true;
   for (size_t i = 0; i < object->nfield; i++) {
-    fprintf(file, "%s\n%*s", i > 0 ? "," : "", 2 * depth, "");
+    if (object->fields[i].type == UM_SCHEMA_REST) {
+      rest = &object->fields[i];
+      continue;
+    }
+    fprintf(file, "%s\n%*s", first ? "" : ",", 2 * depth, "");
     write_string(file, object->fields[i].key);
     fputs(": ", file);
     if (!write_field(file, &object->fields[i], depth)) return false;
+    first = false;
   }
-  fputs("}, \"additionalProperties\": false", file);
+  fputs("}, \"additionalProperties\": ", file);
+  if (rest == NULL)
+    fputs("false", file);
+  else if (!write_field(file, rest, depth))
+    return false;
   bool any = false;
   for (size_t i = 0; i < object->nfield; i++) {
     if (!object->fields[i].required) continue;

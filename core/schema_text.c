@@ -32,7 +32,8 @@ static void append_keys(const struct um_schema_object *object, char *buffer, siz
 {
   char keys[384] = "";
   for (size_t i = 0; i < object->nfield; i++)
-    um_core_words_append(keys, sizeof keys, object->fields[i].key);
+    if (object->fields[i].type != UM_SCHEMA_REST)
+      um_core_words_append(keys, sizeof keys, object->fields[i].key);
   append(buffer, size, " with the keys ");
   append(buffer, size, keys);
   for (size_t i = 0; object->scalar_key != NULL && i < object->nfield; i++) {
@@ -91,6 +92,9 @@ void um_core_schema_accepted(const struct um_schema_field *field, char *buffer, 
     break;
   case UM_SCHEMA_PARSED:
     append(buffer, size, "a single value");
+    break;
+  case UM_SCHEMA_REST:
+    append(buffer, size, "finite numbers by name");
     break;
   }
 }

@@ -213,6 +213,7 @@ static enum um_status build_attitude(struct um_context *context, struct um_model
   UM_TRY(um_core_allocate(context, list->count, sizeof *laws, &laws));
   for (size_t i = 0; i < list->count; i++) {
     UM_CHECK(law_of(context, model, &from[i], &laws[i]));
+    model->points_at_observer = model->points_at_observer || from[i].target != NULL;
     if (i > 0 && !(laws[i].from_tai > laws[i - 1].from_tai)) {
       status = um_model_fail(context, &from[i].at, "from_utc",
                              "accepted: a time later than that of the law before it");
@@ -264,9 +265,19 @@ static enum um_status build_observer(struct um_context *context, struct um_model
   return UM_OK;
 }
 
+static enum um_status build_pole(struct um_context *context, struct um_model *model)
+{
+  struct um_mat3 m;
+  UM_TRY(
+      um_orbit_frames_gcrs_to_itrf(context, &model->orientation, model->scenario->time->start, &m));
+  model->pole = um_vec3(m.m[2][0], m.m[2][1], m.m[2][2]);
+  return UM_OK;
+}
+
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model)
 {
   UM_TRY(build_orientation(context, model));
+  UM_TRY(build_pole(context, model));
   UM_TRY(um_model_blame(context, &model->scenario->orbit->at, orbit_key(model->scenario->orbit),
                         build_trajectory(context, model)));
   UM_TRY(build_attitude(context, model));

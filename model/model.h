@@ -32,8 +32,10 @@ struct um_model {
   struct um_orbit_earth_orientation orientation;
   struct um_orbit_trajectory *trajectory, *observer_trajectory;
   struct um_orbit_attitude *attitude;
+  bool points_at_observer; /* a law looks at the observer, outside observations too */
   bool has_observer;
   struct um_orbit_observer observer;
+  struct um_vec3 pole; /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */
   bool sun_frozen;
   struct um_vec3 frozen_sun_position; /* geocentric, GCRS [m], when sun_frozen */
   struct um_materials_library *library;

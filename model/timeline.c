@@ -22,24 +22,13 @@ static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r,
     *distance = model->scenario->environment->sun_distance_au * UM_AU;
 }
 
-static enum um_status pole_of(struct um_context *context, const struct um_model *model,
-                              double t_tai, struct um_vec3 *pole)
-{
-  struct um_mat3 m;
-  UM_TRY(um_orbit_frames_gcrs_to_itrf(context, &model->orientation, t_tai, &m));
-  *pole = um_vec3(m.m[2][0], m.m[2][1], m.m[2][2]);
-  return UM_OK;
-}
-
 /* Fill everything but the attitude and who looks; r, v, t_tai are set. */
-static enum um_status light_of(struct um_context *context, const struct um_model *model,
-                               struct um_environment_sample *s)
+static void light_of(const struct um_model *model, struct um_environment_sample *s)
 {
   sun_of(model, s->t_tai, s->r, &s->sun, &s->sun_distance);
-  UM_TRY(pole_of(context, model, s->t_tai, &s->pole));
+  s->pole = model->pole;
   s->sunlit_fraction =
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
-  return UM_OK;
 }
 
 static enum um_status attitude_of(struct um_context *context, const struct um_model *model,
@@ -54,9 +43,8 @@ enum um_status um_model_sample_at(struct um_context *context, const struct um_mo
 {
   *out = (struct um_environment_sample){.t_tai = t_tai, .range = NAN};
   UM_TRY(um_orbit_trajectory_state(context, model->trajectory, t_tai, &out->r, &out->v));
-  UM_TRY(light_of(context, model, out));
-  if (model->has_observer) {
-    /* attitude laws that point at the observer need him outside observations too */
+  light_of(model, out);
+  if (model->has_observer && model->points_at_observer) {
     struct um_orbit_look look;
     struct um_orbit_observer instant = model->observer;
     instant.light_time = 0;
@@ -81,7 +69,7 @@ enum um_status um_model_sample_seen(struct um_context *context, const struct um_
                                         .v = look->v_gcrs,
                                         .to_observer = look->to_observer,
                                         .range = look->range};
-  UM_TRY(light_of(context, model, out));
+  light_of(model, out);
   return attitude_of(context, model, out);
 }
 
@@ -96,7 +84,8 @@ static enum um_status event_geometry(void *self, double t_tai, struct um_vec3 *r
   const struct event_source *source = self;
   UM_TRY(um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, NULL));
   sun_of(source->model, t_tai, *r, sun, distance);
-  return pole_of(source->context, source->model, t_tai, pole);
+  *pole = source->model->pole;
+  return UM_OK;
 }
 
 enum um_status um_model_events(struct um_context *context, const struct um_model *model,

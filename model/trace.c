@@ -89,8 +89,7 @@ static struct grid_time event_time(const struct um_model *model,
                                    const struct um_environment_event *event)
 {
   double side = 0.0;
-  if (model->environment.shadow == UM_SHADOW_CYLINDER ||
-      model->environment.disc == UM_DISC_POINT) {
+  if (model->environment.shadow == UM_SHADOW_CYLINDER || model->environment.disc == UM_DISC_POINT) {
     if (event->kind == UM_EVENT_PENUMBRA_ENTRY || event->kind == UM_EVENT_UMBRA_EXIT)
       side = -JUMP_SIDE;
     else if (event->kind == UM_EVENT_UMBRA_ENTRY || event->kind == UM_EVENT_PENUMBRA_EXIT)
