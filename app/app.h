@@ -32,6 +32,7 @@ struct um_app_verb {
   const char *name, *usage, *summary;
   int npositional_min, npositional_max;
   const char *accepts; /* long options it takes, space separated, beside --threads */
+  /* UM_APP_MISUSE: said what is wrong; the usage line is printed behind it */
   int (*run)(struct um_context *context, const struct um_app_options *options);
 };
 
@@ -41,6 +42,10 @@ int um_app_fail(struct um_context *context);
 struct um_model_options um_app_model_options(const struct um_app_options *options);
 /* A JSON string literal. */
 void um_app_json_string(FILE *file, const char *text);
+/* A JSON number with nine digits; null where it is not finite. */
+void um_app_json_number(FILE *file, double value);
+/* before "key": number, on standard output. */
+void um_app_json_field(const char *before, const char *key, double value);
 
 int um_app_run(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);

@@ -6,6 +6,13 @@
 #include "core/constants.h"
 #include "orbit/time.h"
 
+#define ROOM 300.0 /* temperature of the emittances [K] */
+
+static double altitude_km(const struct um_model *model, const struct um_environment_sample *s)
+{
+  return (um_vec3_norm(s->r) - model->environment.earth_radius) * 1e-3;
+}
+
 static void print_parts(const struct um_model *model)
 {
   const struct um_geometry *g = model->geometry;
@@ -27,19 +34,77 @@ static void print_parts(const struct um_model *model)
   }
 }
 
+static double material_area(const struct um_model *model, size_t material)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  double area = 0.0;
+  for (size_t s = 0; s < mesh->nsurface; s++)
+    if (mesh->surface[s].material == material) area += mesh->area[mesh->surface[s].facet];
+  return area;
+}
+
 static void print_materials(const struct um_model *model)
 {
   const struct um_geometry *g = model->geometry;
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(g);
   printf("\n%-26s %11s %10s %10s\n", "material", "area m2", "solar abs.", "emittance");
   for (size_t m = 0; m < um_geometry_material_count(g); m++) {
-    double area = 0.0;
-    for (size_t s = 0; s < mesh->nsurface; s++)
-      if (mesh->surface[s].material == m) area += mesh->area[mesh->surface[s].facet];
-    printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m), area,
+    printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m), material_area(model, m),
            um_materials_solar_absorptance(model->material[m], NULL),
-           um_materials_emittance(model->material[m], NULL, 300.0));
+           um_materials_emittance(model->material[m], NULL, ROOM));
   }
+}
+
+static void json_parts(const struct um_geometry *g)
+{
+  printf(",\n  \"parts\": [");
+  for (size_t i = 0; i < um_geometry_part_count(g); i++) {
+    struct um_geometry_report r = um_geometry_report(g, i);
+    printf("%s\n    {\"name\": ", i > 0 ? "," : "");
+    um_app_json_string(stdout, r.part);
+    printf(", \"facets\": %zu, \"vertices\": %zu", r.nfacet, r.nvertex);
+    um_app_json_field(", ", "area_m2", r.area);
+    um_app_json_field(", ", "volume_m3", r.volume);
+    printf(", \"closed\": %s, \"degenerate_facets\": %zu}", r.closed ? "true" : "false",
+           r.ndegenerate);
+  }
+  printf("]");
+}
+
+static void json_materials(const struct um_model *model)
+{
+  printf(",\n  \"materials\": [");
+  for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
+    printf("%s\n    {\"name\": ", m > 0 ? "," : "");
+    um_app_json_string(stdout, um_geometry_material_name(model->geometry, m));
+    um_app_json_field(", ", "area_m2", material_area(model, m));
+    um_app_json_field(", ", "solar_absorptance",
+                      um_materials_solar_absorptance(model->material[m], NULL));
+    um_app_json_field(", ", "emittance", um_materials_emittance(model->material[m], NULL, ROOM));
+    printf("}");
+  }
+  printf("]");
+}
+
+static void print_json(const struct um_model *model, const struct um_environment_sample *s,
+                       const char *start, const char *stop)
+{
+  printf("{\"name\": ");
+  um_app_json_string(stdout, model->scenario->name);
+  printf(",\n  \"start_utc\": \"%s\", \"stop_utc\": \"%s\"", start, stop);
+  um_app_json_field(", ", "step_s", model->scenario->time->step_s);
+  um_app_json_field(",\n  ", "altitude_km", altitude_km(model, s));
+  um_app_json_field(", ", "sunlit_fraction", s->sunlit_fraction);
+  um_app_json_field(", ", "period_s", um_orbit_trajectory_period(model->trajectory));
+  json_parts(model->geometry);
+  json_materials(model);
+  printf(",\n  \"surfaces\": %zu, \"heat_nodes\": %zu, \"tetrahedra\": %zu,\n  \"bands\": [",
+         um_geometry_mesh(model->geometry)->nsurface,
+         um_thermal_network_nodes(model->body->network), model->body->ntetrahedron);
+  for (size_t b = 0; b < model->nband; b++) {
+    printf("%s", b > 0 ? ", " : "");
+    um_app_json_string(stdout, model->band[b].name);
+  }
+  printf("]}\n");
 }
 
 int um_app_check(struct um_context *context, const struct um_app_options *options)
@@ -54,10 +119,13 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
   UM_CHECK(um_model_sample_at(context, model, time->start, &s));
   um_orbit_time_format(time->start, start);
   um_orbit_time_format(time->stop, stop);
+  if (options->json) {
+    print_json(model, &s, start, stop);
+    goto done;
+  }
   printf("%s: %s to %s every %g s\n", model->scenario->name, start, stop, time->step_s);
   printf("at the start: altitude %.1f km, sunlit fraction %.3f, period %.1f s\n",
-         (um_vec3_norm(s.r) - model->environment.earth_radius) * 1e-3, s.sunlit_fraction,
-         um_orbit_trajectory_period(model->trajectory));
+         altitude_km(model, &s), s.sunlit_fraction, um_orbit_trajectory_period(model->trajectory));
   printf("\n");
   print_parts(model);
   print_materials(model);

@@ -15,18 +15,50 @@ static void print_one(const struct um_effect *e)
   }
 }
 
+static void json_parameter(const struct um_effect_parameter *p)
+{
+  printf("{\"name\": ");
+  um_app_json_string(stdout, p->name);
+  printf(", \"unit\": ");
+  um_app_json_string(stdout, p->unit);
+  printf(", \"default\": ");
+  um_app_json_number(stdout, p->fallback);
+  printf(", \"minimum\": ");
+  um_app_json_number(stdout, p->minimum);
+  printf(", \"maximum\": ");
+  um_app_json_number(stdout, p->maximum);
+  printf(", \"null_value\": ");
+  um_app_json_number(stdout, p->null_value);
+  printf(", \"help\": ");
+  um_app_json_string(stdout, p->help);
+  printf("}");
+}
+
+static void json_effect(const struct um_effect *e)
+{
+  printf("{\"name\": ");
+  um_app_json_string(stdout, e->name);
+  printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
+  um_app_json_string(stdout, e->summary);
+  printf(", \"validity\": ");
+  um_app_json_string(stdout, e->validity);
+  printf(", \"reference\": ");
+  um_app_json_string(stdout, e->reference);
+  printf(", \"parameters\": [");
+  for (size_t i = 0; i < e->nparameter; i++) {
+    if (i > 0) printf(", ");
+    json_parameter(&e->parameters[i]);
+  }
+  printf("]}");
+}
+
 static void print_json(void)
 {
   puts("[");
   for (size_t i = 0; i < um_effects_count(); i++) {
-    const struct um_effect *e = um_effects_at(i);
-    printf("  {\"name\": ");
-    um_app_json_string(stdout, e->name);
-    printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
-    um_app_json_string(stdout, e->summary);
-    printf(", \"reference\": ");
-    um_app_json_string(stdout, e->reference);
-    printf("}%s\n", i + 1 < um_effects_count() ? "," : "");
+    printf("  ");
+    json_effect(um_effects_at(i));
+    printf("%s\n", i + 1 < um_effects_count() ? "," : "");
   }
   puts("]");
 }
@@ -38,11 +70,16 @@ int um_app_effects(struct um_context *context, const struct um_app_options *opti
     if (e == NULL) {
       char names[512];
       um_effects_names(names, sizeof names);
-      um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; known: %s",
+      um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; accepted: %s",
                    options->positional[0], names);
       return um_app_fail(context);
     }
-    print_one(e);
+    if (options->json) {
+      json_effect(e);
+      printf("\n");
+    } else {
+      print_one(e);
+    }
     return UM_APP_DONE;
   }
   if (options->json) {

@@ -1,5 +1,7 @@
 /* umbra: the command. Options are parsed once; each verb is a file of its own. */
+#include <errno.h>
 #include <getopt.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -10,21 +12,24 @@
 
 static const struct um_app_verb verbs[] = {
     {"run",
-     "umbra run SCENARIO [--out DIR] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]...",
+     "umbra run SCENARIO [--out DIR] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."
+     " [--force] [--no-plots] [--json]",
      "light curves and temperatures of a scenario", 1, 1,
      "out set with without force no-plots json", um_app_run},
-    {"check", "umbra check SCENARIO [--set KEY=VALUE]...",
+    {"check",
+     "umbra check SCENARIO [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]... [--json]",
      "read a scenario and report what was understood", 1, 1, "set with without json", um_app_check},
-    {"passes", "umbra passes SCENARIO",
+    {"passes", "umbra passes SCENARIO [--set KEY=VALUE]... [--json]",
      "when the satellite rises over the station, and what is sunlit", 1, 1, "set json",
      um_app_passes},
-    {"render", "umbra render SCENARIO --time UTC --band B -o image.exr",
+    {"render",
+     "umbra render SCENARIO --time UTC --band B -o image.exr [--width N] [--samples N] [--force]",
      "one picture, every wavelength, as OpenEXR", 1, 1,
      "out set with without time band width samples force", um_app_render},
-    {"materials", "umbra materials [NAME]", "materials with their integrated properties", 0, 1,
-     "json", um_app_materials},
-    {"effects", "umbra effects [NAME]", "physical effects and their parameters", 0, 1, "json",
-     um_app_effects},
+    {"materials", "umbra materials [NAME] [--json]", "materials with their integrated properties",
+     0, 1, "json", um_app_materials},
+    {"effects", "umbra effects [NAME] [--json]", "physical effects and their parameters", 0, 1,
+     "json", um_app_effects},
     {"schema", "umbra schema [--json]", "reference of scenario.yaml, or its JSON Schema", 0, 0,
      "json", um_app_schema},
     {"validate", "umbra validate [--thermal] [--optics] [--json]",
@@ -59,6 +64,20 @@ void um_app_json_string(FILE *file, const char *text)
       fputc(c, file);
   }
   fputc('"', file);
+}
+
+void um_app_json_number(FILE *file, double value)
+{
+  if (isfinite(value))
+    fprintf(file, "%.9g", value);
+  else
+    fputs("null", file);
+}
+
+void um_app_json_field(const char *before, const char *key, double value)
+{
+  printf("%s\"%s\": ", before, key);
+  um_app_json_number(stdout, value);
 }
 
 static void print_help(FILE *file)
@@ -235,12 +254,23 @@ static int dispatch(struct um_context *context, const struct um_app_verb *verb, 
     o.with = o.set + argc;
     o.without = o.with + argc;
     code = parse(context, verb, argc, argv, &o);
-    if (code == UM_APP_DONE) code = verb->run(context, &o);
+    if (code == UM_APP_DONE) {
+      code = verb->run(context, &o);
+      if (code == UM_APP_MISUSE) fprintf(stderr, "usage: %s\n", verb->usage);
+    }
     if (code == -1) code = UM_APP_DONE;
   }
   free(o.command);
   free((void *)o.set);
   return code;
+}
+
+/* What was printed has arrived, else the command has failed. */
+static int flush(int code)
+{
+  if (fflush(stdout) == 0 && ferror(stdout) == 0) return code;
+  fprintf(stderr, "umbra: standard output: %s\n", strerror(errno));
+  return code == UM_APP_DONE ? UM_APP_FAILED : code;
 }
 
 int main(int argc, char **argv)
@@ -252,11 +282,11 @@ int main(int argc, char **argv)
   if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
       strcmp(argv[1], "help") == 0) {
     print_help(stdout);
-    return UM_APP_DONE;
+    return flush(UM_APP_DONE);
   }
   if (strcmp(argv[1], "--version") == 0) {
     puts("umbra " UM_APP_VERSION);
-    return UM_APP_DONE;
+    return flush(UM_APP_DONE);
   }
   for (size_t i = 0; i < NVERB; i++) {
     if (strcmp(argv[1], verbs[i].name) != 0) continue;
@@ -269,7 +299,7 @@ int main(int argc, char **argv)
     int code = dispatch(context, &verbs[i], argc, argv);
     um_app_terminal_clear();
     um_core_context_destroy(&context);
-    return code;
+    return flush(code);
   }
   return misuse(NULL, "unknown command '%s'", argv[1]);
 }

@@ -60,19 +60,35 @@ static void print_one(const struct um_materials_record *r)
     printf("  areal heat capacity %g J/m2/K\n", b.areal_heat_capacity);
 }
 
+static void json_record(const struct um_materials_record *r)
+{
+  printf("{\"name\": ");
+  um_app_json_string(stdout, um_materials_name(r));
+  printf(", \"summary\": ");
+  um_app_json_string(stdout, um_materials_summary(r));
+  printf(", \"source\": ");
+  um_app_json_string(stdout, um_materials_citation(r));
+  printf(", \"solar_absorptance\": ");
+  um_app_json_number(stdout, um_materials_solar_absorptance(r, NULL));
+  printf(", \"emittance\": ");
+  um_app_json_number(stdout, um_materials_emittance(r, NULL, ROOM));
+  printf(", \"normal_emittance\": ");
+  um_app_json_number(stdout, um_materials_normal_emittance(r, NULL, ROOM));
+  printf(", \"catalogue_solar_absorptance\": ");
+  um_app_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
+  printf(", \"catalogue_emittance\": ");
+  um_app_json_number(stdout, um_materials_catalogue(r).emittance);
+  printf(", \"grey\": %s}", um_materials_is_grey(r) ? "true" : "false");
+}
+
 static void print_json(const struct um_materials_library *library)
 {
   puts("[");
   size_t n = um_materials_library_count(library);
   for (size_t i = 0; i < n; i++) {
-    const struct um_materials_record *r = um_materials_library_at(library, i);
-    printf("  {\"name\": ");
-    um_app_json_string(stdout, um_materials_name(r));
-    printf(", \"solar_absorptance\": %.6g, \"emittance\": %.6g, \"normal_emittance\": %.6g, "
-           "\"grey\": %s}%s\n",
-           um_materials_solar_absorptance(r, NULL), um_materials_emittance(r, NULL, ROOM),
-           um_materials_normal_emittance(r, NULL, ROOM), um_materials_is_grey(r) ? "true" : "false",
-           i + 1 < n ? "," : "");
+    printf("  ");
+    json_record(um_materials_library_at(library, i));
+    printf("%s\n", i + 1 < n ? "," : "");
   }
   puts("]");
 }
@@ -99,13 +115,18 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
   if (options->npositional == 1) {
     const char *name = options->positional[0];
     const struct um_materials_record *r = um_materials_library_find(library, name);
-    char near[256];
+    char near[1024];
     if (r == NULL) {
       um_materials_library_suggest(library, name, near, sizeof near);
       status = um_core_fail(context, UM_ERR_INPUT, "no material is called '%s'; %s", name, near);
       goto done;
     }
-    print_one(r);
+    if (options->json) {
+      json_record(r);
+      printf("\n");
+    } else {
+      print_one(r);
+    }
   } else if (options->json) {
     print_json(library);
   } else {

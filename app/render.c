@@ -1,7 +1,7 @@
 /* umbra render: one picture of one instant, every wavelength of a band, as OpenEXR. */
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include "app/app.h"
 #include "output/output.h"
@@ -48,6 +48,28 @@ done:
   return status;
 }
 
+/* Said before the computing begins: what cannot be written, or is not ours to replace. The picture
+ * is renamed into place, which must not hit a device. */
+static enum um_status check_target(struct um_context *context, const struct um_app_options *options)
+{
+  struct stat st;
+  char *folder = NULL;
+  const char *out = options->out, *slash = strrchr(out, '/');
+  if (lstat(out, &st) == 0) {
+    if (!S_ISREG(st.st_mode))
+      return um_core_fail(context, UM_ERR_IO, "%s: is not a file; accepted: a file name", out);
+    if (!options->force)
+      return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
+  }
+  if (slash == NULL) return UM_OK;
+  UM_TRY(um_core_asprintf(context, &folder, "%.*s", (int)(slash - out) + 1, out));
+  bool there = stat(folder, &st) == 0 && S_ISDIR(st.st_mode);
+  um_core_free(context, folder);
+  if (there && slash[1] != '\0') return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: %s; accepted: a file name in a folder that exists",
+                      out, there ? "is a folder" : "there is no such folder");
+}
+
 int um_app_render(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -58,10 +80,7 @@ int um_app_render(struct um_context *context, const struct um_app_options *optio
     fputs("umbra: render needs --time UTC, --band NAME and -o image.exr\n", stderr);
     return UM_APP_MISUSE;
   }
-  if (access(options->out, F_OK) == 0 && !options->force) {
-    status = um_core_fail(context, UM_ERR_IO, "%s exists; --force replaces it", options->out);
-    goto done;
-  }
+  UM_CHECK(check_target(context, options));
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(overrides_of(context, options, &overrides, at));
   changes.overrides = overrides;

@@ -24,61 +24,136 @@ static void material_energy(const struct um_model_result *r, size_t band, double
                                (size_t)i];
 }
 
-static void summarise_band(const struct um_model *model, const struct um_model_trace *trace,
-                           const struct um_model_result *r, size_t band, double *energy)
+/* What a run says of one band. */
+struct band_summary {
+  double low, high; /* intensity [W/sr] */
+  double error;     /* Monte-Carlo error of a total at most [1] */
+  size_t umbra;     /* instants without sunlight */
+  double umbra_sun; /* largest Sun term of those [W/sr] */
+  double umbra_low; /* their lowest total [W/sr] */
+};
+
+static struct band_summary band_summary(const struct um_model_trace *trace,
+                                        const struct um_model_result *r, size_t band)
 {
-  double low = INFINITY, high = 0.0, error = 0.0, umbra_sun = 0.0, umbra_low = INFINITY, sum = 0.0;
-  size_t umbra = 0, best = 0;
+  struct band_summary s = {INFINITY, 0.0, 0.0, 0, 0.0, INFINITY};
   for (size_t k = 0; k < r->nobs; k++) {
     double total = um_model_result_intensity(r, k, band, -1);
-    low = fmin(low, total);
-    high = fmax(high, total);
-    if (total > 0.0) error = fmax(error, r->standard_error[k * r->nband + band] / total);
+    s.low = fmin(s.low, total);
+    s.high = fmax(s.high, total);
+    if (total > 0.0) s.error = fmax(s.error, r->standard_error[k * r->nband + band] / total);
     if (trace->sunlit[k] > 0.0) continue;
-    umbra++;
-    umbra_sun = fmax(umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
-    umbra_low = fmin(umbra_low, total);
+    s.umbra++;
+    s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
+    s.umbra_low = fmin(s.umbra_low, total);
   }
-  printf("%-5s %.4g to %.4g W/sr", model->band[band].name, low, high);
-  if (umbra > 0)
-    printf("; %zu of %zu instants in the umbra: Sun term %g W/sr, total at least %.4g W/sr", umbra,
-           r->nobs, umbra_sun, umbra_low);
-  printf("; Monte-Carlo error at most %.2g %%\n", 100.0 * error);
+  return s;
+}
+
+static void print_band(const struct um_output_run *run, size_t band, double *energy)
+{
+  const struct um_model_result *r = run->result;
+  struct band_summary s = band_summary(run->trace, r, band);
+  double sum = 0.0;
+  size_t best = 0;
+  printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
+  if (s.umbra > 0)
+    printf("; %zu of %zu instants in the umbra: Sun term %g W/sr, total at least %.4g W/sr",
+           s.umbra, r->nobs, s.umbra_sun, s.umbra_low);
+  printf("; Monte-Carlo error at most %.2g %%\n", 100.0 * s.error);
   material_energy(r, band, energy);
   for (size_t m = 0; m < r->nmaterial; m++) {
     sum += energy[m];
     if (energy[m] > energy[best]) best = m;
   }
-  printf("      most of it over the run: %s,", um_geometry_material_name(model->geometry, best));
+  printf("      most of it over the run: %s,",
+         um_geometry_material_name(run->model->geometry, best));
   for (size_t m = 0; m < r->nmaterial; m++)
-    printf(" %s %.1f %%", um_geometry_material_name(model->geometry, m),
+    printf(" %s %.1f %%", um_geometry_material_name(run->model->geometry, m),
            sum > 0.0 ? 100.0 * energy[m] / sum : 0.0);
   printf("\n");
 }
 
-static void summarise_heat(const struct um_model_trace *trace, const struct um_model_result *r)
+static void json_band(const struct um_output_run *run, size_t band, double *energy)
+{
+  const struct um_model_result *r = run->result;
+  struct band_summary s = band_summary(run->trace, r, band);
+  double sum = 0.0;
+  printf("{\"name\": ");
+  um_app_json_string(stdout, run->model->band[band].name);
+  um_app_json_field(", ", "lowest_W_sr", s.low);
+  um_app_json_field(", ", "highest_W_sr", s.high);
+  um_app_json_field(", ", "relative_error", s.error);
+  printf(", \"umbra_instants\": %zu", s.umbra);
+  um_app_json_field(", ", "umbra_sun_W_sr", s.umbra > 0 ? s.umbra_sun : (double)NAN);
+  um_app_json_field(", ", "umbra_lowest_W_sr", s.umbra_low);
+  printf(", \"share_by_material\": {");
+  material_energy(r, band, energy);
+  for (size_t m = 0; m < r->nmaterial; m++) sum += energy[m];
+  for (size_t m = 0; m < r->nmaterial; m++) {
+    printf("%s", m > 0 ? ", " : "");
+    um_app_json_string(stdout, um_geometry_material_name(run->model->geometry, m));
+    printf(": ");
+    um_app_json_number(stdout, sum > 0.0 ? energy[m] / sum : 0.0);
+  }
+  printf("}}");
+}
+
+/* Mean, lowest and highest temperature of a place over the run [K]. */
+static void place_summary(const struct um_model_result *r, size_t place, double out[3])
+{
+  const struct um_model_place_history *h = &r->place[place];
+  out[0] = 0.0;
+  out[1] = INFINITY;
+  out[2] = -INFINITY;
+  for (size_t k = 0; k < r->nobs; k++) {
+    out[0] += h->mean[k] / (double)r->nobs;
+    out[1] = fmin(out[1], h->minimum[k]);
+    out[2] = fmax(out[2], h->maximum[k]);
+  }
+}
+
+static double orbits_of(const struct um_model_trace *trace)
+{
+  return (trace->loads->t[trace->loads->ntime - 1] - trace->t_start) / trace->period;
+}
+
+static void print_heat(const struct um_model_trace *trace, const struct um_model_result *r)
 {
   printf("%-24s %10s %10s %10s %14s\n", "temperatures [K]", "mean", "lowest", "highest",
          "drift/orbit");
   for (size_t p = 0; p < r->nplace; p++) {
-    const struct um_model_place_history *h = &r->place[p];
-    double mean = 0.0, low = INFINITY, high = -INFINITY;
-    for (size_t k = 0; k < r->nobs; k++) {
-      mean += h->mean[k] / (double)r->nobs;
-      low = fmin(low, h->minimum[k]);
-      high = fmax(high, h->maximum[k]);
-    }
-    printf("%-24s %10.2f %10.2f %10.2f ", h->name, mean, low, high);
-    if (isnan(h->drift))
+    double t[3];
+    place_summary(r, p, t);
+    printf("%-24s %10.2f %10.2f %10.2f ", r->place[p].name, t[0], t[1], t[2]);
+    if (isnan(r->place[p].drift))
       printf("%14s\n", "-");
     else
-      printf("%+14.3f\n", h->drift);
+      printf("%+14.3f\n", r->place[p].drift);
   }
   const struct um_thermal_heat *a = &r->audit;
-  printf("energy audit over %.2f orbits: in %.6g J, out %.6g J, stored %.6g J, error %.1e of the "
-         "turnover (limit 1e-6)\n",
-         (trace->loads->t[trace->loads->ntime - 1] - trace->t_start) / trace->period,
+  printf("energy audit");
+  if (!isnan(trace->period)) printf(" over %.2f orbits", orbits_of(trace));
+  printf(": in %.6g J, out %.6g J, stored %.6g J, error %.1e of the turnover (limit 1e-6)\n",
          a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
+}
+
+static void json_heat(const struct um_model_result *r)
+{
+  printf(",\n  \"places\": [");
+  for (size_t p = 0; p < r->nplace; p++) {
+    double t[3];
+    place_summary(r, p, t);
+    printf("%s\n    {\"name\": ", p > 0 ? "," : "");
+    um_app_json_string(stdout, r->place[p].name);
+    um_app_json_field(", ", "mean_K", t[0]);
+    um_app_json_field(", ", "lowest_K", t[1]);
+    um_app_json_field(", ", "highest_K", t[2]);
+    um_app_json_field(", ", "drift_K_per_orbit", r->place[p].drift);
+    printf("}");
+  }
+  printf("],\n  ");
+  um_app_json_field("", "energy_audit_error", r->audit_error);
 }
 
 /* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
@@ -147,21 +222,45 @@ done:
   return status;
 }
 
+static void print_run(const struct um_output_run *run, const char *folder, double *energy)
+{
+  const struct um_model_result *r = run->result;
+  printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
+         run->model->scenario->name, r->nobs, r->nsurface, r->nnode, r->steps);
+  print_heat(run->trace, r);
+  for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) print_band(run, b, energy);
+  printf("results in %s\n", folder);
+}
+
+static void json_run(const struct um_output_run *run, const char *folder, double *energy)
+{
+  const struct um_model_result *r = run->result;
+  printf("{\"name\": ");
+  um_app_json_string(stdout, run->model->scenario->name);
+  printf(", \"folder\": ");
+  um_app_json_string(stdout, folder);
+  printf(",\n  \"observations\": %zu, \"surfaces\": %zu, \"heat_nodes\": %zu, "
+         "\"integrator_steps\": %zu",
+         r->nobs, r->nsurface, r->nnode, r->steps);
+  json_heat(r);
+  printf(",\n  \"bands\": [");
+  for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) {
+    printf("%s\n    ", b > 0 ? "," : "");
+    json_band(run, b, energy);
+  }
+  printf("]}\n");
+}
+
 static enum um_status summarise(struct um_context *context, const struct um_output_run *run,
-                                const char *folder)
+                                const char *folder, bool json)
 {
   double *energy = NULL;
-  printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
-         run->model->scenario->name, run->result->nobs, run->result->nsurface, run->result->nnode,
-         run->result->steps);
-  summarise_heat(run->trace, run->result);
-  if (run->result->nmaterial > 0) {
-    UM_TRY(um_core_allocate(context, run->result->nmaterial, sizeof *energy, &energy));
-    for (size_t b = 0; b < run->result->nband; b++)
-      summarise_band(run->model, run->trace, run->result, b, energy);
-    um_core_free(context, energy);
-  }
-  printf("results in %s\n", folder);
+  UM_TRY(um_core_allocate(context, run->result->nmaterial, sizeof *energy, &energy));
+  if (json)
+    json_run(run, folder, energy);
+  else
+    print_run(run, folder, energy);
+  um_core_free(context, energy);
   return UM_OK;
 }
 
@@ -204,7 +303,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   if (!options->no_plots) UM_CHECK(um_output_plot_run(context, um_core_folder_path(folder), &run));
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
-  UM_CHECK(summarise(context, &run, out));
+  UM_CHECK(summarise(context, &run, out, options->json));
 done:
   um_core_folder_abort(&folder);
   um_model_result_destroy(context, &result);

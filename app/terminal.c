@@ -1,6 +1,7 @@
-/* Log and progress on the terminal: a bar with the time left, nothing of it in a pipe. */
+/* Log and progress on the terminal: a bar with the time left, nothing of it in a pipe; Ctrl-C. */
 #include "app/terminal.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -12,6 +13,25 @@ struct progress {
   const char *task;
   double began, drawn; /* [s] */
 };
+
+/* Set by SIGINT and SIGTERM: the work stops at its next step and takes its unfinished results away.
+ * A second signal ends the process at once. */
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int signal_number)
+{
+  (void)signal_number;
+  interrupted = 1;
+}
+
+static void listen(int signal_number)
+{
+  struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
+  struct sigaction before;
+  /* a signal that the caller has switched off stays off */
+  if (sigaction(signal_number, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+    (void)sigaction(signal_number, &action, NULL);
+}
 
 static double now(void)
 {
@@ -40,6 +60,7 @@ static void log_line(void *self, enum um_core_log_level level, const char *line)
 static bool draw(void *self, const char *task, size_t done, size_t total)
 {
   struct progress *p = self;
+  if (interrupted || !isatty(STDERR_FILENO)) return !interrupted;
   double t = now();
   if (p->task != task || done == 0) {
     p->task = task;
@@ -68,5 +89,7 @@ void um_app_terminal_attach(struct um_context *context)
 {
   static struct progress progress; /* one terminal, one bar */
   um_core_log_set_sink(context, log_line, NULL);
-  if (isatty(STDERR_FILENO)) um_core_progress_set_sink(context, draw, &progress);
+  um_core_progress_set_sink(context, draw, &progress);
+  listen(SIGINT);
+  listen(SIGTERM);
 }

@@ -6,8 +6,6 @@
 
 #include "output/output.h"
 
-#define NAME_LENGTH 64
-
 enum dimension {
   TIME,
   FACET,
@@ -54,7 +52,7 @@ static enum um_status define(const struct writer *w, const char *name, nc_type t
   int dimension[4];
   for (int i = 0; i < naxis; i++) dimension[i] = w->dimension[axes[i]];
   UM_TRY(check(w, nc_def_var(w->file, name, type, naxis, dimension, id)));
-  if (units != NULL) UM_TRY(check(w, nc_put_att_text(w->file, *id, "units", strlen(units), units)));
+  UM_TRY(check(w, nc_put_att_text(w->file, *id, "units", strlen(units), units)));
   UM_TRY(check(w, nc_put_att_text(w->file, *id, "long_name", strlen(long_name), long_name)));
   if (naxis > 1 && type != NC_CHAR) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
   return UM_OK;
@@ -74,7 +72,7 @@ static enum um_status put_index(const struct writer *w, const char *name,
                                 const uint32_t *values)
 {
   int id;
-  UM_TRY(define(w, name, NC_UINT, axes, naxis, NULL, long_name, &id));
+  UM_TRY(define(w, name, NC_UINT, axes, naxis, "1", long_name, &id));
   return check(w, nc_put_var_uint(w->file, id, values));
 }
 
@@ -86,14 +84,15 @@ static enum um_status put_names(const struct writer *w, const struct um_output_r
 {
   int id;
   const enum dimension axes[2] = {axis, NAME};
-  UM_TRY(define(w, name, NC_CHAR, axes, 2, NULL, long_name, &id));
-  for (size_t i = 0; i < w->length[axis]; i++) {
-    char text[NAME_LENGTH] = {0};
-    size_t start[2] = {i, 0}, count[2] = {1, NAME_LENGTH};
-    strncpy(text, get(run, i), NAME_LENGTH - 1);
-    UM_TRY(check(w, nc_put_vara_text(w->file, id, start, count, text)));
-  }
-  return UM_OK;
+  UM_TRY(define(w, name, NC_CHAR, axes, 2, "1", long_name, &id));
+  char *text = NULL; /* all names, filled up with zeros */
+  size_t width = w->length[NAME];
+  UM_TRY(um_core_allocate(w->context, w->length[axis], width, &text));
+  for (size_t i = 0; i < w->length[axis]; i++)
+    memcpy(text + i * width, get(run, i), strlen(get(run, i)));
+  enum um_status status = check(w, nc_put_var_text(w->file, id, text));
+  um_core_free(w->context, text);
+  return status;
 }
 
 static const char *place_name(const struct um_output_run *run, size_t i)
@@ -115,16 +114,41 @@ static const char *mechanism_name(const struct um_output_run *run, size_t i)
   return names[i];
 }
 
+/* Longest of the names. */
+static size_t longest(const struct um_output_run *run, size_t n, name_of get, size_t least)
+{
+  for (size_t i = 0; i < n; i++)
+    if (strlen(get(run, i)) > least) least = strlen(get(run, i));
+  return least;
+}
+
+/* Width of the name variables: the longest name and the zero behind it. */
+static size_t name_length(const struct um_output_run *run)
+{
+  const struct um_model_result *r = run->result;
+  size_t n = longest(run, UM_MECHANISM_COUNT, mechanism_name, 0);
+  n = longest(run, r->nplace, place_name, n);
+  n = longest(run, r->nmaterial, material_name, n);
+  return longest(run, r->nband, band_name, n) + 1;
+}
+
 static enum um_status open_file(struct writer *w, const struct um_output_run *run)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
   const struct um_model_result *r = run->result;
-  const size_t length[NDIM] = {
-      [TIME] = r->nobs,    [FACET] = mesh->nfacet, [VERTEX] = mesh->nvertex,
-      [NODE] = r->nnode,   [PLACE] = r->nplace,    [MATERIAL] = r->nmaterial,
-      [BAND] = r->nband,   [WAVELENGTH] = r->nbin, [MECHANISM] = UM_MECHANISM_COUNT,
-      [XYZ] = 3,           [CORNER] = 3,           [QUATERNION] = 4,
-      [NAME] = NAME_LENGTH};
+  const size_t length[NDIM] = {[TIME] = r->nobs,
+                               [FACET] = mesh->nfacet,
+                               [VERTEX] = mesh->nvertex,
+                               [NODE] = r->nnode,
+                               [PLACE] = r->nplace,
+                               [MATERIAL] = r->nmaterial,
+                               [BAND] = r->nband,
+                               [WAVELENGTH] = r->nbin,
+                               [MECHANISM] = UM_MECHANISM_COUNT,
+                               [XYZ] = 3,
+                               [CORNER] = 3,
+                               [QUATERNION] = 4,
+                               [NAME] = name_length(run)};
   memcpy(w->length, length, sizeof length);
   UM_TRY(check(w, nc_create(w->path, NC_NETCDF4 | NC_CLOBBER, &w->file)));
   for (int i = 0; i < NDIM; i++)
@@ -156,8 +180,9 @@ static enum um_status put_times(const struct writer *w, const struct um_output_r
   double *v = NULL;
   const enum dimension t = TIME, tq[2] = {TIME, QUATERNION}, tx[2] = {TIME, XYZ};
   UM_TRY(um_core_allocate(w->context, 4 * n, sizeof *v, &v));
-  UM_CHECK(put_double(w, "time", &t, 1, "seconds since 2000-01-01T12:00:00 TAI",
-                      "mid-exposure at the observer, light received", trace->t_obs));
+  UM_CHECK(put_double(w, "time", &t, 1, "seconds since 2000-01-01 12:00:00",
+                      "mid-exposure at the observer, light received, both counted in TAI",
+                      trace->t_obs));
   UM_CHECK(put_double(w, "sunlit_fraction", &t, 1, "1", "sunlit fraction of the solar disc",
                       trace->sunlit));
   for (size_t k = 0; k < n; k++) {
@@ -217,7 +242,7 @@ static enum um_status put_sides(const struct writer *w, const struct um_output_r
         t[k * mesh->nfacet + f] =
             s == UM_GEOMETRY_NONE ? (double)NAN : r->surface_temperature[k * r->nsurface + s];
     }
-    UM_CHECK(define(w, names[back][0], NC_INT, axes + 1, 1, NULL, names[back][1], &id));
+    UM_CHECK(define(w, names[back][0], NC_INT, axes + 1, 1, "1", names[back][1], &id));
     UM_CHECK(check(w, nc_put_var_int(w->file, id, material)));
     UM_CHECK(put_double(w, names[back][2], axes, 2, "K", names[back][3], t));
   }
