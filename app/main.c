@@ -200,14 +200,25 @@ static bool take(struct um_context *context, struct um_app_options *o, int id, c
   }
 }
 
+/* The next option, -1 for a positional argument at optind; behind "--" there are only those. */
+static int next_option(int argc, char **argv, bool *literal, int *index)
+{
+  if (!*literal && optind < argc && strcmp(argv[optind], "--") == 0) {
+    *literal = true;
+    optind++;
+  }
+  return *literal ? -1 : getopt_long(argc, argv, "+o:h", long_options, index);
+}
+
 static int parse(struct um_context *context, const struct um_app_verb *verb, int argc, char **argv,
                  struct um_app_options *o)
 {
   int id, index = 0;
+  bool literal = false;
   opterr = 0;
   optind = 2;
-  while ((id = getopt_long(argc, argv, "+o:h", long_options, &index)) != -1 || optind < argc) {
-    if (id == -1) { /* a positional argument; options may follow it */
+  while ((id = next_option(argc, argv, &literal, &index)) != -1 || optind < argc) {
+    if (id == -1) { /* options may follow it */
       if (o->npositional == verb->npositional_max)
         return misuse(verb, "too many arguments: '%s'", argv[optind]);
       o->positional[o->npositional++] = argv[optind++];

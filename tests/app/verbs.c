@@ -1,0 +1,250 @@
+/* The verbs beside run: what they print, that their JSON is JSON, and the picture as OpenEXR. */
+#include <openexr.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/app/command.h"
+#include "tests/app/json.h"
+
+/* The checker itself: what it must refuse and accept. */
+static void test_json_checker(void **state)
+{
+  (void)state;
+  static const char *const good[] = {"0", " [1, -2.5e+3, \"a\\u00e9\\n\"] ", "{}",
+                                     "{\"a\": {\"b\": [null, true, false]}}"};
+  static const char *const bad[] = {"",        "nan",       "[1,]",     "{\"a\":1,}", "{a:1}",
+                                    "01",      "1.",        "\"\t\"",   "[1] 2",      "\"a",
+                                    "-",       "[1 2]",     "{\"a\"1}", "Infinity",   "'a'",
+                                    "\"\\x\"", "\"\\u12\"", "[",        "+1",         ".5"};
+  const char *where;
+  for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
+    if (!json_is_valid(good[i], &where)) fail_msg("refuses %s", good[i]);
+  for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+    if (json_is_valid(bad[i], &where)) fail_msg("accepts %s", bad[i]);
+}
+
+static void expect_json(const char *const *arguments, const char *holds)
+{
+  const char *where = "";
+  struct command c = command_run_list(arguments);
+  if (c.code != 0) fail_msg("%s: exit %d: %s", arguments[0], c.code, c.err);
+  assert_string_equal(c.err, "");
+  if (!json_is_valid(c.out, &where))
+    fail_msg("%s: not JSON from here on: %.60s", arguments[0], where);
+  if (strstr(c.out, holds) == NULL) fail_msg("%s: no %s in %s", arguments[0], holds, c.out);
+  command_release(&c);
+}
+
+static void test_json(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *argument[8], *holds;
+  } cases[] = {
+      {{"check", "box.yaml", "--json"}, "\"area_m2\": 6,"},
+      {{"passes", "box.yaml", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
+      {{"materials", "--json"}, "\"name\": \"grey_white\""},
+      {{"materials", "grey_white", "--json"}, "\"solar_absorptance\": 0.2,"},
+      {{"effects", "--json"}, "\"name\": \"albedo\", \"on_by_default\": true"},
+      {{"effects", "albedo", "--json"}, "\"parameters\": ["},
+      {{"schema", "--json"}, "\"start_utc\""},
+      {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
+  };
+  command_copy_data("box.yaml");
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    expect_json(cases[i].argument, cases[i].holds);
+}
+
+/* Names with quotes and backslashes must not break it. */
+static void test_json_escapes(void **state)
+{
+  (void)state;
+  static const char *const arguments[] = {"check", "box.yaml", "--json", NULL};
+  char *text = command_edit(command_data("box.yaml"), "name: box", "name: 'a\"b\\c'");
+  command_write("box.yaml", text);
+  free(text);
+  expect_json(arguments, "\"name\": \"a\\\"b\\\\c\"");
+}
+
+static void expect_lines(const char *const *arguments, const char *const *holds)
+{
+  struct command c = command_run_list(arguments);
+  assert_int_equal(c.code, 0);
+  assert_string_equal(c.err, "");
+  for (; *holds != NULL; holds++)
+    if (strstr(c.out, *holds) == NULL) fail_msg("%s: no '%s' in\n%s", arguments[0], *holds, c.out);
+  command_release(&c);
+}
+
+/* A cube of 1 m has 6 m2 and 1 m3; the pass is that of 18:14 over Graz. */
+static void test_text(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *argument[4], *holds[5];
+  } cases[] = {
+      {{"check", "box.yaml"}, {"box: 2016-09-06T18:07:00.000Z to", "6.0000      1.0000  closed"}},
+      {{"passes", "box.yaml"}, {"over Graz", "culminates", "azimuth", "leaves the umbra"}},
+      {{"materials"}, {"grey_white", "aluminium_bare", "solar abs."}},
+      {{"materials", "grey_white"}, {"solar absorptance 0.2000", "hemispherical 0.8800"}},
+      {{"effects"}, {"albedo", "penumbra", "oblateness"}},
+      {{"effects", "albedo"}, {"on by default", "reference: "}},
+      {{"schema"}, {"start_utc", "areal_heat_capacity_J_m2_K"}},
+  };
+  command_copy_data("box.yaml");
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    expect_lines(cases[i].argument, cases[i].holds);
+}
+
+static void expect_failure(const char *const *arguments, const char *says)
+{
+  struct command c = command_run_list(arguments);
+  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
+      strstr(c.err, says) == NULL)
+    fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, says, c.out, c.err);
+  command_release(&c);
+}
+
+#define RENDER "render", "box.yaml", "--width", "16", "--samples", "1"
+#define MOMENT "--time", "2016-09-06T18:10:30Z"
+
+static void test_failures(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *argument[14], *says;
+  } cases[] = {
+      {{"materials", "grey_whit"}, "did you mean"},
+      {{"effects", "albeda"}, "accepted: albedo"},
+      {{"check", "nowhere.yaml"}, "nowhere.yaml: No such file"},
+      {{"passes", "space.yaml"}, "observer.station"},
+      {{RENDER, MOMENT, "--band", "uv", "-o", "a.exr"}, "no such band"},
+      {{RENDER, "--time", "noon", "--band", "vis", "-o", "a.exr"}, "'noon'"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "box.yaml"}, "box.yaml: exists"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "nowhere/a.exr"}, "no such folder"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "folder"}, "is not a file"},
+      {{RENDER, MOMENT, "--band", "vis", "--force", "-o", "folder"}, "is not a file"},
+      {{RENDER, MOMENT, "--band", "vis", "--force", "-o", "/dev/null"}, "is not a file"},
+  };
+  char *text = command_edit(
+      command_data("box.yaml"),
+      "station: {name: Graz, latitude_deg: 47.067, longitude_deg: 15.493, height_m: 495}",
+      "direction: {unit_gcrs: [1, 0, 0], range_km: 1000}");
+  command_write("space.yaml", text);
+  free(text);
+  command_copy_data("box.yaml");
+  assert_int_equal(mkdir("folder", 0777), 0);
+  char *before = command_snapshot(".");
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    expect_failure(cases[i].argument, cases[i].says);
+  char *after = command_snapshot(".");
+  assert_string_equal(after, before);
+  free(before);
+  free(after);
+}
+
+/* Four bins of 0.38 to 0.78 um: centres 430, 530, 630, 730 nm; channels are sorted by name. */
+static void check_picture(const char *path)
+{
+  static const char *const names[] = {
+      "B", "G", "R", "S0.430,000nm", "S0.530,000nm", "S0.630,000nm", "S0.730,000nm"};
+  exr_context_t file;
+  exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+  const exr_attr_chlist_t *channels = NULL;
+  exr_attr_box2i_t window;
+  exr_storage_t storage;
+  int parts = 0;
+  assert_int_equal(exr_start_read(&file, path, &start), EXR_ERR_SUCCESS);
+  assert_int_equal(exr_get_count(file, &parts), EXR_ERR_SUCCESS);
+  assert_int_equal(parts, 1);
+  assert_int_equal(exr_get_storage(file, 0, &storage), EXR_ERR_SUCCESS);
+  assert_int_equal(exr_get_channels(file, 0, &channels), EXR_ERR_SUCCESS);
+  assert_int_equal(channels->num_channels, 7);
+  for (int i = 0; i < 7; i++) assert_string_equal(channels->entries[i].name.str, names[i]);
+  assert_int_equal(exr_get_data_window(file, 0, &window), EXR_ERR_SUCCESS);
+  assert_int_equal(window.max.x - window.min.x + 1, 16);
+  int rows = window.max.y - window.min.y + 1, width = 16;
+  float *pixels = calloc((size_t)(rows * width), sizeof *pixels);
+  assert_non_null(pixels);
+  double sum = 0.0;
+  exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
+  for (int y = window.min.y; y <= window.max.y; y++) {
+    exr_chunk_info_t chunk;
+    assert_int_equal(exr_read_scanline_chunk_info(file, 0, y, &chunk), EXR_ERR_SUCCESS);
+    assert_int_equal(y == window.min.y ? exr_decoding_initialize(file, 0, &chunk, &decoder)
+                                       : exr_decoding_update(file, 0, &chunk, &decoder),
+                     EXR_ERR_SUCCESS);
+    for (int c = 0; c < decoder.channel_count; c++) {
+      exr_coding_channel_info_t *channel = &decoder.channels[c];
+      bool wanted = strcmp(channel->channel_name, names[4]) == 0;
+      channel->decode_to_ptr =
+          wanted ? (uint8_t *)(pixels + (size_t)((y - window.min.y) * width)) : NULL;
+      channel->user_pixel_stride = sizeof(float);
+      channel->user_line_stride = width * (int)sizeof(float);
+      channel->user_bytes_per_element = sizeof(float);
+      channel->user_data_type = EXR_PIXEL_FLOAT;
+    }
+    if (y == window.min.y)
+      assert_int_equal(exr_decoding_choose_default_routines(file, 0, &decoder), EXR_ERR_SUCCESS);
+    assert_int_equal(exr_decoding_run(file, 0, &decoder), EXR_ERR_SUCCESS);
+  }
+  for (int i = 0; i < rows * width; i++) {
+    assert_true(pixels[i] >= 0.0f);
+    sum += (double)pixels[i];
+  }
+  assert_true(sum > 0.0); /* the box stands in sunlight */
+  exr_decoding_destroy(file, &decoder);
+  free(pixels);
+  assert_int_equal(exr_finish(&file), EXR_ERR_SUCCESS);
+}
+
+static void test_render(void **state)
+{
+  (void)state;
+  command_copy_data("box.yaml");
+  command_expect(0, RENDER, MOMENT, "--band", "vis", "-o", "a.exr", NULL);
+  check_picture("a.exr");
+  char *first = command_snapshot("a.exr");
+  command_expect(1, RENDER, MOMENT, "--band", "lwir", "-o", "a.exr", NULL);
+  char *second = command_snapshot("a.exr");
+  assert_string_equal(second, first);
+  command_expect(0, RENDER, MOMENT, "--band", "lwir", "--force", "-o", "a.exr", NULL);
+  char *third = command_snapshot("a.exr");
+  assert_string_not_equal(third, first);
+  free(first);
+  free(second);
+  free(third);
+}
+
+/* Standard output on a full device is a failure, not a silence. */
+static void test_full_standard_output(void **state)
+{
+  (void)state;
+  if (access("/dev/full", W_OK) != 0) {
+    print_message("skipped: this system has no /dev/full\n");
+    skip();
+  }
+  int code = system(UMBRA_PROGRAM " materials > /dev/full 2> said");
+  assert_int_equal(code, 1 << 8);
+  char *said = command_read("said");
+  assert_non_null(strstr(said, "umbra: standard output: "));
+  assert_int_equal(command_count_lines(said), 1);
+  free(said);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_json_checker),
+      cmocka_unit_test_setup_teardown(test_json, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_json_escapes, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_render, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
