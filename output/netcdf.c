@@ -2,9 +2,13 @@
  * the first observation; `quaternion` turns it. */
 #include <math.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "output/output.h"
+
+#define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
 
 enum dimension {
   TIME,
@@ -33,7 +37,6 @@ static const char *const dimension_names[NDIM] = {
 
 struct writer {
   struct um_context *context;
-  const char *path;
   int file, dimension[NDIM];
   size_t length[NDIM];
 };
@@ -41,7 +44,7 @@ struct writer {
 static enum um_status check(const struct writer *w, int code)
 {
   if (code == NC_NOERR) return UM_OK;
-  return um_core_fail(w->context, UM_ERR_IO, "%s: netCDF: %s", w->path, nc_strerror(code));
+  return um_core_fail(w->context, UM_ERR_IO, "run.nc: netCDF: %s", nc_strerror(code));
 }
 
 /* Define a variable with its axes, unit and meaning. */
@@ -132,7 +135,7 @@ static size_t name_length(const struct um_output_run *run)
   return longest(run, r->nband, band_name, n) + 1;
 }
 
-static enum um_status open_file(struct writer *w, const struct um_output_run *run)
+static enum um_status define_dimensions(struct writer *w, const struct um_output_run *run)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
   const struct um_model_result *r = run->result;
@@ -150,7 +153,6 @@ static enum um_status open_file(struct writer *w, const struct um_output_run *ru
                                [QUATERNION] = 4,
                                [NAME] = name_length(run)};
   memcpy(w->length, length, sizeof length);
-  UM_TRY(check(w, nc_create(w->path, NC_NETCDF4 | NC_CLOBBER, &w->file)));
   for (int i = 0; i < NDIM; i++)
     if (length[i] > 0)
       UM_TRY(check(w, nc_def_dim(w->file, dimension_names[i], length[i], &w->dimension[i])));
@@ -325,17 +327,21 @@ static enum um_status put_light(const struct writer *w, const struct um_output_r
 }
 
 enum um_status um_output_write_netcdf(struct um_context *context, const struct um_output_run *run,
-                                      const char *path)
+                                      FILE *file)
 {
-  struct writer w = {.context = context, .path = path};
+  struct writer w = {.context = context};
+  NC_memio image = {0};
   enum um_status status;
-  UM_TRY(open_file(&w, run));
+  UM_TRY(check(&w, nc_create_mem("run.nc", NC_NETCDF4, FIRST_SIZE, &w.file)));
+  UM_CHECK(define_dimensions(&w, run));
   UM_CHECK(put_attributes(&w, run));
   UM_CHECK(put_times(&w, run));
   UM_CHECK(put_geometry(&w, run));
   UM_CHECK(put_temperatures(&w, run));
   UM_CHECK(put_light(&w, run));
 done:;
-  enum um_status closed = check(&w, nc_close(w.file));
+  enum um_status closed = check(&w, nc_close_memio(w.file, &image));
+  if (status == UM_OK && closed == UM_OK) (void)fwrite(image.memory, 1, image.size, file);
+  free(image.memory);
   return status != UM_OK ? status : closed;
 }

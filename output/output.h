@@ -29,9 +29,11 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
  * UTC; one line per instant). */
 enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file);
 
-/* run.nc (netCDF-4) and run.xdmf beside it, written by path inside the folder. */
+/* run.nc (netCDF-4) and run.xdmf beside it. run.nc is made in memory: HDF5 crashes at the end of
+ * the process when the disk is full. The caller looks for errors of the stream, as with all of
+ * these. */
 enum um_status um_output_write_netcdf(struct um_context *context, const struct um_output_run *run,
-                                      const char *path);
+                                      FILE *file);
 enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file);
 
 /* PNG pictures of a finished folder, read from its CSV files by gnuplot: lightcurve.png (both

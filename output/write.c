@@ -22,6 +22,16 @@ static enum um_status write_text(struct um_context *context, struct um_core_fold
   return um_core_file_close(context, name, &file);
 }
 
+static enum um_status write_netcdf(struct um_context *context, const struct um_output_run *run,
+                                   struct um_core_folder *folder)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, "run.nc", &file));
+  enum um_status status = um_output_write_netcdf(context, run, file);
+  enum um_status closed = um_core_file_close(context, "run.nc", &file);
+  return status != UM_OK ? status : closed;
+}
+
 static enum um_status write_scenario(struct um_context *context, const struct um_output_run *run,
                                      struct um_core_folder *folder)
 {
@@ -35,8 +45,6 @@ static enum um_status write_scenario(struct um_context *context, const struct um
 enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
                                    struct um_core_folder *folder)
 {
-  enum um_status status;
-  char *path = NULL;
   if (run->model->has_observer) {
     UM_TRY(write_file(context, run, folder, "lightcurve.csv", um_output_write_lightcurve));
     UM_TRY(write_file(context, run, folder, "materials.csv", um_output_write_materials));
@@ -46,10 +54,6 @@ enum um_status um_output_write_run(struct um_context *context, const struct um_o
   UM_TRY(write_file(context, run, folder, "temperatures.cic", um_output_write_cic));
   UM_TRY(write_file(context, run, folder, "run.xdmf", um_output_write_xdmf));
   UM_TRY(write_scenario(context, run, folder));
-  UM_TRY(um_core_asprintf(context, &path, "%s/run.nc", um_core_folder_path(folder)));
-  UM_CHECK(um_output_write_netcdf(context, run, path));
-  UM_CHECK(write_text(context, folder, "log.txt", um_core_log_text(context)));
-done:
-  um_core_free(context, path);
-  return status;
+  UM_TRY(write_netcdf(context, run, folder));
+  return write_text(context, folder, "log.txt", um_core_log_text(context));
 }

@@ -4,9 +4,11 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +17,7 @@
 
 static char home[4096];   /* working folder of the test program */
 static char folder[4096]; /* the one that commands run in */
+static long file_limit;   /* [bytes], 0: none */
 
 static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
 {
@@ -27,6 +30,7 @@ static int remove_entry(const char *path, const struct stat *st, int kind, struc
 int command_enter(void **state)
 {
   (void)state;
+  file_limit = 0;
   if (home[0] == '\0' && getcwd(home, sizeof home) == NULL) return -1;
   snprintf(folder, sizeof folder, "%.4000s/cli-XXXXXX", home);
   return mkdtemp(folder) == NULL ? -1 : chdir(folder);
@@ -38,6 +42,8 @@ int command_leave(void **state)
   return chdir(home) == 0 ? nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS) : -1;
 }
 
+void command_limit_files(long bytes) { file_limit = bytes; }
+
 static _Noreturn void become(const char *const *arguments, const char *out, const char *err)
 {
   char *list[ARGUMENTS_MAX + 2] = {(char *)"umbra"};
@@ -46,6 +52,11 @@ static _Noreturn void become(const char *const *arguments, const char *out, cons
   int o = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   int e = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666), i = open("/dev/null", O_RDONLY);
   if (o < 0 || e < 0 || i < 0 || dup2(i, 0) < 0 || dup2(o, 1) < 0 || dup2(e, 2) < 0) _exit(126);
+  if (file_limit > 0) {
+    struct rlimit limit = {(rlim_t)file_limit, (rlim_t)file_limit};
+    /* without the signal a write fails with EFBIG, as with ENOSPC on a full disk */
+    if (signal(SIGXFSZ, SIG_IGN) == SIG_ERR || setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(125);
+  }
   execv(UMBRA_PROGRAM, list);
   _exit(127);
 }

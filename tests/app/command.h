@@ -20,6 +20,9 @@ int command_leave(void **state);
 struct command command_run(const char *first, ...) __attribute__((sentinel));
 struct command command_run_list(const char *const *arguments);
 void command_release(struct command *command);
+/* From now on, until command_enter, commands can write no file longer than this [bytes]: a full
+ * disk as seen from inside; 0: no limit. */
+void command_limit_files(long bytes);
 /* Run and insist on the exit status; a message shows what was said. Nothing is returned. */
 void command_expect(int code, const char *first, ...) __attribute__((sentinel));
 

@@ -1,0 +1,157 @@
+/* The output folder: it appears whole, replaces only what Umbra wrote, and a run that fails leaves
+ * everything as it was. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "tests/app/command.h"
+
+#define RUN "run", "box.yaml", "--no-plots"
+
+static int enter(void **state)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data("box.yaml");
+  return 0;
+}
+
+/* Names alone, without sizes and hashes. */
+static void expect_names(const char *folder, const char *expected)
+{
+  char *snapshot = command_snapshot(folder), *names = calloc(strlen(snapshot) + 1, 1);
+  assert_non_null(names);
+  for (char *line = strtok(snapshot, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+    strncat(names, line, strcspn(line, " "));
+    strcat(names, "\n");
+  }
+  assert_string_equal(names, expected);
+  free(names);
+  free(snapshot);
+}
+
+#define FILES(folder)                                                                              \
+  folder "/.umbra\n" folder "/heat.csv\n" folder "/lightcurve.csv\n" folder "/log.txt\n" folder    \
+         "/materials.csv\n" folder "/run.nc\n" folder "/run.xdmf\n" folder                         \
+         "/scenario.yaml\n" folder "/temperatures.cic\n" folder "/temperatures.csv\n"
+
+/* Everything of DESIGN.md but the report page; nothing beside the folder. */
+static void test_appears_whole(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, "--out", "a/b/out/", NULL);
+  expect_names(".", "./\n./a/\n./a/b/\n./a/b/out/\n" FILES("./a/b/out") "./box.yaml\n");
+}
+
+/* Without --out the scenario's name stands under out/. */
+static void test_default_place(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, NULL);
+  expect_names(".", "./\n./box.yaml\n./out/\n./out/box/\n" FILES("./out/box"));
+}
+
+static void test_is_replaced(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, "--out", "out", NULL);
+  command_write("out/stray", "left by someone in a folder of Umbra's\n");
+  char *before = command_read("out/lightcurve.csv");
+  command_expect(0, RUN, "--out", "out", "--set", "time.step_s=120", NULL);
+  char *after = command_read("out/lightcurve.csv");
+  assert_int_equal(command_count_lines(before), 1 + 5);
+  assert_int_equal(command_count_lines(after), 1 + 3);
+  expect_names(".", "./\n./box.yaml\n./out/\n" FILES("./out"));
+  free(before);
+  free(after);
+}
+
+static void expect_refused(const char *out, const char *says)
+{
+  char *before = command_snapshot(".");
+  struct command c = command_run(RUN, "--out", out, NULL);
+  char *after = command_snapshot(".");
+  if (c.code != 1 || command_count_lines(c.err) != 1 || strstr(c.err, says) == NULL)
+    fail_msg("--out %s: exit %d, expected '%s':\n%s", out, c.code, says, c.err);
+  assert_string_equal(after, before);
+  command_release(&c);
+  free(before);
+  free(after);
+}
+
+static void test_foreign_is_refused(void **state)
+{
+  (void)state;
+  assert_int_equal(mkdir("mine", 0777), 0);
+  command_write("mine/thesis.tex", "years of work\n");
+  expect_refused("mine", "mine: exists and was not written by Umbra; accepted: ");
+  expect_refused("box.yaml", "box.yaml: exists and is not a folder");
+  expect_refused("box.yaml/out", "box.yaml");
+  expect_refused(".", "cannot be an output folder");
+  expect_refused("", "cannot be an output folder");
+  command_expect(0, RUN, "--out", "mine", "--force", NULL);
+  expect_names(".", "./\n./box.yaml\n./mine/\n" FILES("./mine"));
+}
+
+/* Runs that fail before, during and at the end of the work. */
+static void test_failure_leaves_results(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, "--out", "out", NULL);
+  command_write("q.csv", "time_utc,q0,q1,q2,q3\n2016-09-06T18:00:00Z,1,0,0,0\n"
+                         "2016-09-06T18:05:00Z,1,0,0,0\n");
+  char *before = command_snapshot(".");
+  command_expect(1, RUN, "--out", "out", "--set", "time.step_s=0", NULL);
+  command_expect(1, RUN, "--out", "out", "--set", "attitude=[{table: q.csv}]", NULL);
+  command_limit_files(6000); /* less than run.nc, more than the tables */
+  struct command c = command_run(RUN, "--out", "out", NULL);
+  assert_int_equal(c.code, 1);
+  if (command_count_lines(c.err) != 1 || strstr(c.err, "run.nc: ") == NULL)
+    fail_msg("a full disk at run.nc:\n%s", c.err);
+  command_release(&c);
+  command_limit_files(300); /* less than lightcurve.csv */
+  c = command_run(RUN, "--out", "out", NULL);
+  assert_int_equal(c.code, 1);
+  if (command_count_lines(c.err) != 1 || strstr(c.err, "lightcurve.csv: cannot be written") == NULL)
+    fail_msg("a full disk at lightcurve.csv:\n%s", c.err);
+  command_release(&c);
+  command_limit_files(20); /* less than the marker */
+  command_expect(1, RUN, "--out", "other", NULL);
+  command_limit_files(0);
+  char *after = command_snapshot(".");
+  assert_string_equal(after, before);
+  free(before);
+  free(after);
+}
+
+/* The copy of the scenario holds the changes of the command line and can be run again. */
+static void test_scenario_copy(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, "--out", "a", "--set", "time.step_s=120", "--set",
+                 "parts.bus.outside=black", NULL);
+  command_expect(0, "run", "a/scenario.yaml", "--no-plots", "--out", "b", NULL);
+  static const char *const names[] = {"lightcurve.csv", "temperatures.csv", "heat.csv"};
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    char path[2][64];
+    snprintf(path[0], sizeof path[0], "a/%s", names[i]);
+    snprintf(path[1], sizeof path[1], "b/%s", names[i]);
+    char *a = command_read(path[0]), *b = command_read(path[1]);
+    assert_string_equal(a, b);
+    free(a);
+    free(b);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_appears_whole, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_default_place, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_is_replaced, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_foreign_is_refused, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_failure_leaves_results, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_scenario_copy, enter, command_leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
