@@ -16,8 +16,9 @@ enum um_compare_quantity {
   UM_QUANTITY_TEMPERATURE, /* [K] */
   UM_QUANTITY_COUNT
 };
-/* Name as in files ("band_irradiance"); borrowed; does not fail. */
+/* Name as in files ("band_irradiance") and unit ("W/m^2"); borrowed; do not fail. */
 const char *um_compare_quantity_name(enum um_compare_quantity quantity);
+const char *um_compare_quantity_unit(enum um_compare_quantity quantity);
 
 /* One row. */
 struct um_compare_measurement {
@@ -30,6 +31,7 @@ struct um_compare_measurement {
   int flag;                                    /* 0: use */
   double satellite_height, azimuth, elevation; /* independent observation [m], [rad], [rad]; NaN */
   int line;                                    /* in the file */
+  size_t station;                              /* index into the set's stations; SIZE_MAX: none */
 };
 
 /* Rows of one quantity of one thing. */
@@ -48,19 +50,27 @@ struct um_compare_measurements {
   char **track; /* [ntrack] names; one track "" when the file has no column */
   size_t ntrack;
   bool independent; /* rows carry satellite height, azimuth and elevation */
+  char **station;   /* [nstation] names */
+  size_t nstation;
 };
 
 /* Read `time_utc,quantity,of,value,sigma` with optional columns exposure_s, flag, track,
  * satellite_height_km, azimuth_deg, elevation_deg, station. Refused, one line naming file and line:
- * unreadable, missing or unknown columns, unknown quantity, non-finite or non-numeric value, sigma
- * not positive (empty is allowed), times out of order within a track, two rows of one channel and
- * track at one time, a magnitude or temperature out of any sense (T <= 0), incomplete independent
- * geometry. Values may be negative. The caller destroys. */
+ * unreadable, missing or unknown columns, no rows, unknown quantity, non-finite or non-numeric
+ * value, sigma not positive (empty is allowed), times out of order within a track, two rows of one
+ * channel and track at one time, a magnitude beyond +-40 or a temperature <= 0 K, a negative
+ * exposure, a flag that is not a whole number, incomplete independent geometry, a height <= 0, an
+ * azimuth beyond +-360 deg, an elevation beyond +-90 deg. Values may be negative. UM_ERR_IO,
+ * UM_ERR_INPUT, UM_ERR_MEMORY; *out is NULL then. The caller destroys. */
 enum um_status um_compare_measurements_read(struct um_context *context, const char *path,
                                             struct um_compare_measurements **out);
 void um_compare_measurements_destroy(struct um_context *context,
                                      struct um_compare_measurements **measurements);
-/* Write the same format (used by synthetic measurements). */
+/* Write the same format (used by synthetic measurements): whole or not at all, beside `path` under
+ * a temporary name and then renamed. Optional columns appear where a row has something to say.
+ * Times to the millisecond, or the microsecond where a time is not a whole millisecond; numbers
+ * with the fewest digits that read back as the same double. UM_ERR_IO; UM_ERR_NUMERIC for a value
+ * that the reader would refuse as not finite. */
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path);

@@ -1,0 +1,191 @@
+/* Metrics of residuals r = y - m (measured less model) in linear flux. The definitions stand beside
+ * the fields in metrics.h; the least-squares scale is c = sum(y m) / sum(m^2). */
+#include "compare/metrics.h"
+
+#include <math.h>
+#include <stdint.h>
+
+#include "compare/series.h"
+#include "compare/statistics_impl.h"
+
+/* Rows in linear flux, gathered for one segment, and room for what is sorted. */
+struct rows {
+  size_t n;
+  double *y, *m, *sigma, *work; /* [n]; sigma NaN: none */
+};
+
+static enum um_status rows_allocate(struct um_context *context, size_t n, struct rows *rows)
+{
+  UM_TRY(um_core_allocate(context, n, sizeof *rows->y, &rows->y));
+  UM_TRY(um_core_allocate(context, n, sizeof *rows->m, &rows->m));
+  UM_TRY(um_core_allocate(context, n, sizeof *rows->sigma, &rows->sigma));
+  return um_core_allocate(context, n, sizeof *rows->work, &rows->work);
+}
+
+static void rows_free(struct um_context *context, struct rows *rows)
+{
+  um_core_free(context, rows->y);
+  um_core_free(context, rows->m);
+  um_core_free(context, rows->sigma);
+  um_core_free(context, rows->work);
+}
+
+static struct um_compare_metrics no_metrics(void)
+{
+  return (struct um_compare_metrics){.mean_measured = NAN,
+                                     .mean_model = NAN,
+                                     .bias = NAN,
+                                     .sd = NAN,
+                                     .rms = NAN,
+                                     .rms_over_mean = NAN,
+                                     .median_ratio = NAN,
+                                     .scale = NAN,
+                                     .rms_scaled = NAN,
+                                     .chi2 = NAN,
+                                     .dof = NAN,
+                                     .chi2_reduced = NAN,
+                                     .chi2_p = NAN,
+                                     .durbin_watson = NAN,
+                                     .white_p = NAN};
+}
+
+/* Means, scatter and rms, which every quantity has. */
+static void set_moments(const struct rows *rows, struct um_compare_metrics *out)
+{
+  double n = (double)rows->n, y = 0.0, m = 0.0, squares = 0.0, scatter = 0.0;
+  for (size_t i = 0; i < rows->n; i++) {
+    double r = rows->y[i] - rows->m[i];
+    y += rows->y[i];
+    m += rows->m[i];
+    out->bias = i == 0 ? r : out->bias + r;
+    squares += r * r;
+  }
+  out->mean_measured = y / n;
+  out->mean_model = m / n;
+  out->bias /= n;
+  out->rms = sqrt(squares / n);
+  for (size_t i = 0; i < rows->n; i++) {
+    double about = rows->y[i] - rows->m[i] - out->bias;
+    scatter += about * about;
+  }
+  if (rows->n > 1) out->sd = sqrt(scatter / (n - 1.0));
+}
+
+/* What only a flux has, which a ratio can change. */
+static void set_ratios(struct rows *rows, struct um_compare_metrics *out)
+{
+  double ym = 0.0, mm = 0.0, squares = 0.0;
+  size_t ratios = 0;
+  if (out->mean_measured > 0.0) out->rms_over_mean = out->rms / out->mean_measured;
+  for (size_t i = 0; i < rows->n; i++) {
+    ym += rows->y[i] * rows->m[i];
+    mm += rows->m[i] * rows->m[i];
+    if (rows->m[i] > 0.0) rows->work[ratios++] = rows->y[i] / rows->m[i];
+  }
+  out->median_ratio = um_compare_median(ratios, rows->work);
+  if (!(mm > 0.0)) return;
+  out->scale = ym / mm;
+  for (size_t i = 0; i < rows->n; i++) {
+    double r = rows->y[i] - out->scale * rows->m[i];
+    squares += r * r;
+  }
+  out->rms_scaled = sqrt(squares / (double)rows->n);
+}
+
+/* Chi-square over the rows that have a sigma; whiteness over all. share: parameters per row. */
+static void set_statistics(struct rows *rows, double share, struct um_compare_metrics *out)
+{
+  double chi2 = 0.0;
+  size_t weighted = 0;
+  for (size_t i = 0; i < rows->n; i++) {
+    double r = rows->y[i] - rows->m[i];
+    rows->work[i] = r;
+    if (isnan(rows->sigma[i])) continue;
+    chi2 += (r / rows->sigma[i]) * (r / rows->sigma[i]);
+    weighted++;
+  }
+  if (weighted > 0) {
+    out->chi2 = chi2;
+    out->dof = (double)weighted - share * (double)weighted;
+    if (out->dof > 0.0) {
+      out->chi2_reduced = chi2 / out->dof;
+      out->chi2_p = um_compare_chi2_q(chi2, out->dof);
+    }
+  }
+  if (weighted == rows->n)
+    for (size_t i = 0; i < rows->n; i++) rows->work[i] /= rows->sigma[i];
+  um_compare_durbin_watson(rows->n, rows->work, &out->durbin_watson, &out->white_p);
+}
+
+static struct um_compare_metrics measure(enum um_compare_quantity quantity, struct rows *rows,
+                                         double share)
+{
+  struct um_compare_metrics out = no_metrics();
+  out.count = rows->n;
+  if (rows->n == 0) return out;
+  set_moments(rows, &out);
+  if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(rows, &out);
+  set_statistics(rows, share, &out);
+  return out;
+}
+
+/* One row into `rows`, in linear flux. */
+static enum um_status gather(struct um_context *context, enum um_compare_quantity quantity,
+                             size_t i, double measured, double model, double sigma,
+                             struct rows *rows)
+{
+  double unused;
+  size_t k = rows->n;
+  if (!isnan(sigma) && (!(sigma > 0.0) || !isfinite(sigma)))
+    return um_core_fail(context, UM_ERR_NUMERIC,
+                        "metrics: row %zu: sigma %g %s; accepted: above 0, or NaN for none", i + 1,
+                        sigma, um_compare_quantity_unit(quantity));
+  um_compare_linear(quantity, measured, sigma, &rows->y[k], &rows->sigma[k]);
+  um_compare_linear(quantity, model, NAN, &rows->m[k], &unused);
+  if (!isfinite(measured) || !isfinite(rows->m[k]) || !isfinite(rows->y[k]))
+    return um_core_fail(context, UM_ERR_NUMERIC,
+                        "metrics: row %zu: measured %g, model %g %s; accepted: finite numbers",
+                        i + 1, measured, model, um_compare_quantity_unit(quantity));
+  rows->n++;
+  return UM_OK;
+}
+
+enum um_status um_compare_metrics_compute(struct um_context *context,
+                                          enum um_compare_quantity quantity, size_t count,
+                                          const double *measured, const double *model,
+                                          const double *sigma, const size_t *label, size_t nlabel,
+                                          double fitted, struct um_compare_metrics *segment,
+                                          struct um_compare_metrics *all)
+{
+  struct rows rows = {0};
+  double share = 0.0;
+  enum um_status status;
+  for (size_t i = 0; label != NULL && i < count; i++)
+    if (label[i] >= nlabel && label[i] != UM_COMPARE_LABEL_NONE)
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "metrics: row %zu: segment %zu; accepted: 0 to %zu", i + 1, label[i],
+                          nlabel == 0 ? (size_t)0 : nlabel - 1);
+  UM_CHECK(rows_allocate(context, count, &rows));
+  /* all rows first: their number gives each segment its share of the fitted parameters */
+  for (size_t s = 0; s <= nlabel; s++) {
+    rows.n = 0;
+    size_t weighted = 0;
+    for (size_t i = 0; i < count; i++) {
+      size_t l = label == NULL ? 0 : label[i];
+      if (l == UM_COMPARE_LABEL_NONE || (s > 0 && l != s - 1)) continue;
+      double given = sigma == NULL ? NAN : sigma[i];
+      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, &rows));
+      if (!isnan(given)) weighted++;
+    }
+    if (s == 0 && weighted > 0) share = fitted / (double)weighted;
+    struct um_compare_metrics made = measure(quantity, &rows, share);
+    if (s > 0)
+      segment[s - 1] = made;
+    else if (all != NULL)
+      *all = made;
+  }
+  status = UM_OK;
+done:
+  rows_free(context, &rows);
+  return status;
+}

@@ -1,0 +1,54 @@
+/* How far a model is from measurements: per segment and in all, in linear flux. */
+#ifndef UMBRA_COMPARE_METRICS_H
+#define UMBRA_COMPARE_METRICS_H
+
+#include "compare/measurements.h"
+
+/* What does not exist is NaN, never 0: sd of one row, rms/mean where the mean measured flux is not
+ * positive, chi-square without sigma. Residual r = measured - model. Units are those of the
+ * quantity; magnitudes have become flux relative to magnitude 0. */
+struct um_compare_metrics {
+  size_t count;
+  double mean_measured, mean_model;
+  double bias;          /* mean r: above 0, the model is too faint or too cold */
+  double sd;            /* standard deviation of r about the bias, divisor count - 1 */
+  double rms;           /* sqrt(mean r^2) */
+  double rms_over_mean; /* rms / mean measured [-]; NaN for temperatures */
+  double median_ratio;  /* median of measured / model over rows with a model above 0 [-]; NaN for
+                           temperatures; the reciprocal is the median model / measured */
+  double scale;        /* c that makes sum (measured - c model)^2 least [-]; NaN for temperatures */
+  double rms_scaled;   /* rms of measured - scale x model, never above rms */
+  double chi2, dof;    /* sum (r / sigma)^2 over the rows with a sigma; degrees of freedom */
+  double chi2_reduced; /* chi2 / dof; NaN when dof <= 0 */
+  double chi2_p;       /* P(chi-square of dof > chi2) */
+  double durbin_watson; /* of r / sigma (of r where a row has no sigma) in the order given, in [0,
+                           4]: 2 white, 0 slow drifts or an offset, 4 alternating */
+  double white_p;       /* two-sided probability that white noise about 0 is as far from 2 */
+};
+
+/* A label that leaves the row out. */
+#define UM_COMPARE_LABEL_NONE ((size_t)-1)
+
+/* Metrics of one channel.
+ *   count: rows, in order of time (whiteness compares neighbours)
+ *   measured, model: shape [count], in the unit of `quantity`; a model magnitude of +infinity is no
+ *     light
+ *   sigma: shape [count], of measured, in its unit; NaN where there is none; NULL: none at all
+ *   label: shape [count], segment below nlabel, or UM_COMPARE_LABEL_NONE; NULL: no segments
+ *   fitted: number of parameters fitted to these rows; the degrees of freedom of `all` are its rows
+ *     with sigma less `fitted`, those of a segment are less its share by rows
+ *   segment: shape [nlabel], may be NULL when nlabel is 0;  all: of every row with a label, or NULL
+ * A segment without rows has count 0 and NaN elsewhere. The model's sigma is none: its error is
+ * taken as small. Sigma of a magnitude is linearised, which wants sigma below about 0.3 mag.
+ * UM_ERR_NUMERIC: measured or model not finite in a row with a label, or sigma not positive (row
+ * named by its number from 1). UM_ERR_INPUT: a label out of range. UM_ERR_MEMORY.
+ * Durbin & Watson 1950/1951; exact numbers in verify_compare_metrics, distributions in
+ * stat_compare_metrics. */
+enum um_status um_compare_metrics_compute(struct um_context *context,
+                                          enum um_compare_quantity quantity, size_t count,
+                                          const double *measured, const double *model,
+                                          const double *sigma, const size_t *label, size_t nlabel,
+                                          double fitted, struct um_compare_metrics *segment,
+                                          struct um_compare_metrics *all);
+
+#endif

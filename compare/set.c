@@ -1,0 +1,180 @@
+/* Measurement sets: names of quantities, memory, and the checks that hold between rows. */
+#include "compare/set_impl.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "orbit/time.h"
+
+static const char *const quantity_names[UM_QUANTITY_COUNT] = {
+    [UM_QUANTITY_BAND_IRRADIANCE] = "band_irradiance",
+    [UM_QUANTITY_RADIANT_INTENSITY] = "radiant_intensity",
+    [UM_QUANTITY_MAGNITUDE_AB] = "magnitude_ab",
+    [UM_QUANTITY_MAGNITUDE_VEGA] = "magnitude_vega",
+    [UM_QUANTITY_COUNT_RATE] = "count_rate",
+    [UM_QUANTITY_TEMPERATURE] = "temperature"};
+
+static const char *const quantity_units[UM_QUANTITY_COUNT] = {
+    [UM_QUANTITY_BAND_IRRADIANCE] = "W/m^2", [UM_QUANTITY_RADIANT_INTENSITY] = "W/sr",
+    [UM_QUANTITY_MAGNITUDE_AB] = "mag",      [UM_QUANTITY_MAGNITUDE_VEGA] = "mag",
+    [UM_QUANTITY_COUNT_RATE] = "1/s",        [UM_QUANTITY_TEMPERATURE] = "K"};
+
+const char *um_compare_quantity_name(enum um_compare_quantity quantity)
+{
+  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_names[quantity] : "unknown quantity";
+}
+
+const char *um_compare_quantity_unit(enum um_compare_quantity quantity)
+{
+  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_units[quantity] : "";
+}
+
+void um_compare_time_text(double t_tai, char out[40])
+{
+  char head[32];
+  double t_head;
+  um_orbit_time_format(t_tai, head);
+  snprintf(out, 40, "%s", head);
+  /* the rest [us] behind the millisecond at or before t; a double of t_tai resolves 0.1 us */
+  if (um_orbit_time_parse(NULL, head, &t_head) != UM_OK) return;
+  long rest = lround(1e6 * (t_tai - t_head));
+  if (rest < 0) {
+    um_orbit_time_format(t_head - 0.001, head);
+    rest += 1000;
+  }
+  if (rest > 0) snprintf(out, 40, "%.23s%03uZ", head, (unsigned)rest % 1000U);
+}
+
+void um_compare_measurements_destroy(struct um_context *context,
+                                     struct um_compare_measurements **measurements)
+{
+  if (measurements == NULL || *measurements == NULL) return;
+  struct um_compare_measurements *m = *measurements;
+  for (size_t i = 0; i < m->nchannel; i++) um_core_free(context, m->channel[i].of);
+  for (size_t i = 0; i < m->ntrack; i++) um_core_free(context, m->track[i]);
+  for (size_t i = 0; i < m->nstation; i++) um_core_free(context, m->station[i]);
+  um_core_free(context, m->channel);
+  um_core_free(context, m->track);
+  um_core_free(context, m->station);
+  um_core_free(context, m->row);
+  um_core_free(context, m->path);
+  um_core_free(context, m);
+  *measurements = NULL;
+}
+
+enum um_status um_compare_set_begin(struct um_context *context, const char *path,
+                                    const char *time_column, struct um_compare_set *set)
+{
+  *set = (struct um_compare_set){.time_column = time_column};
+  UM_TRY(um_core_allocate(context, 1, sizeof *set->made, &set->made));
+  return um_core_strdup(context, path, &set->made->path);
+}
+
+enum um_status um_compare_set_channel(struct um_context *context, struct um_compare_set *set,
+                                      enum um_compare_quantity quantity, const char *of,
+                                      size_t *channel)
+{
+  return um_compare_names_intern(context, &set->channels, (size_t)quantity, of, channel);
+}
+
+enum um_status um_compare_set_track(struct um_context *context, struct um_compare_set *set,
+                                    const char *name, size_t *track)
+{
+  UM_TRY(um_compare_names_intern(context, &set->tracks, 0, name, track));
+  if (*track < set->last_capacity) return UM_OK;
+  size_t capacity = 2 * *track + 16;
+  UM_TRY(um_core_reallocate(context, capacity, sizeof *set->last, &set->last));
+  for (size_t i = set->last_capacity; i < capacity; i++) set->last[i] = SIZE_MAX;
+  set->last_capacity = capacity;
+  return UM_OK;
+}
+
+enum um_status um_compare_set_station(struct um_context *context, struct um_compare_set *set,
+                                      const char *name, size_t *station)
+{
+  return um_compare_names_intern(context, &set->stations, 0, name, station);
+}
+
+/* Against the rows of the track that came before. */
+static enum um_status check_order(struct um_context *context, const struct um_compare_set *set,
+                                  const struct um_compare_measurement *row)
+{
+  const struct um_compare_measurements *m = set->made;
+  size_t k = set->last[row->track];
+  if (k == SIZE_MAX) return UM_OK;
+  char time[40], other[40];
+  const char *track = set->tracks.text[row->track];
+  um_compare_time_text(row->t_tai, time);
+  um_compare_time_text(m->row[k].t_tai, other);
+  if (row->t_tai < m->row[k].t_tai)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column '%s': %s is before %s of line %d in track '%s'; accepted: "
+                        "rows in time order within a track",
+                        m->path, row->line, set->time_column, time, other, m->row[k].line, track);
+  for (; k != SIZE_MAX && m->row[k].t_tai == row->t_tai; k = set->before[k])
+    if (m->row[k].channel == row->channel)
+      return um_core_fail(
+          context, UM_ERR_INPUT,
+          "%s:%d: column '%s': second row of %s '%s' at %s in track '%s', the first is line %d; "
+          "accepted: one",
+          m->path, row->line, set->time_column,
+          um_compare_quantity_name((enum um_compare_quantity)set->channels.tag[row->channel]),
+          set->channels.text[row->channel], time, track, m->row[k].line);
+  return UM_OK;
+}
+
+enum um_status um_compare_set_add(struct um_context *context, struct um_compare_set *set,
+                                  const struct um_compare_measurement *row)
+{
+  struct um_compare_measurements *m = set->made;
+  UM_TRY(check_order(context, set, row));
+  if (m->count == set->row_capacity) {
+    size_t capacity = 2 * set->row_capacity + 64;
+    UM_TRY(um_core_reallocate(context, capacity, sizeof *m->row, &m->row));
+    UM_TRY(um_core_reallocate(context, capacity, sizeof *set->before, &set->before));
+    set->row_capacity = capacity;
+  }
+  set->before[m->count] = set->last[row->track];
+  set->last[row->track] = m->count;
+  m->row[m->count++] = *row;
+  return UM_OK;
+}
+
+enum um_status um_compare_set_finish(struct um_context *context, struct um_compare_set *set,
+                                     struct um_compare_measurements **out)
+{
+  struct um_compare_measurements *m = set->made;
+  if (m->count == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: no measurements; accepted: at least one row below the header",
+                        m->path);
+  size_t n = set->channels.count;
+  UM_TRY(um_core_allocate(context, n, sizeof *m->channel, &m->channel));
+  m->nchannel = n;
+  for (size_t i = 0; i < n; i++) {
+    m->channel[i].quantity = (enum um_compare_quantity)set->channels.tag[i];
+    m->channel[i].of = set->channels.text[i]; /* taken over */
+  }
+  for (size_t i = 0; i < m->count; i++) m->channel[m->row[i].channel].count++;
+  um_core_free(context, um_compare_names_take(context, &set->channels));
+  m->ntrack = set->tracks.count;
+  m->track = um_compare_names_take(context, &set->tracks);
+  m->nstation = set->stations.count;
+  m->station = um_compare_names_take(context, &set->stations);
+  *out = m;
+  set->made = NULL;
+  return UM_OK;
+}
+
+void um_compare_set_abandon(struct um_context *context, struct um_compare_set *set)
+{
+  um_compare_measurements_destroy(context, &set->made);
+  um_compare_names_free(context, &set->channels);
+  um_compare_names_free(context, &set->tracks);
+  um_compare_names_free(context, &set->stations);
+  um_core_free(context, set->last);
+  um_core_free(context, set->before);
+  set->last = set->before = NULL;
+}

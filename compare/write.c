@@ -1,0 +1,165 @@
+/* The writer of measurement files: beside the place under a temporary name, then renamed, so that a
+ * reader never meets half a file. Something that is not a regular file (a pipe) is written into. */
+#include <errno.h>
+#include <locale.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "compare/set_impl.h"
+#include "core/constants.h"
+#include "core/csv.h"
+#include "core/file.h"
+
+/* Which optional columns have something to say. */
+struct layout {
+  bool exposure, flag, track, geometry, station;
+};
+
+static struct layout choose_layout(const struct um_compare_measurements *m)
+{
+  struct layout l = {.geometry = m->independent};
+  for (size_t i = 0; i < m->count; i++) {
+    l.exposure = l.exposure || !isnan(m->row[i].exposure);
+    l.flag = l.flag || m->row[i].flag != 0;
+    l.track = l.track || m->track[m->row[i].track][0] != '\0';
+    l.station = l.station || m->row[i].station != SIZE_MAX;
+  }
+  return l;
+}
+
+/* ",value" with the fewest digits that read back as the same double; ",": NaN. The decimal point of
+ * the locale becomes '.'. */
+static void put_number(FILE *file, double value)
+{
+  char text[40] = "";
+  if (!isnan(value)) {
+    for (int digits = 9; digits <= 17; digits++) {
+      snprintf(text, sizeof text, "%.*g", digits, value == 0.0 ? 0.0 : value); /* no "-0" */
+      if (strtod(text, NULL) == value) break;
+    }
+    char mark = localeconv()->decimal_point[0], *point = strchr(text, mark);
+    if (mark != '.' && point != NULL) *point = '.';
+  }
+  fprintf(file, ",%s", text);
+}
+
+/* An angle or height in the unit of the file, to 1e-10 of that unit: what conversion there and back
+ * leaves in the last bit is not shown. */
+static void put_converted(FILE *file, double value)
+{
+  char text[40];
+  snprintf(text, sizeof text, "%.10f", value);
+  put_number(file, strtod(text, NULL));
+}
+
+/* ",text", quoted where CSV wants it (RFC 4180). */
+static void put_text(FILE *file, const char *text)
+{
+  size_t n = strlen(text);
+  bool blank = n > 0 && (strchr(" \t", text[0]) != NULL || strchr(" \t", text[n - 1]) != NULL);
+  if (!blank && strpbrk(text, ",\"\r\n") == NULL) {
+    fprintf(file, ",%s", text);
+    return;
+  }
+  fputs(",\"", file);
+  for (; *text != '\0'; text++) {
+    if (*text == '"') fputc('"', file);
+    fputc(*text, file);
+  }
+  fputc('"', file);
+}
+
+static void put_row(FILE *file, const struct um_compare_measurements *m, const struct layout *l,
+                    const struct um_compare_measurement *row)
+{
+  char time[40];
+  um_compare_time_text(row->t_tai, time);
+  fputs(time, file);
+  put_text(file, um_compare_quantity_name(m->channel[row->channel].quantity));
+  put_text(file, m->channel[row->channel].of);
+  put_number(file, row->value);
+  put_number(file, row->sigma);
+  if (l->exposure) put_number(file, row->exposure);
+  if (l->flag) fprintf(file, ",%d", row->flag);
+  if (l->track) put_text(file, m->track[row->track]);
+  if (l->geometry) {
+    put_converted(file, 1e-3 * row->satellite_height);
+    put_converted(file, row->azimuth / UM_DEG);
+    put_converted(file, row->elevation / UM_DEG);
+  }
+  if (l->station) put_text(file, row->station == SIZE_MAX ? "" : m->station[row->station]);
+  fputc('\n', file);
+}
+
+static void put_file(FILE *file, const struct um_compare_measurements *m)
+{
+  struct layout l = choose_layout(m);
+  fprintf(file, "time_utc,quantity,of,value,sigma%s%s%s%s%s\n", l.exposure ? ",exposure_s" : "",
+          l.flag ? ",flag" : "", l.track ? ",track" : "",
+          l.geometry ? ",satellite_height_km,azimuth_deg,elevation_deg" : "",
+          l.station ? ",station" : "");
+  for (size_t i = 0; i < m->count; i++) put_row(file, m, &l, &m->row[i]);
+}
+
+/* What the reader would refuse as a number must not be written. */
+static enum um_status check_rows(struct um_context *context,
+                                 const struct um_compare_measurements *m, const char *path)
+{
+  for (size_t i = 0; i < m->count; i++) {
+    const struct um_compare_measurement *row = &m->row[i];
+    bool place = !m->independent || (isfinite(row->satellite_height) && isfinite(row->azimuth) &&
+                                     isfinite(row->elevation));
+    if (isfinite(row->t_tai) && isfinite(row->value) && !isinf(row->sigma) &&
+        !isinf(row->exposure) && place)
+      continue;
+    return um_core_fail(context, UM_ERR_NUMERIC,
+                        "%s: row %zu (%s '%s'): time, value, sigma, exposure or geometry is not "
+                        "finite",
+                        path, i + 1, um_compare_quantity_name(m->channel[row->channel].quantity),
+                        m->channel[row->channel].of);
+  }
+  return UM_OK;
+}
+
+/* "dir/.name.partial-<pid>" beside `path`. */
+static enum um_status name_beside(struct um_context *context, const char *path, char **out)
+{
+  const char *slash = strrchr(path, '/');
+  const char *name = slash == NULL ? path : slash + 1;
+  return um_core_asprintf(context, out, "%.*s.%s.partial-%ld", (int)(name - path), path, name,
+                          (long)getpid());
+}
+
+enum um_status um_compare_measurements_write(struct um_context *context,
+                                             const struct um_compare_measurements *measurements,
+                                             const char *path)
+{
+  char *partial = NULL;
+  FILE *file = NULL;
+  struct stat st;
+  enum um_status status;
+  UM_TRY(check_rows(context, measurements, path));
+  bool in_place = stat(path, &st) == 0 && !S_ISREG(st.st_mode);
+  if (in_place)
+    UM_TRY(um_core_strdup(context, path, &partial));
+  else
+    UM_TRY(name_beside(context, path, &partial));
+  file = fopen(partial, "w");
+  if (file == NULL) {
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+    goto done;
+  }
+  put_file(file, measurements);
+  status = um_core_file_close(context, path, &file);
+  if (status == UM_OK && !in_place && rename(partial, path) != 0)
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  if (status != UM_OK && !in_place) remove(partial);
+done:
+  um_core_free(context, partial);
+  return status;
+}
