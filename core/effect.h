@@ -3,8 +3,10 @@
 #ifndef UMBRA_CORE_EFFECT_H
 #define UMBRA_CORE_EFFECT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "core/context.h"
 #include "core/vec.h"
@@ -33,28 +35,47 @@ struct um_effect_parameter {
 /* The values of one use of an effect in a scenario. */
 struct um_effect_use {
   const struct um_effect *effect;
-  const char *target;  /* NULL for global */
+  const char *target;  /* NULL: everything it can act on */
   const double *value; /* [nparameter] */
 };
 
-/* Modules above core whose objects hooks change; opaque here. */
+/* True when the use acts on the thing of that name: a part, a material, a band. */
+static inline bool um_effect_acts_on(const struct um_effect_use *use, const char *name)
+{
+  return use->target == NULL || strcmp(use->target, name) == 0;
+}
+/* True when the use acts on a group of a part: target "part", "part.group" or none. */
+static inline bool um_effect_acts_on_group(const struct um_effect_use *use, const char *part,
+                                           const char *group)
+{
+  size_t n = strlen(part);
+  if (use->target == NULL || strcmp(use->target, part) == 0) return true;
+  return strncmp(use->target, part, n) == 0 && use->target[n] == '.' &&
+         strcmp(use->target + n + 1, group) == 0;
+}
+
+/* Objects of modules above core that hooks change; opaque here. */
 struct um_environment;
 struct um_materials_adjustment;
 struct um_thermal_part_spec;
 struct um_thermal_group_spec;
-struct um_thermal_network;
+struct um_thermal_shell;
+struct um_thermal_mli;
+struct um_thermal_contact;
 struct um_geometry_part_spec;
 
 /* One observation while it is transformed. */
 struct um_effect_observation {
-  double t_tai;     /* [s] mid-exposure */
+  double t_tai;     /* [s] mid-exposure, as tagged */
   double elevation; /* [rad], NaN without a station */
-  double airmass;   /* [1], NaN */
+  double airmass;   /* [1], NaN without a station or below the horizon */
   const char *band;
   double value; /* band irradiance [W/m^2]; the hook changes it */
 };
 
-/* Each hook may be NULL. They add to what is there, never set it, and do nothing at null values. */
+/* Each hook may be NULL. A hook adds to or scales what is there, never sets it, and does nothing at
+ * null values. Those that may be called for things the use does not act on test the target first.
+ */
 struct um_effect_hooks {
   enum um_status (*environment)(struct um_context *, const struct um_effect_use *,
                                 struct um_environment *);
@@ -64,17 +85,24 @@ struct um_effect_hooks {
                              struct um_geometry_part_spec *);
   enum um_status (*part)(struct um_context *, const struct um_effect_use *, const char *part,
                          struct um_thermal_part_spec *);
+  /* wall and mli: of this group, to be changed; NULL where there is none. */
   enum um_status (*group)(struct um_context *, const struct um_effect_use *, const char *part,
-                          const char *group, struct um_thermal_group_spec *);
-  enum um_status (*network)(struct um_context *, const struct um_effect_use *,
-                            struct um_thermal_network *);
-  /* time: from the time tag to the true time; attitude: body correction after the law. */
+                          const char *group, struct um_thermal_group_spec *,
+                          struct um_thermal_shell *wall, struct um_thermal_mli *mli);
+  enum um_status (*contact)(struct um_context *, const struct um_effect_use *,
+                            struct um_thermal_contact *);
+  /* From the time tag of an observation to its true time [s]. */
   double (*time)(const struct um_effect_use *, double t_tai);
-  double (*orbit_time)(const struct um_effect_use *, double t_tai);
+  /* The satellite is where the orbit has it this much later [s]. */
+  double (*along_track)(const struct um_effect_use *);
+  /* Attitude as it is, from what the law says; GCRS to body. */
   struct um_quat (*attitude)(const struct um_effect_use *, double t_tai, struct um_quat q);
   enum um_status (*observation)(struct um_context *, const struct um_effect_use *,
                                 struct um_effect_observation *);
 };
+
+/* Most parameters one effect may have. */
+#define UM_EFFECT_PARAMETERS_MAX 8
 
 struct um_effect {
   uint32_t abi_version; /* UM_EFFECT_ABI_VERSION */

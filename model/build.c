@@ -77,7 +77,8 @@ static enum um_status create_sky(struct um_context *context, const char *path,
   UM_CHECK(um_model_scenario_read(context, path, options == NULL ? NULL : options->overrides,
                                   options == NULL ? 0 : options->noverride, &model->document,
                                   &model->scenario));
-  UM_CHECK(um_model_build_environment(context, model, options));
+  UM_CHECK(um_model_build_effects(context, model, options));
+  UM_CHECK(um_model_build_environment(context, model));
   UM_CHECK(um_model_build_orbit(context, model));
 done:
   if (status != UM_OK) um_model_destroy(context, &model);
@@ -118,6 +119,8 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_orbit_trajectory_destroy(&m->observer_trajectory);
   um_orbit_finals_destroy(&m->orientation.finals);
   um_core_free(context, m->material);
+  um_core_free(context, m->adjustment);
+  um_core_free(context, m->effect);
   um_core_free(context, m->band);
   um_core_document_destroy(&m->document);
   um_core_free(context, m);

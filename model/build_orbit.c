@@ -280,6 +280,11 @@ enum um_status um_model_build_orbit(struct um_context *context, struct um_model 
   UM_TRY(build_pole(context, model));
   UM_TRY(um_model_blame(context, &model->scenario->orbit->at, orbit_key(model->scenario->orbit),
                         build_trajectory(context, model)));
+  struct um_effect_use use;
+  double shift = 0.0;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.along_track != NULL) shift += use.effect->hooks.along_track(&use);
+  um_orbit_trajectory_shift(model->trajectory, shift);
   UM_TRY(build_attitude(context, model));
   UM_TRY(build_observer(context, model));
   if (model->sun_frozen)

@@ -120,6 +120,9 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
       isnan(from->facet_size_m) ? model->scenario->thermal->facet_size_m : from->facet_size_m;
   to->facet_size = isnan(size) ? 0.0 : size;
   to->solid = from->solid != NULL;
+  struct um_effect_use use;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.geometry != NULL) UM_TRY(use.effect->hooks.geometry(context, &use, to));
   return UM_OK;
 }
 
@@ -242,6 +245,15 @@ static enum um_status build_records(struct um_context *context, struct um_model 
   for (size_t i = 0; i < n; i++)
     model->material[i] =
         um_materials_library_find(model->library, um_geometry_material_name(model->geometry, i));
+  UM_TRY(um_core_allocate(context, n, sizeof *model->adjustment, &model->adjustment));
+  for (size_t m = 0; m < n; m++) {
+    struct um_effect_use use;
+    model->adjustment[m] = um_materials_no_adjustment;
+    for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+      if (use.effect->hooks.material != NULL)
+        UM_TRY(use.effect->hooks.material(
+            context, &use, um_geometry_material_name(model->geometry, m), &model->adjustment[m]));
+  }
   return UM_OK;
 }
 

@@ -15,9 +15,15 @@ struct assembly {
   double *group_area; /* [ngroup] one side [m^2] */
 };
 
-static const struct um_materials_record *record_of(const struct um_model *model, uint32_t material)
+/* Solar absorptance and total emittance of one side, effects included; zero where there is none. */
+static void optics_of(const struct um_model *model, uint32_t material, double *absorptance,
+                      double *emittance)
 {
-  return material == UM_GEOMETRY_NONE ? NULL : model->material[material];
+  if (material == UM_GEOMETRY_NONE) return;
+  const struct um_materials_record *record = model->material[material];
+  const struct um_materials_adjustment *adjustment = &model->adjustment[material];
+  *absorptance = um_materials_solar_absorptance(record, adjustment);
+  *emittance = um_materials_emittance(record, adjustment, EMITTANCE_TEMPERATURE);
 }
 
 /* Wall by explicit numbers, or by a bulk material and a thickness. */
@@ -86,7 +92,7 @@ static const struct um_scenario_group *group_named(const struct um_scenario_part
 }
 
 static enum um_status mli_of(const struct assembly *a, const struct um_scenario_part *part,
-                             const struct um_scenario_mli *from, const struct um_thermal_mli **out)
+                             const struct um_scenario_mli *from, struct um_thermal_mli **out)
 {
   struct um_thermal_mli *mli = NULL;
   if (from->wraps == 1 && part->interior == NULL)
@@ -109,12 +115,14 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
                                       : own != NULL && own->bare      ? NULL
                                                                       : part->mli;
   to->group = index;
-  if (mli != NULL) UM_TRY(mli_of(a, part, mli, &to->mli));
+  struct um_thermal_mli *blanket = NULL;
+  if (mli != NULL) UM_TRY(mli_of(a, part, mli, &blanket));
+  to->mli = blanket;
 
   const struct um_scenario_shell *wall =
       own != NULL && own->shell != NULL ? own->shell : part->shell;
+  struct um_thermal_shell *shell = NULL;
   if (part->solid == NULL) {
-    struct um_thermal_shell *shell = NULL;
     UM_TRY(um_core_document_allocate(a->context, a->model->document, 1, sizeof *shell, &shell));
     if (wall != NULL)
       UM_TRY(shell_of(a, wall, shell));
@@ -130,22 +138,19 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
                                part->name);
     to->interior_conductance = own->interior_conductance_W_K;
   }
-  const struct um_materials_record *front = record_of(a->model, group->front_material);
-  const struct um_materials_record *back = record_of(a->model, group->back_material);
-  if (front != NULL) {
-    to->absorptance_front = um_materials_solar_absorptance(front, NULL);
-    to->emittance_front = um_materials_emittance(front, NULL, EMITTANCE_TEMPERATURE);
-    to->extraction_front = part->electrical_extraction;
-  }
-  if (back != NULL) {
-    to->absorptance_back = um_materials_solar_absorptance(back, NULL);
-    to->emittance_back = um_materials_emittance(back, NULL, EMITTANCE_TEMPERATURE);
-  }
+  optics_of(a->model, group->front_material, &to->absorptance_front, &to->emittance_front);
+  optics_of(a->model, group->back_material, &to->absorptance_back, &to->emittance_back);
+  if (group->front_material != UM_GEOMETRY_NONE) to->extraction_front = part->electrical_extraction;
+  struct um_effect_use use;
+  for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
+    if (use.effect->hooks.group != NULL)
+      UM_TRY(
+          use.effect->hooks.group(a->context, &use, part->name, group->name, to, shell, blanket));
   if (to->extraction_front > to->absorptance_front)
     return um_core_mark_fail(a->context, &part->at,
                              "electrical_extraction %g exceeds the solar absorptance %.3f of '%s'",
-                             part->electrical_extraction, to->absorptance_front,
-                             um_materials_name(front));
+                             to->extraction_front, to->absorptance_front,
+                             um_geometry_material_name(a->model->geometry, group->front_material));
   return UM_OK;
 }
 
@@ -241,6 +246,10 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   share_interior(a, part, groups, n);
   to->groups = groups;
   to->ngroup = n;
+  struct um_effect_use use;
+  for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
+    if (use.effect->hooks.part != NULL)
+      UM_TRY(use.effect->hooks.part(a->context, &use, part->name, to));
   return UM_OK;
 }
 
@@ -256,6 +265,11 @@ static enum um_status contacts_of(const struct assembly *a, struct um_thermal_co
                            "'%s' is the same place as a; accepted: another place", from[i].b);
     (*out)[i] = (struct um_thermal_contact){from[i].a, from[i].b, from[i].conductance_W_K};
   }
+  struct um_effect_use use;
+  for (size_t k = 0; k < list->count; k++)
+    for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
+      if (use.effect->hooks.contact != NULL)
+        UM_TRY(use.effect->hooks.contact(a->context, &use, &(*out)[k]));
   return UM_OK;
 }
 

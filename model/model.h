@@ -3,6 +3,7 @@
 #ifndef UMBRA_MODEL_MODEL_H
 #define UMBRA_MODEL_MODEL_H
 
+#include "core/effect.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
 #include "materials/materials.h"
@@ -24,10 +25,20 @@ struct um_model_options {
   size_t nwithout;
 };
 
+/* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
+struct um_model_effect {
+  const struct um_effect *effect;
+  const char *target; /* NULL: everything it can act on; owned by the document */
+  double value[UM_EFFECT_PARAMETERS_MAX];
+  bool off;
+};
+
 /* Everything built from a scenario; read it, do not change it. */
 struct um_model {
   struct um_document *document;
   struct um_scenario *scenario;
+  struct um_model_effect *effect; /* [neffect] */
+  size_t neffect;
   struct um_environment environment;
   struct um_orbit_earth_orientation orientation;
   struct um_orbit_trajectory *trajectory, *observer_trajectory;
@@ -41,6 +52,7 @@ struct um_model {
   struct um_materials_library *library;
   struct um_geometry *geometry;
   const struct um_materials_record **material; /* [material of the geometry] */
+  struct um_materials_adjustment *adjustment;  /* [material of the geometry] what effects change */
   struct um_thermal_body *body;
   struct um_optics_band *band;
   size_t nband;

@@ -4,9 +4,13 @@
 
 #include "model/model.h"
 
-/* environment: from the scenario's mapping, then its effects switched (build_environment.c). */
-enum um_status um_model_build_environment(struct um_context *context, struct um_model *model,
-                                          const struct um_model_options *options);
+/* effect: the scenario's list, --with and --without (effects.c). */
+enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
+                                      const struct um_model_options *options);
+/* The next effect that is on, from *index, which moves behind it; false at the end. */
+bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use);
+/* environment: from the scenario's mapping, then its effects (build_environment.c). */
+enum um_status um_model_build_environment(struct um_context *context, struct um_model *model);
 /* orientation, trajectory, attitude, observer (build_orbit.c). */
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);
 /* library, geometry, material records of it (build_parts.c). */

@@ -25,6 +25,7 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                   .environment = &model->environment,
                                   .samples = &trace->sample[instant],
                                   .material = model->material,
+                                  .adjustment = model->adjustment,
                                   .temperature = result->surface_temperature + k * result->nsurface,
                                   .albedo = trace->loads->albedo + row,
                                   .view_factor = trace->loads->view_factor + row};

@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/model_impl.h"
 #include "model/run_impl.h"
+#include "optics/atmosphere.h"
 
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
                                    const struct um_model_trace *trace, const double *surface,
@@ -24,6 +26,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .samples = trace->sample,
                                   .view = trace->view,
                                   .material = model->material,
+                                  .adjustment = model->adjustment,
                                   .temperature = surface,
                                   .albedo = albedo,
                                   .view_factor = view_factor,
@@ -106,6 +109,26 @@ static void average(const struct um_model_trace *trace, const struct um_optics_l
   }
 }
 
+/* What effects do to an irradiance on its way to the number that is measured. */
+static enum um_status observe(struct um_context *context, const struct um_model *model,
+                              const struct um_model_trace *trace, struct um_model_result *r)
+{
+  struct um_effect_use use;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
+    if (use.effect->hooks.observation == NULL) continue;
+    for (size_t k = 0; k < r->nobs; k++) {
+      double elevation = trace->look[k * trace->nsub + trace->nsub / 2].elevation;
+      for (size_t b = 0; b < r->nband; b++) {
+        struct um_effect_observation o = {trace->t_obs[k], elevation, um_optics_airmass(elevation),
+                                          model->band[b].name, r->irradiance[k * r->nband + b]};
+        UM_TRY(use.effect->hooks.observation(context, &use, &o));
+        r->irradiance[k * r->nband + b] = o.value;
+      }
+    }
+  }
+  return UM_OK;
+}
+
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
                                    const struct um_model_trace *trace,
                                    const struct um_model_heat_run *run,
@@ -121,6 +144,7 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   UM_CHECK(result_arrays(context, trace, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &spectral_irradiance));
   average(trace, curve, result, spectral_irradiance);
+  UM_CHECK(observe(context, model, trace, result));
 done:
   um_core_free(context, spectral_irradiance);
   um_optics_lightcurve_destroy(context, &curve);

@@ -225,6 +225,7 @@ struct um_scenario_effect {
   struct um_mark at;
   const char *effect, *target;
   bool off;
+  struct um_schema_list parameters; /* of struct um_schema_number */
 };
 
 struct um_scenario {

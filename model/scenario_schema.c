@@ -538,6 +538,7 @@ static const struct um_schema_field effect_fields[] = {
     F(effect, "effect", UM_SCHEMA_TEXT, REQUIRED, HELP("name, see `umbra effects`")),
     F(target, "target", UM_SCHEMA_TEXT, HELP("part, part.side, material or band it acts on")),
     F(off, "off", UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: switched off")),
+    F(parameters, "PARAMETER", UM_SCHEMA_REST, HELP("of the effect, see `umbra effects NAME`")),
 };
 #undef F
 OBJECT(effect_object, struct um_scenario_effect, "effect", "One physical effect.",

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "core/constants.h"
-#include "model/model.h"
+#include "model/model_impl.h"
 #include "orbit/sun.h"
 
 /* Sun from the satellite's place; a frozen one keeps its geocentric place. Aberration is that of
@@ -35,7 +35,11 @@ static enum um_status attitude_of(struct um_context *context, const struct um_mo
                                   struct um_environment_sample *s)
 {
   struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer};
-  return um_orbit_attitude_at(context, model->attitude, &in, &s->q);
+  struct um_effect_use use;
+  UM_TRY(um_orbit_attitude_at(context, model->attitude, &in, &s->q));
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.attitude != NULL) s->q = use.effect->hooks.attitude(&use, s->t_tai, s->q);
+  return UM_OK;
 }
 
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,

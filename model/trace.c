@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "model/model.h"
+#include "model/model_impl.h"
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
 #define LONGEST_STEP     10.0 /* [s]; the orbit turns by 0.6 deg */
@@ -30,6 +30,16 @@ static int compare_times(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
+/* The time at which an observation was really made. */
+static double true_time(const struct um_model *model, double tag)
+{
+  struct um_effect_use use;
+  double t = tag;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.time != NULL) t = use.effect->hooks.time(&use, t);
+  return t;
+}
+
 static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
                                          struct um_model_trace *trace)
 {
@@ -47,7 +57,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
     trace->t_obs[k] = time->start + (double)k * time->step_s;
     /* midpoint rule over the exposure */
     double u = ((double)(i % trace->nsub) + 0.5) / (double)trace->nsub - 0.5;
-    double t = trace->t_obs[k] + u * time->exposure_s;
+    double t = true_time(model, trace->t_obs[k] + u * time->exposure_s);
     if (model->has_observer) {
       UM_TRY(um_model_sample_seen(context, model, t, &trace->sample[i], &trace->look[i]));
     } else {

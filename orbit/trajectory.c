@@ -97,10 +97,15 @@ enum um_status um_orbit_trajectory_state(struct um_context *context,
   struct um_vec3 r, v;
   if (!isfinite(t_tai))
     return um_core_fail(context, UM_ERR_INPUT, "trajectory: the time is not a finite number");
-  UM_TRY(state_of(context, trajectory, t_tai, &r, &v));
+  UM_TRY(state_of(context, trajectory, t_tai + trajectory->shift, &r, &v));
   if (r_gcrs) *r_gcrs = r;
   if (v_gcrs) *v_gcrs = v;
   return UM_OK;
+}
+
+void um_orbit_trajectory_shift(struct um_orbit_trajectory *trajectory, double seconds)
+{
+  trajectory->shift = seconds;
 }
 
 double um_orbit_trajectory_period(const struct um_orbit_trajectory *trajectory)

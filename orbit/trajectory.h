@@ -42,6 +42,8 @@ void um_orbit_trajectory_destroy(struct um_orbit_trajectory **trajectory);
 enum um_status um_orbit_trajectory_state(struct um_context *context,
                                          const struct um_orbit_trajectory *trajectory, double t_tai,
                                          struct um_vec3 *r_gcrs, struct um_vec3 *v_gcrs);
+/* From now on the state at t is that of t + seconds: an error along the track. 0 undoes it. */
+void um_orbit_trajectory_shift(struct um_orbit_trajectory *trajectory, double seconds);
 /* Period of one revolution [s]: nodal from the mean motion for TLE, 2 pi sqrt(a^3/mu) otherwise;
  * NaN for a fixed point. */
 double um_orbit_trajectory_period(const struct um_orbit_trajectory *trajectory);

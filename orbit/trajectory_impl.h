@@ -35,6 +35,7 @@ struct um_orbit_trajectory {
   struct um_context *context; /* owns the memory */
   enum trajectory_kind kind;
   double period;                                 /* [s] */
+  double shift;                                  /* [s] see um_orbit_trajectory_shift */
   struct um_orbit_sgp4 *sgp4;                    /* TLE */
   double epoch;                                  /* TLE: t_tai [s] */
   struct um_orbit_earth_orientation orientation; /* TLE */

@@ -1,0 +1,236 @@
+/* The effects of a scenario: its own list, then --with and --without, checked against the registry.
+ */
+#include "effects/effects.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/words.h"
+#include "model/model_impl.h"
+
+/* Where a use was written; NULL mark for the command line. */
+struct origin {
+  const struct um_mark *at;
+  const char *option, *text; /* "--with", as typed */
+};
+
+static enum um_status blame(struct um_context *context, const struct origin *from, const char *key,
+                            enum um_status status)
+{
+  if (from->at != NULL) return um_model_blame(context, from->at, key, status);
+  um_core_message_prefix(context, "%s %s", from->option, from->text);
+  return status;
+}
+
+static enum um_status find(struct um_context *context, const struct origin *from, const char *name,
+                           const struct um_effect **out)
+{
+  char names[1024];
+  *out = um_effects_find(name);
+  if (*out != NULL) return UM_OK;
+  um_effects_names(names, sizeof names);
+  return blame(context, from, "effect",
+               um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.800s",
+                            name, names));
+}
+
+static bool same_target(const char *a, const char *b)
+{
+  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
+}
+
+/* The use of an effect on a target, made with its fallback values when there is none. */
+static enum um_status use_of(struct um_context *context, struct um_model *model,
+                             const struct um_effect *effect, const char *target,
+                             struct um_model_effect **out)
+{
+  for (size_t i = 0; i < model->neffect; i++)
+    if (model->effect[i].effect == effect && same_target(model->effect[i].target, target)) {
+      *out = &model->effect[i];
+      return UM_OK;
+    }
+  UM_TRY(um_core_reallocate(context, model->neffect + 1, sizeof *model->effect, &model->effect));
+  *out = &model->effect[model->neffect++];
+  **out = (struct um_model_effect){.effect = effect, .target = target};
+  for (size_t p = 0; p < effect->nparameter; p++) (*out)->value[p] = effect->parameters[p].fallback;
+  return UM_OK;
+}
+
+static enum um_status set_parameter(struct um_context *context, const struct origin *from,
+                                    struct um_model_effect *use, const char *name, double value)
+{
+  char names[512] = "";
+  for (size_t p = 0; p < use->effect->nparameter; p++) {
+    const struct um_effect_parameter *parameter = &use->effect->parameters[p];
+    if (strcmp(parameter->name, name) != 0) {
+      um_core_words_append(names, sizeof names, parameter->name);
+      continue;
+    }
+    if (!(value >= parameter->minimum && value <= parameter->maximum))
+      return blame(context, from, name,
+                   um_core_fail(context, UM_ERR_INPUT, "%g is out of range; accepted: %g to %g %s",
+                                value, parameter->minimum, parameter->maximum, parameter->unit));
+    use->value[p] = value;
+    return UM_OK;
+  }
+  return blame(context, from, name,
+               um_core_fail(context, UM_ERR_INPUT,
+                            "effect '%s' has no such parameter; accepted: %s", use->effect->name,
+                            names[0] != '\0' ? names : "none"));
+}
+
+/* Does a thing of that name exist that the effect can act on? */
+static bool target_exists(const struct um_model *model, const struct um_effect *effect,
+                          const char *target)
+{
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  const struct um_scenario_band *band = model->scenario->bands.items;
+  for (size_t i = 0; i < model->scenario->parts.count; i++) {
+    size_t n = strlen(part[i].name);
+    if ((effect->targets & UM_TARGET_PART) != 0 && strcmp(part[i].name, target) == 0) return true;
+    if ((effect->targets & UM_TARGET_PART_SIDE) != 0 && strncmp(part[i].name, target, n) == 0 &&
+        target[n] == '.')
+      return true;
+  }
+  if ((effect->targets & UM_TARGET_BAND) != 0) {
+    for (size_t i = 0; i < model->scenario->bands.count; i++)
+      if (strcmp(band[i].name, target) == 0) return true;
+    if (model->scenario->bands.count == 0)
+      return strcmp(target, "vis") == 0 || strcmp(target, "lwir") == 0;
+  }
+  /* materials are checked when the library is there */
+  return (effect->targets & UM_TARGET_MATERIAL) != 0;
+}
+
+static enum um_status check_target(struct um_context *context, const struct um_model *model,
+                                   const struct origin *from, const struct um_effect *effect,
+                                   const char *target)
+{
+  if (target == NULL) {
+    if ((effect->targets & UM_TARGET_GLOBAL) != 0) return UM_OK;
+    return blame(context, from, "target",
+                 um_core_fail(context, UM_ERR_INPUT, "effect '%s' needs a target", effect->name));
+  }
+  if (effect->targets == UM_TARGET_GLOBAL)
+    return blame(context, from, "target",
+                 um_core_fail(context, UM_ERR_INPUT,
+                              "effect '%s' acts on everything; accepted: no target", effect->name));
+  if (target_exists(model, effect, target)) return UM_OK;
+  return blame(context, from, "target",
+               um_core_fail(context, UM_ERR_INPUT, "nothing that '%s' acts on is called '%.60s'",
+                            effect->name, target));
+}
+
+static enum um_status take_scenario(struct um_context *context, struct um_model *model,
+                                    const struct um_scenario_effect *from)
+{
+  const struct um_effect *effect = NULL;
+  struct um_model_effect *use = NULL;
+  struct origin origin = {.at = &from->at};
+  UM_TRY(find(context, &origin, from->effect, &effect));
+  UM_TRY(check_target(context, model, &origin, effect, from->target));
+  UM_TRY(use_of(context, model, effect, from->target, &use));
+  use->off = from->off;
+  const struct um_schema_number *parameter = from->parameters.items;
+  for (size_t p = 0; p < from->parameters.count; p++)
+    UM_TRY(set_parameter(context, &origin, use, parameter[p].name, parameter[p].value));
+  return UM_OK;
+}
+
+/* "effect[:target][,name=value]...", cut in place. */
+static enum um_status take_text(struct um_context *context, struct um_model *model, char *text,
+                                const struct origin *origin, bool off)
+{
+  const struct um_effect *effect = NULL;
+  struct um_model_effect *use = NULL;
+  char *rest = text + strcspn(text, ",");
+  if (*rest != '\0') *rest++ = '\0';
+  char *target = strchr(text, ':');
+  if (target != NULL) *target++ = '\0';
+  UM_TRY(find(context, origin, text, &effect));
+  if (!off || target != NULL) UM_TRY(check_target(context, model, origin, effect, target));
+  if (off && target == NULL) { /* all of its uses */
+    bool any = false;
+    for (size_t i = 0; i < model->neffect; i++)
+      if (model->effect[i].effect == effect) any = model->effect[i].off = true;
+    if (any || !effect->on_by_default) return UM_OK;
+  }
+  UM_TRY(use_of(context, model, effect, target, &use));
+  use->off = off;
+  while (*rest != '\0') {
+    char *next = rest + strcspn(rest, ",");
+    if (*next != '\0') *next++ = '\0';
+    char *equals = strchr(rest, '=');
+    double value;
+    if (equals == NULL || !um_core_number_parse(equals + 1, &value))
+      return blame(context, origin, rest,
+                   um_core_fail(context, UM_ERR_INPUT,
+                                "'%.60s' is not understood; accepted: NAME=NUMBER", rest));
+    *equals = '\0';
+    UM_TRY(set_parameter(context, origin, use, rest, value));
+    rest = next;
+  }
+  return UM_OK;
+}
+
+static enum um_status take_option(struct um_context *context, struct um_model *model,
+                                  const char *option, const char *typed, bool off)
+{
+  size_t n = strlen(typed) + 1;
+  char *text = NULL;
+  struct origin origin = {.option = option, .text = typed};
+  UM_TRY(um_core_document_allocate(context, model->document, n, 1, &text));
+  memcpy(text, typed, n);
+  return take_text(context, model, text, &origin, off);
+}
+
+/* Two entries of one effect on one target would leave it to their order which one counts. */
+static enum um_status check_listed_once(struct um_context *context,
+                                        const struct um_scenario_effect *uses, size_t k)
+{
+  for (size_t i = 0; i < k; i++)
+    if (strcmp(uses[i].effect, uses[k].effect) == 0 && same_target(uses[i].target, uses[k].target))
+      return um_model_fail(context, &uses[k].at, "effect",
+                           "'%s' is already listed on line %d; accepted: once", uses[k].effect,
+                           uses[i].at.line);
+  return UM_OK;
+}
+
+enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
+                                      const struct um_model_options *options)
+{
+  const struct um_scenario_effect *uses = model->scenario->effects.items;
+  struct um_model_effect *ignored;
+  for (size_t i = 0; i < um_effects_count(); i++)
+    if (um_effects_at(i)->on_by_default)
+      UM_TRY(use_of(context, model, um_effects_at(i), NULL, &ignored));
+  for (size_t k = 0; k < model->scenario->effects.count; k++) {
+    UM_TRY(check_listed_once(context, uses, k));
+    UM_TRY(take_scenario(context, model, &uses[k]));
+  }
+  for (size_t k = 0; options != NULL && k < options->nwith; k++)
+    UM_TRY(take_option(context, model, "--with", options->with[k], false));
+  for (size_t k = 0; options != NULL && k < options->nwithout; k++)
+    UM_TRY(take_option(context, model, "--without", options->without[k], true));
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    if (e->effect->on_by_default ? !e->off : e->off) continue;
+    um_core_log(context, UM_LOG_INFO, "effect %s%s%s is %s", e->effect->name,
+                e->target != NULL ? ":" : "", e->target != NULL ? e->target : "",
+                e->off ? "off" : "on");
+  }
+  return UM_OK;
+}
+
+bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use)
+{
+  while (*index < model->neffect) {
+    const struct um_model_effect *e = &model->effect[(*index)++];
+    if (e->off) continue;
+    *use = (struct um_effect_use){e->effect, e->target, e->value};
+    return true;
+  }
+  return false;
+}
