@@ -63,6 +63,7 @@ struct um_thermal_shell;
 struct um_thermal_mli;
 struct um_thermal_contact;
 struct um_geometry_part_spec;
+struct um_orbit_attitude_law;
 
 /* One observation while it is transformed. */
 struct um_effect_observation {
@@ -95,6 +96,9 @@ struct um_effect_hooks {
   double (*time)(const struct um_effect_use *, double t_tai);
   /* The satellite is where the orbit has it this much later [s]. */
   double (*along_track)(const struct um_effect_use *);
+  /* One attitude law of the scenario, before it is used. */
+  enum um_status (*law)(struct um_context *, const struct um_effect_use *,
+                        struct um_orbit_attitude_law *);
   /* Attitude as it is, from what the law says; GCRS to body. */
   struct um_quat (*attitude)(const struct um_effect_use *, double t_tai, struct um_quat q);
   enum um_status (*observation)(struct um_context *, const struct um_effect_use *,

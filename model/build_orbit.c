@@ -207,12 +207,15 @@ static enum um_status build_attitude(struct um_context *context, struct um_model
   const struct um_scenario_attitude *from = list->items;
   enum um_status status = UM_OK;
   struct um_orbit_attitude_law *laws = NULL;
+  struct um_effect_use use;
   if (list->count == 0)
     return um_model_fail(context, &model->scenario->at, "attitude",
                          "is empty; accepted: one law or more");
   UM_TRY(um_core_allocate(context, list->count, sizeof *laws, &laws));
   for (size_t i = 0; i < list->count; i++) {
     UM_CHECK(law_of(context, model, &from[i], &laws[i]));
+    for (size_t k = 0; um_model_effect_next(model, &k, &use);)
+      if (use.effect->hooks.law != NULL) UM_CHECK(use.effect->hooks.law(context, &use, &laws[i]));
     model->points_at_observer = model->points_at_observer || from[i].target != NULL;
     if (i > 0 && !(laws[i].from_tai > laws[i - 1].from_tai)) {
       status = um_model_fail(context, &from[i].at, "from_utc",

@@ -75,10 +75,14 @@ static enum um_status set_parameter(struct um_context *context, const struct ori
     use->value[p] = value;
     return UM_OK;
   }
+  if (use->effect->nparameter == 0)
+    return blame(
+        context, from, name,
+        um_core_fail(context, UM_ERR_INPUT, "effect '%s' has no parameters", use->effect->name));
   return blame(context, from, name,
                um_core_fail(context, UM_ERR_INPUT,
                             "effect '%s' has no such parameter; accepted: %s", use->effect->name,
-                            names[0] != '\0' ? names : "none"));
+                            names));
 }
 
 /* Does a thing of that name exist that the effect can act on? */

@@ -98,6 +98,12 @@ struct um_model_trace {
 };
 enum um_status um_model_trace_create(struct um_context *context, const struct um_model *model,
                                      struct um_model_trace **out);
+/* The same at given observation times [ntime], t_tai, strictly ascending, in place of the
+ * scenario's start, stop and step (measurements have times of their own). UM_ERR_INPUT for none or
+ * out of order. exposures: NULL, or [ntime] [s] in place of the scenario's. */
+enum um_status um_model_trace_create_at(struct um_context *context, const struct um_model *model,
+                                        const double *times, const double *exposures, size_t ntime,
+                                        struct um_model_trace **out);
 void um_model_trace_destroy(struct um_context *context, struct um_model_trace **trace);
 
 /* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */

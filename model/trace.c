@@ -40,24 +40,39 @@ static double true_time(const struct um_model *model, double tag)
   return t;
 }
 
+/* Times of the observations: the scenario's own, every step from start to stop. */
+static enum um_status scenario_times(struct um_context *context, const struct um_model *model,
+                                     double **times, size_t *count)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  *count = (size_t)floor((time->stop - time->start) / time->step_s + 1e-9) + 1;
+  UM_TRY(um_core_allocate(context, *count, sizeof **times, times));
+  for (size_t k = 0; k < *count; k++) (*times)[k] = time->start + (double)k * time->step_s;
+  return UM_OK;
+}
+
 static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
+                                         const double *times, const double *exposures, size_t ntime,
                                          struct um_model_trace *trace)
 {
   const struct um_scenario_time *time = model->scenario->time;
-  trace->nobs = (size_t)floor((time->stop - time->start) / time->step_s + 1e-9) + 1;
-  trace->nsub = time->exposure_s > 0.0 ? (size_t)time->exposure_samples : 1;
+  bool exposed = time->exposure_s > 0.0;
+  for (size_t k = 0; exposures != NULL && k < ntime; k++) exposed = exposed || exposures[k] > 0.0;
+  trace->nobs = ntime;
+  trace->nsub = exposed ? (size_t)time->exposure_samples : 1;
   size_t n = trace->nobs * trace->nsub;
   UM_TRY(um_core_allocate(context, trace->nobs, sizeof(double), &trace->t_obs));
   UM_TRY(um_core_allocate(context, trace->nobs, sizeof(double), &trace->sunlit));
   UM_TRY(um_core_allocate(context, n, sizeof *trace->look, &trace->look));
   UM_TRY(um_core_allocate(context, n, sizeof *trace->sample, &trace->sample));
+  memcpy(trace->t_obs, times, ntime * sizeof(double));
   um_core_progress_begin(context, "following the orbit", n);
   for (size_t i = 0; i < n; i++) {
     size_t k = i / trace->nsub;
-    trace->t_obs[k] = time->start + (double)k * time->step_s;
     /* midpoint rule over the exposure */
     double u = ((double)(i % trace->nsub) + 0.5) / (double)trace->nsub - 0.5;
-    double t = true_time(model, trace->t_obs[k] + u * time->exposure_s);
+    double t = true_time(model, trace->t_obs[k] +
+                                    u * (exposures != NULL ? exposures[k] : time->exposure_s));
     if (model->has_observer) {
       UM_TRY(um_model_sample_seen(context, model, t, &trace->sample[i], &trace->look[i]));
     } else {
@@ -190,16 +205,40 @@ static enum um_status trace_rows(struct um_context *context, const struct grid_t
   return UM_OK;
 }
 
+static enum um_status check_times(struct um_context *context, const double *times, size_t n)
+{
+  if (n == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
+  for (size_t k = 1; k < n; k++)
+    if (!(times[k] > times[k - 1]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "observation %zu is not later than the one before it", k + 1);
+  return UM_OK;
+}
+
 enum um_status um_model_trace_create(struct um_context *context, const struct um_model *model,
                                      struct um_model_trace **out)
+{
+  double *times = NULL;
+  size_t n = 0;
+  *out = NULL;
+  UM_TRY(scenario_times(context, model, &times, &n));
+  enum um_status status = um_model_trace_create_at(context, model, times, NULL, n, out);
+  um_core_free(context, times);
+  return status;
+}
+
+enum um_status um_model_trace_create_at(struct um_context *context, const struct um_model *model,
+                                        const double *times, const double *exposures, size_t ntime,
+                                        struct um_model_trace **out)
 {
   enum um_status status;
   struct um_model_trace *trace = NULL;
   struct grid_time *grid = NULL;
   size_t ngrid = 0;
   *out = NULL;
+  UM_TRY(check_times(context, times, ntime));
   UM_TRY(um_core_allocate(context, 1, sizeof *trace, &trace));
-  UM_CHECK(trace_observations(context, model, trace));
+  UM_CHECK(trace_observations(context, model, times, exposures, ntime, trace));
   trace_span(model, trace);
   double end = trace->sample[trace->nobs * trace->nsub - 1].t_tai;
   UM_CHECK(um_model_events(context, model, trace->t_start, fmax(end, trace->t_periodic_end),
