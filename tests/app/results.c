@@ -1,0 +1,366 @@
+/* The files of a run: what stands in them, that they add up, and that other programs can read
+ * them. */
+#include <math.h>
+#include <netcdf.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/table.h"
+
+/* CSV numbers have nine digits, so that a sum of five rounds to 5 x 5e-10 of the largest at most.
+ */
+#define PRINTED 1e-8
+
+/* DESIGN.md, "Outputs". */
+#define BAND_COLUMNS(b)                                                                            \
+  "," b "_intensity_W_sr," b "_sun_W_sr," b "_earth_W_sr," b "_emitted_W_sr," b                    \
+  "_interreflected_W_sr," b "_other_W_sr," b "_stderr_W_sr," b "_irradiance_W_m2," b "_mag_ab"
+#define LIGHTCURVE_HEADER                                                                          \
+  "time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"           \
+  "sun_elevation_deg" BAND_COLUMNS("vis") BAND_COLUMNS("lwir")
+#define MATERIALS_HEADER "time_utc,band,material,sun,earth,emitted,interreflected,other"
+#define HEAT_HEADER      "time_utc,node,solar,albedo,planet,internal,conducted,radiated,exchanged,stored"
+#define PLACE(name)      "," name ".mean_K," name ".min_K," name ".max_K"
+
+static const char *const bands[] = {"vis", "lwir"};
+static const char *const mechanisms[] = {"sun", "earth", "emitted", "interreflected", "other"};
+
+static int enter_run(void **state, const char *scenario)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data(scenario);
+  command_expect(0, "run", scenario, "--no-plots", "--out", "out", NULL);
+  return 0;
+}
+static int enter_box(void **state) { return enter_run(state, "box.yaml"); }
+static int enter_two_parts(void **state) { return enter_run(state, "two_parts.yaml"); }
+
+static double band_number(const struct table *t, size_t row, const char *band, const char *what)
+{
+  char column[64];
+  snprintf(column, sizeof column, "%s_%s", band, what);
+  return table_number(t, row, column);
+}
+
+static const char *band_text(const struct table *t, size_t row, const char *band, const char *what)
+{
+  char column[64];
+  snprintf(column, sizeof column, "%s_%s", band, what);
+  return table_text(t, row, column);
+}
+
+/* The Sun is down behind the Earth until 18:10:04.9 (umbra passes); the satellite rises at
+ * 18:07:50. In the umbra the Sun term is exactly zero and the heat is not. */
+static void test_lightcurve(void **state)
+{
+  (void)state;
+  struct table t = table_read("out/lightcurve.csv");
+  assert_string_equal(t.header, LIGHTCURVE_HEADER);
+  assert_int_equal(t.nrow, 5);
+  for (size_t k = 0; k < t.nrow; k++) {
+    char time[32];
+    snprintf(time, sizeof time, "2016-09-06T18:%02zu:00.000Z", 7 + k);
+    assert_string_equal(table_text(&t, k, "time_utc"), time);
+    bool up = table_number(&t, k, "elevation_deg") > 0.0, lit = k == 4;
+    assert_int_equal(up, k >= 1);
+    assert_int_equal(table_text(&t, k, "airmass")[0] != '\0', up);
+    assert_true(table_number(&t, k, "sunlit_fraction") == (lit ? 1.0 : 0.0));
+    double range = 1e3 * table_number(&t, k, "range_km");
+    for (int b = 0; b < 2; b++) {
+      double intensity = band_number(&t, k, bands[b], "intensity_W_sr");
+      assert_true(intensity > 0.0);
+      assert_true((band_number(&t, k, bands[b], "sun_W_sr") > 0.0) == lit);
+      assert_true(band_number(&t, k, bands[b], "stderr_W_sr") >= 0.0);
+      (void)band_number(&t, k, bands[b], "mag_ab"); /* a number below the horizon, too */
+      if (!up) {
+        assert_string_equal(band_text(&t, k, bands[b], "irradiance_W_m2"), "");
+        continue;
+      }
+      /* E = I / R^2 without an atmosphere */
+      double e = band_number(&t, k, bands[b], "irradiance_W_m2");
+      assert_close(e * range * range / intensity, 1.0, PRINTED);
+    }
+    assert_true(band_number(&t, k, "lwir", "emitted_W_sr") > 1.0);
+  }
+  table_release(&t);
+}
+
+static void check_sums(const struct table *light, const struct table *parts)
+{
+  size_t nmaterial = parts->nrow / light->nrow / 2, row = 0;
+  assert_int_equal(parts->nrow, light->nrow * 2 * nmaterial);
+  for (size_t k = 0; k < light->nrow; k++)
+    for (int b = 0; b < 2; b++, row += nmaterial) {
+      double total = band_number(light, k, bands[b], "intensity_W_sr"), sum = 0.0;
+      for (int m = 0; m < 5; m++) {
+        char column[32];
+        snprintf(column, sizeof column, "%s_W_sr", mechanisms[m]);
+        double all = band_number(light, k, bands[b], column), of_materials = 0.0;
+        for (size_t i = row; i < row + nmaterial; i++) {
+          assert_string_equal(table_text(parts, i, "time_utc"), table_text(light, k, "time_utc"));
+          assert_string_equal(table_text(parts, i, "band"), bands[b]);
+          of_materials += table_number(parts, i, mechanisms[m]);
+        }
+        assert_close(of_materials, all, PRINTED * fabs(all));
+        sum += all;
+      }
+      assert_close(sum, total, PRINTED * total);
+    }
+}
+
+static void test_sums(void **state)
+{
+  (void)state;
+  struct table light = table_read("out/lightcurve.csv"), parts = table_read("out/materials.csv");
+  assert_string_equal(parts.header, MATERIALS_HEADER);
+  check_sums(&light, &parts);
+  table_release(&light);
+  table_release(&parts);
+}
+
+/* Light between the surfaces is there when it was asked for. */
+static void test_interreflection(void **state)
+{
+  (void)state;
+  struct table light = table_read("out/lightcurve.csv");
+  for (int b = 0; b < 2; b++) {
+    double sum = 0.0;
+    for (size_t k = 0; k < light.nrow; k++)
+      sum += band_number(&light, k, bands[b], "interreflected_W_sr");
+    assert_true(sum > 0.0);
+  }
+  table_release(&light);
+}
+
+static void test_temperatures(void **state)
+{
+  (void)state;
+  struct table t = table_read("out/temperatures.csv");
+  assert_string_equal(t.header, "time_utc" PLACE("bus") PLACE("bus.+x") PLACE("bus.-x")
+                                    PLACE("bus.+y") PLACE("bus.-y") PLACE("bus.+z") PLACE("bus.-z")
+                                        PLACE("material:grey_white"));
+  assert_int_equal(t.nrow, 5);
+  for (size_t k = 0; k < t.nrow; k++) {
+    double faces = 0.0;
+    for (size_t c = 1; c < t.ncolumn; c += 3) {
+      double mean = table_number(&t, k, t.field[c]), low = table_number(&t, k, t.field[c + 1]),
+             high = table_number(&t, k, t.field[c + 2]);
+      assert_true(low <= mean * (1 + PRINTED) && mean <= high * (1 + PRINTED));
+      assert_true(low > 2.7 && high < 400.0);
+      if (c >= 4 && c < 22) faces += mean / 6.0;
+    }
+    /* six equal faces of one material: part and material are their mean */
+    assert_close(table_number(&t, k, "bus.mean_K"), faces, PRINTED * faces);
+    assert_close(table_number(&t, k, "material:grey_white.mean_K"), faces, PRINTED * faces);
+  }
+  table_release(&t);
+}
+
+/* What comes in and does not go out is stored. */
+static void test_heat(void **state)
+{
+  (void)state;
+  static const char *const terms[] = {"solar",     "albedo",   "planet",   "internal",
+                                      "conducted", "radiated", "exchanged"};
+  struct table t = table_read("out/heat.csv");
+  assert_string_equal(t.header, HEAT_HEADER);
+  assert_true(t.nrow > 0);
+  for (size_t i = 0; i < t.nrow; i++) {
+    double sum = 0.0, turnover = 0.0;
+    for (size_t k = 0; k < sizeof terms / sizeof terms[0]; k++) {
+      sum += table_number(&t, i, terms[k]);
+      turnover += fabs(table_number(&t, i, terms[k]));
+    }
+    assert_close(sum, table_number(&t, i, "stored"), PRINTED * turnover);
+    assert_true(table_number(&t, i, "radiated") < 0.0);
+  }
+  table_release(&t);
+}
+
+static void test_texts(void **state)
+{
+  (void)state;
+  char *log = command_read("out/log.txt"), *cic = command_read("out/temperatures.cic"),
+       *xdmf = command_read("out/run.xdmf");
+  assert_non_null(strstr(log, "TLE of object 27386"));
+  assert_null(strstr(log, "warning"));
+  assert_int_equal(strncmp(cic, "CIC_MEM_VERS = 1.0\n", 19), 0);
+  /* MJD 57637 is 2016-09-06; 18:07:00 is second 65220 */
+  assert_non_null(strstr(cic, "META_STOP\n\n57637 65220.000 "));
+  assert_non_null(strstr(xdmf, "run.nc:/vertex_position"));
+  assert_non_null(strstr(xdmf, "</Xdmf>\n"));
+  free(log);
+  free(cic);
+  free(xdmf);
+}
+
+#define NC(call) assert_int_equal(call, NC_NOERR)
+
+static void expect_dimensions(int file)
+{
+  static const char *const names[] = {"time", "facet", "node",       "part",     "material",
+                                      "band", "xyz",   "wavelength", "mechanism"};
+  static const size_t lengths[] = {5, 12, 6, 8, 1, 2, 3, 8, 5};
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    int id;
+    size_t length;
+    if (nc_inq_dimid(file, names[i], &id) != NC_NOERR) fail_msg("no dimension %s", names[i]);
+    NC(nc_inq_dimlen(file, id, &length));
+    if (length != lengths[i]) fail_msg("%s is %zu, expected %zu", names[i], length, lengths[i]);
+  }
+}
+
+static void expect_attribute(int file, int variable, const char *name)
+{
+  char of[NC_MAX_NAME + 1] = "the file";
+  size_t length = 0;
+  if (variable != NC_GLOBAL) NC(nc_inq_varname(file, variable, of));
+  if (nc_inq_attlen(file, variable, name, &length) != NC_NOERR || length == 0)
+    fail_msg("%s has no %s", of, name);
+}
+
+/* Intensities in run.nc are those of materials.csv, where they are rounded to nine digits. */
+static void compare_intensity(int file)
+{
+  struct table parts = table_read("out/materials.csv");
+  double intensity[5][2][1][5];
+  int id;
+  NC(nc_inq_varid(file, "intensity", &id));
+  NC(nc_get_var_double(file, id, &intensity[0][0][0][0]));
+  for (size_t k = 0; k < 5; k++)
+    for (size_t b = 0; b < 2; b++)
+      for (size_t m = 0; m < 5; m++) {
+        double csv = table_number(&parts, 2 * k + b, mechanisms[m]);
+        assert_close(intensity[k][b][0][m], csv, PRINTED * fabs(csv));
+      }
+  table_release(&parts);
+}
+
+/* Opens with the library, and says of everything what it is and in which unit. */
+static void test_netcdf(void **state)
+{
+  (void)state;
+  static const char *const global[] = {"title", "version", "command", "scenario", "Conventions"};
+  int file, count, id;
+  double time[5];
+  NC(nc_open("out/run.nc", NC_NOWRITE, &file));
+  expect_dimensions(file);
+  for (size_t i = 0; i < sizeof global / sizeof global[0]; i++)
+    expect_attribute(file, NC_GLOBAL, global[i]);
+  NC(nc_inq_nvars(file, &count));
+  assert_true(count > 20);
+  for (int v = 0; v < count; v++) {
+    expect_attribute(file, v, "units");
+    expect_attribute(file, v, "long_name");
+  }
+  NC(nc_inq_varid(file, "time", &id));
+  NC(nc_get_var_double(file, id, time));
+  for (int k = 1; k < 5; k++) assert_close(time[k] - time[0], 60.0 * k, 1e-6);
+  compare_intensity(file);
+  NC(nc_close(file));
+}
+
+/* A name may be longer than any fixed width. */
+static void test_long_names(void **state)
+{
+  (void)state;
+  char name[201], text[256];
+  memset(name, 'x', 200);
+  name[200] = '\0';
+  char *scenario = command_data("box.yaml");
+  snprintf(text, sizeof text, "name: %s", name);
+  scenario = command_edit(scenario, "name: bus", text);
+  command_write("long.yaml", scenario);
+  free(scenario);
+  command_expect(0, "run", "long.yaml", "--no-plots", "--out", "long", NULL);
+  int file, id, dimension[2];
+  size_t width;
+  NC(nc_open("long/run.nc", NC_NOWRITE, &file));
+  NC(nc_inq_varid(file, "part_name", &id));
+  NC(nc_inq_vardimid(file, id, dimension));
+  NC(nc_inq_dimlen(file, dimension[1], &width));
+  assert_int_equal(width, 200 + strlen(".+x") + 1);
+  char *names = calloc(8, width);
+  assert_non_null(names);
+  NC(nc_get_var_text(file, id, names));
+  assert_string_equal(names, name);
+  free(names);
+  NC(nc_close(file));
+}
+
+/* Without a station the station's columns are empty; without an observer there is no light curve.
+ */
+static void test_other_observers(void **state)
+{
+  (void)state;
+  static const char *const empty[] = {"azimuth_deg", "elevation_deg", "airmass",
+                                      "sun_elevation_deg"};
+  const char *station =
+      "  station: {name: Graz, latitude_deg: 47.067, longitude_deg: 15.493, height_m: 495}\n";
+  char *text = command_edit(command_data("box.yaml"), station,
+                            "  direction: {unit_gcrs: [0, 0, 1], range_km: 1000}\n");
+  command_write("space.yaml", text);
+  free(text);
+  command_expect(0, "run", "space.yaml", "--no-plots", "--out", "space", NULL);
+  struct table t = table_read("space/lightcurve.csv");
+  assert_string_equal(t.header, LIGHTCURVE_HEADER);
+  for (size_t k = 0; k < t.nrow; k++) {
+    for (size_t i = 0; i < sizeof empty / sizeof empty[0]; i++)
+      assert_string_equal(table_text(&t, k, empty[i]), "");
+    assert_close(table_number(&t, k, "range_km"), 1000.0, 1e-6);
+    assert_true(table_number(&t, k, "lwir_irradiance_W_m2") > 0.0);
+  }
+  table_release(&t);
+  text = command_edit(command_edit(command_data("box.yaml"), station, ""), "observer:\n", "");
+  command_write("alone.yaml", text);
+  free(text);
+  command_expect(0, "run", "alone.yaml", "--no-plots", "--out", "alone", NULL);
+  assert_false(command_exists("alone/lightcurve.csv"));
+  assert_false(command_exists("alone/materials.csv"));
+  assert_true(command_exists("alone/temperatures.csv"));
+  assert_true(command_exists("alone/run.nc"));
+}
+
+/* With gnuplot three pictures; without it a warning and everything else. */
+static void test_pictures(void **state)
+{
+  (void)state;
+  static const char *const names[] = {"lightcurve.png", "temperatures.png", "satellite.png"};
+  struct command c = command_run("run", "box.yaml", "--out", "drawn", NULL);
+  assert_int_equal(c.code, 0);
+  bool gnuplot = strstr(c.err, "gnuplot is not installed") == NULL;
+  if (gnuplot) assert_string_equal(c.err, "");
+  for (size_t i = 0; i < 3; i++) {
+    char path[64];
+    size_t length;
+    snprintf(path, sizeof path, "drawn/%s", names[i]);
+    assert_int_equal(command_exists(path), gnuplot);
+    if (!gnuplot) continue;
+    char *bytes = command_read_bytes(path, &length);
+    assert_true(length > 1000 && memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0);
+    free(bytes);
+  }
+  if (!gnuplot) print_message("gnuplot is not installed: pictures not looked at\n");
+  command_release(&c);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_lightcurve, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_sums, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_sums, enter_two_parts, command_leave),
+      cmocka_unit_test_setup_teardown(test_interreflection, enter_two_parts, command_leave),
+      cmocka_unit_test_setup_teardown(test_temperatures, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_heat, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_heat, enter_two_parts, command_leave),
+      cmocka_unit_test_setup_teardown(test_texts, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_netcdf, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_long_names, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_other_observers, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_pictures, enter_box, command_leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
