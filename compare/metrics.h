@@ -43,7 +43,7 @@ struct um_compare_metrics {
  * UM_ERR_NUMERIC: measured or model not finite in a row with a label, or sigma not positive (row
  * named by its number from 1). UM_ERR_INPUT: a label out of range. UM_ERR_MEMORY.
  * Durbin & Watson 1950/1951; exact numbers in verify_compare_metrics, distributions in
- * stat_compare_metrics. */
+ * stat_compare_statistics. */
 enum um_status um_compare_metrics_compute(struct um_context *context,
                                           enum um_compare_quantity quantity, size_t count,
                                           const double *measured, const double *model,

@@ -259,8 +259,10 @@ enum um_status um_compare_period_search(struct um_context *context,
     if (made->power[k] > made->power[best]) best = k;
   double low = made->frequency[best > 0 ? best - 1 : 0];
   double high = made->frequency[best + 1 < count ? best + 1 : best];
+  /* where the power is flat to rounding, as at half the sampling rate, the grid stands */
   double frequency = refine(&p, low, high);
-  if (!(evaluate(&p, frequency).power >= made->power[best])) frequency = made->frequency[best];
+  if (!(evaluate(&p, frequency).power > made->power[best] + 1e-14))
+    frequency = made->frequency[best];
   describe(&p, frequency, grid.frequency_max - grid.frequency_min, made);
   *out = made;
   made = NULL;

@@ -1,0 +1,102 @@
+/* Memory that runs out: every allocation fails once, at each place in turn. Each time the call
+ * returns UM_ERR_MEMORY, hands nothing out and leaves nothing behind. */
+#include "compare/metrics.h"
+#include "compare/series.h"
+#include "compare_test.h"
+
+struct source {
+  int alive;     /* blocks handed out and not returned */
+  int calls;     /* so far */
+  int fail_call; /* this one fails; 0: none */
+};
+
+static void *source_allocate(void *self, size_t bytes)
+{
+  struct source *s = self;
+  if (++s->calls == s->fail_call) return NULL;
+  s->alive++;
+  return malloc(bytes);
+}
+static void *source_reallocate(void *self, void *block, size_t bytes)
+{
+  struct source *s = self;
+  if (++s->calls == s->fail_call) return NULL;
+  if (block == NULL) s->alive++;
+  return realloc(block, bytes);
+}
+static void source_release(void *self, void *block)
+{
+  struct source *s = self;
+  if (block == NULL) return;
+  s->alive--;
+  free(block);
+}
+
+/* Everything that allocates, once. */
+static enum um_status everything(struct um_context *c)
+{
+  struct um_compare_measurements *m = NULL, *survey = NULL;
+  struct um_compare_mmt_point *points = NULL;
+  struct um_compare_series *series = NULL;
+  struct um_compare_period *period = NULL;
+  struct um_compare_metrics all;
+  enum um_status status;
+  UM_CHECK(um_compare_measurements_read(c, "m.csv", &m));
+  UM_CHECK(um_compare_measurements_write(c, m, "w.csv"));
+  UM_CHECK(um_compare_mmt_read(c, "t.txt", &survey, &points));
+  UM_CHECK(um_compare_series_create(c, m, 0, SIZE_MAX, &series));
+  UM_CHECK(um_compare_period_search(c, series, NULL, &period));
+  UM_CHECK(um_compare_metrics_compute(c, UM_QUANTITY_COUNT_RATE, series->count, series->value,
+                                      series->value, NULL, NULL, 0, 0.0, NULL, &all));
+done:
+  if (status != UM_OK && m == NULL) assert_null(survey);
+  um_compare_measurements_destroy(c, &m);
+  um_compare_measurements_destroy(c, &survey);
+  um_compare_series_destroy(c, &series);
+  um_compare_period_destroy(c, &period);
+  um_core_free(c, points);
+  return status;
+}
+
+static void test_every_allocation(void **state)
+{
+  (void)state;
+  FILE *file = fopen("m.csv", "wb"), *survey = fopen("t.txt", "wb");
+  assert_true(file != NULL && survey != NULL);
+  fputs("time_utc,quantity,of,value,sigma,track,station\n", file);
+  fputs("# Date Time Mag Filter Channel Track\n", survey);
+  for (int i = 0; i < 59; i++) { /* enough for every table to grow */
+    fprintf(file, "2016-09-21T20:36:%02dZ,count_rate,ufo,%d,,t%d,s%d\n", i, i * i % 7, i, i % 3);
+    fprintf(survey, "2016-09-21 20:36:%02d %d V 1 %d\n", i, i % 5, i);
+    fprintf(survey, "2016-09-21 20:36:%02d %d B 2 %d\n", i, i % 5, i);
+  }
+  fclose(file);
+  fclose(survey);
+  struct source source = {0};
+  struct um_core_allocator allocator = {&source, source_allocate, source_reallocate,
+                                        source_release};
+  struct um_context *c;
+  assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
+  um_core_context_set_threads(c, 1);
+  int alive = source.alive, first = source.calls;
+  assert_int_equal(everything(c), UM_OK);
+  assert_int_equal(source.alive, alive);
+  int calls = source.calls - first;
+  assert_true(calls > 100);
+  for (int i = 1; i <= calls; i++) {
+    um_core_message_clear(c);
+    source.calls = 0;
+    source.fail_call = i;
+    assert_int_equal(everything(c), UM_ERR_MEMORY);
+    source.fail_call = 0;
+    assert_int_equal(source.alive, alive);
+  }
+  um_core_context_destroy(&c);
+  assert_int_equal(source.alive, 0);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation)};
+  return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
+}
