@@ -119,12 +119,14 @@ static const struct bad_case cases[] = {
           .says = {"parts.bus: ", "declared solid", "not closed: 4 open edges"}),
     TETRA("a face turned over", .edit = {"f 4 1 5 8\n", "f 8 5 1 4\n", 0},
           .says = {"parts.bus: ", "declared solid", "turned against each other"}),
+#ifdef UMBRA_TETGEN
     {.name = "solid mesh: crosses itself",
      .scenario = SOLID,
      .file = "body.obj",
      .base = CUBE CUBE_ASIDE,
      .line_of = "name: bus",
      .says = {"parts.bus: ", "the surface crosses itself", "accepted: facets that meet"}},
+#endif
     REC("missing", .kind = BAD_MISSING, .says = {"material_files: mine.yaml: No such file"}),
     REC("a folder", .kind = BAD_FOLDER, .says = {"mine.yaml: is a folder; accepted: a file"}),
     REC("empty", .kind = BAD_EMPTY, .says = {"mine.yaml: empty", "accepted: "}),

@@ -1,6 +1,7 @@
 /* See command.h. Standard output and error go into files, so that no pipe can fill up. */
 #include "tests/app/command.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
@@ -11,6 +12,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #define ARGUMENTS_MAX 32
@@ -61,25 +63,62 @@ static _Noreturn void become(const char *const *arguments, const char *out, cons
   _exit(127);
 }
 
-struct command command_run_list(const char *const *arguments)
-{
+struct running {
+  pid_t child;
   char out[4200], err[4200];
+};
+
+static struct running start(const char *const *arguments)
+{
+  struct running r;
+  /* beside the folder, so that they are not among the files that a test looks at */
+  snprintf(r.out, sizeof r.out, "%s.out", folder);
+  snprintf(r.err, sizeof r.err, "%s.err", folder);
+  fflush(NULL);
+  r.child = fork();
+  if (r.child == 0) become(arguments, r.out, r.err);
+  assert_true(r.child > 0);
+  return r;
+}
+
+static struct command finish(const struct running *r)
+{
   struct command command = {0};
   int state = 0;
-  /* beside the folder, so that they are not among the files that a test looks at */
-  snprintf(out, sizeof out, "%s.out", folder);
-  snprintf(err, sizeof err, "%s.err", folder);
-  fflush(NULL);
-  pid_t child = fork();
-  if (child == 0) become(arguments, out, err);
-  assert_true(child > 0);
-  while (waitpid(child, &state, 0) < 0) assert_int_equal(errno, EINTR);
+  while (waitpid(r->child, &state, 0) < 0) assert_int_equal(errno, EINTR);
   command.code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-  command.out = command_read(out);
-  command.err = command_read(err);
-  remove(out);
-  remove(err);
+  command.out = command_read(r->out);
+  command.err = command_read(r->err);
+  remove(r->out);
+  remove(r->err);
   return command;
+}
+
+struct command command_run_list(const char *const *arguments)
+{
+  struct running r = start(arguments);
+  return finish(&r);
+}
+
+static bool appeared(const char *prefix)
+{
+  bool found = false;
+  DIR *directory = opendir(".");
+  assert_non_null(directory);
+  for (struct dirent *e; !found && (e = readdir(directory)) != NULL;)
+    found = strncmp(e->d_name, prefix, strlen(prefix)) == 0;
+  closedir(directory);
+  return found;
+}
+
+struct command command_run_until(const char *prefix, int signal_number,
+                                 const char *const *arguments)
+{
+  const struct timespec pause = {0, 20000000}; /* 20 ms */
+  struct running r = start(arguments);
+  for (int i = 0; i < 1000 && !appeared(prefix); i++) nanosleep(&pause, NULL);
+  kill(r.child, signal_number);
+  return finish(&r);
 }
 
 static void collect(const char **list, const char *first, va_list rest)

@@ -19,6 +19,9 @@ int command_leave(void **state);
 /* Run `umbra` with the arguments up to NULL; command_release frees the texts. */
 struct command command_run(const char *first, ...) __attribute__((sentinel));
 struct command command_run_list(const char *const *arguments);
+/* The same, sending `signal` as soon as a name that begins with `prefix` stands in the working
+ * folder. */
+struct command command_run_until(const char *prefix, int signal, const char *const *arguments);
 void command_release(struct command *command);
 /* From now on, until command_enter, commands can write no file longer than this [bytes]: a full
  * disk as seen from inside; 0: no limit. */

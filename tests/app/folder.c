@@ -1,5 +1,6 @@
 /* The output folder: it appears whole, replaces only what Umbra wrote, and a run that fails leaves
  * everything as it was. */
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,6 +125,27 @@ static void test_failure_leaves_results(void **state)
   free(after);
 }
 
+/* A run of 24001 instants takes seconds; it is asked to end as soon as its folder is begun. */
+static void test_interrupt_leaves_results(void **state)
+{
+  (void)state;
+  static const int signals[] = {SIGINT, SIGTERM};
+  static const char *const arguments[] = {RUN, "--out", "out", "--set", "time.step_s=0.01", NULL};
+  command_expect(0, RUN, "--out", "out", NULL);
+  char *before = command_snapshot(".");
+  for (int i = 0; i < 2; i++) {
+    struct command c = command_run_until(".out.partial", signals[i], arguments);
+    if (c.code != 1 || strncmp(c.err, "umbra: cancelled while ", 23) != 0 ||
+        command_count_lines(c.err) != 1)
+      fail_msg("exit %d, said:\n%s", c.code, c.err);
+    char *after = command_snapshot(".");
+    assert_string_equal(after, before);
+    free(after);
+    command_release(&c);
+  }
+  free(before);
+}
+
 /* The copy of the scenario holds the changes of the command line and can be run again. */
 static void test_scenario_copy(void **state)
 {
@@ -151,6 +173,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_is_replaced, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_foreign_is_refused, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failure_leaves_results, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_interrupt_leaves_results, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_scenario_copy, enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
