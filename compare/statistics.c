@@ -19,9 +19,6 @@ double um_compare_chi2_q(double chi2, double dof)
 {
   if (!(dof > 0.0) || !(chi2 >= 0.0)) return NAN;
   if (isinf(chi2)) return 0.0;
-  /* Chernoff: ln P <= (dof - chi2 + dof ln(chi2 / dof)) / 2 above dof; where that is below the
-   * least double, P is 0, and the library's series would underflow */
-  if (chi2 > dof && 0.5 * (dof - chi2 + dof * log(chi2 / dof)) < -745.0) return 0.0;
   return gsl_cdf_chisq_Q(chi2, dof);
 }
 

@@ -1,7 +1,9 @@
 /* Measurement files. Expected rows are read off the texts by hand; refusals are compared as whole
  * messages, because the message is the contract: file, line, what is wrong, what is accepted. */
-#include "compare_test.h"
+#include <signal.h>
+#include <sys/resource.h>
 
+#include "compare_test.h"
 #include "orbit/time.h"
 
 #define HEAD "time_utc,quantity,of,value,sigma\n"
@@ -138,6 +140,10 @@ static void test_round_trip(void **state)
   /* digits that nine places do not hold */
   round_trip(HEAD T0 ",radiant_intensity,vis,0.30000000000000004,1.2345678901234568e-300\n",
              HEAD T0 ",radiant_intensity,vis,0.30000000000000004,1.2345678901234568e-300\n");
+  /* microseconds that round to the next millisecond; one name for two quantities */
+  const char *close_rows = HEAD "2016-12-31T23:59:60.999750Z,band_irradiance,bus,1,\n"
+                                "2017-01-01T00:00:00.000Z,temperature,bus,280,\n";
+  round_trip(close_rows, close_rows);
 }
 
 /* Neither a failed write nor a refused value leaves a file or touches the old one. */
@@ -165,6 +171,20 @@ static void test_write_whole(void **state)
     assert_refused(um_compare_measurements_write(context, m, "/dev/full"), UM_ERR_IO,
                    "/dev/full: cannot be written: No space left on device");
   }
+  /* a file that may not grow beyond 8 bytes: nothing half-written stays, which removing the folder
+   * at the end proves */
+  struct rlimit limit, small;
+  assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  small = (struct rlimit){8, limit.rlim_max};
+  void (*before)(int) = signal(SIGXFSZ, SIG_IGN);
+  m->row[0].value = 1.0;
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+  um_core_message_clear(context);
+  enum um_status status = um_compare_measurements_write(context, m, "w.csv");
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  signal(SIGXFSZ, before);
+  assert_int_equal(status, UM_ERR_IO);
+  assert_string_equal(um_core_message(context), "w.csv: cannot be written: File too large");
   um_compare_measurements_destroy(context, &m);
 }
 
