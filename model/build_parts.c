@@ -192,34 +192,6 @@ static enum um_status check_backs(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
-/* Does the recorded message begin with this and a character that ends a name? */
-static bool message_begins(const struct um_context *context, const char *text)
-{
-  const char *message = um_core_message(context);
-  size_t n = strlen(text);
-  return strncmp(message, text, n) == 0 && strchr(":, '", message[n]) != NULL;
-}
-
-enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,
-                                   enum um_status status)
-{
-  for (size_t i = 0; i < model->scenario->parts.count; i++) {
-    const struct um_scenario_part *part = part_at(model, i);
-    const char *path = NULL;
-    char quoted[512], plain[512];
-    snprintf(quoted, sizeof quoted, "part '%s'", part->name);
-    snprintf(plain, sizeof plain, "part %s", part->name);
-    if (message_begins(context, quoted) || message_begins(context, plain))
-      return um_model_blame(context, &part->at, NULL, status);
-    if (part->mesh == NULL) continue;
-    UM_TRY(um_model_resolve(context, model, &part->mesh->at, part->mesh->file, &path));
-    if (message_begins(context, path))
-      return um_model_blame(context, &part->mesh->at, NULL, status);
-  }
-  um_core_message_prefix(context, "%s", model->scenario->at.file);
-  return status;
-}
-
 static enum um_status build_library(struct um_context *context, struct um_model *model)
 {
   char *folder = NULL;

@@ -40,6 +40,16 @@ static double true_time(const struct um_model *model, double tag)
   return t;
 }
 
+/* The exposure of an observation as it really was [s]. */
+static double true_exposure(const struct um_model *model, const double *exposures, size_t k)
+{
+  struct um_effect_use use;
+  double exposure = exposures != NULL ? exposures[k] : model->scenario->time->exposure_s;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.exposure != NULL) exposure = use.effect->hooks.exposure(&use, exposure);
+  return exposure;
+}
+
 /* Times of the observations: the scenario's own, every step from start to stop. */
 static enum um_status scenario_times(struct um_context *context, const struct um_model *model,
                                      double **times, size_t *count)
@@ -57,7 +67,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
 {
   const struct um_scenario_time *time = model->scenario->time;
   bool exposed = time->exposure_s > 0.0;
-  for (size_t k = 0; exposures != NULL && k < ntime; k++) exposed = exposed || exposures[k] > 0.0;
+  for (size_t k = 0; k < ntime; k++) exposed = exposed || true_exposure(model, exposures, k) > 0.0;
   trace->nobs = ntime;
   trace->nsub = exposed ? (size_t)time->exposure_samples : 1;
   size_t n = trace->nobs * trace->nsub;
@@ -71,8 +81,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
     size_t k = i / trace->nsub;
     /* midpoint rule over the exposure */
     double u = ((double)(i % trace->nsub) + 0.5) / (double)trace->nsub - 0.5;
-    double t = true_time(model, trace->t_obs[k] +
-                                    u * (exposures != NULL ? exposures[k] : time->exposure_s));
+    double t = true_time(model, trace->t_obs[k] + u * true_exposure(model, exposures, k));
     if (model->has_observer) {
       UM_TRY(um_model_sample_seen(context, model, t, &trace->sample[i], &trace->look[i]));
     } else {
@@ -80,6 +89,11 @@ static enum um_status trace_observations(struct um_context *context, const struc
       trace->look[i] = (struct um_orbit_look){
           .t_satellite = t, .range = NAN, .azimuth = NAN, .elevation = NAN, .sun_elevation = NAN};
     }
+    if (i > 0 && !(trace->sample[i].t_tai >= trace->sample[i - 1].t_tai))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "observation %zu: its exposure of %g s begins before the one before it "
+                          "ends; accepted: exposures that do not overlap",
+                          k + 1, true_exposure(model, exposures, k));
     trace->sunlit[k] += trace->sample[i].sunlit_fraction / (double)trace->nsub;
     UM_TRY(um_core_progress_step(context, 1));
   }

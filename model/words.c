@@ -1,0 +1,97 @@
+/* What the steps of building share: paths, messages with file, line and key, names, directions. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/file.h"
+#include "model/model_impl.h"
+
+enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
+                                const struct um_mark *at, const char *relative, const char **out)
+{
+  char *path = NULL;
+  (void)at;
+  UM_TRY(um_core_path_resolve(context, model->scenario->at.file, relative, &path));
+  size_t n = strlen(path) + 1;
+  char *kept = NULL;
+  enum um_status status = um_core_document_allocate(context, model->document, n, 1, &kept);
+  if (status == UM_OK) {
+    memcpy(kept, path, n);
+    *out = kept;
+  }
+  um_core_free(context, path);
+  return status;
+}
+
+enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
+                              enum um_status status)
+{
+  if (status == UM_OK || status == UM_ERR_MEMORY) return status;
+  const char *dot = at->path[0] != '\0' && key != NULL ? "." : "";
+  if (key == NULL) key = "";
+  if (at->path[0] != '\0' || key[0] != '\0')
+    um_core_message_prefix(context, "%s%s%s", at->path, dot, key);
+  if (at->line > 0)
+    um_core_message_prefix(context, "%s:%d", at->file, at->line);
+  else
+    um_core_message_prefix(context, "%s", at->file);
+  return status;
+}
+
+enum um_status um_model_fail(struct um_context *context, const struct um_mark *at, const char *key,
+                             const char *format, ...)
+{
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return um_model_blame(context, at, key, um_core_fail(context, UM_ERR_INPUT, "%s", text));
+}
+
+bool um_model_name_is_plain(const char *name)
+{
+  for (const char *c = name; *c != '\0'; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f || strchr("./:,;'\"\\", *c) != NULL) return false;
+  return name[0] != '\0';
+}
+
+enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,
+                             const double v[3], struct um_vec3 *out)
+{
+  struct um_vec3 u = um_vec3(v[0], v[1], v[2]);
+  double norm = um_vec3_norm(u);
+  if (!(norm > 0.0))
+    return um_model_fail(context, at, key, "is the zero vector; accepted: a direction");
+  *out = um_vec3_scale(u, 1.0 / norm);
+  return UM_OK;
+}
+
+/* Does the recorded message begin with this and a character that ends a name? */
+static bool message_begins(const struct um_context *context, const char *text)
+{
+  const char *message = um_core_message(context);
+  size_t n = strlen(text);
+  return strncmp(message, text, n) == 0 && strchr(":, '", message[n]) != NULL;
+}
+
+enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,
+                                   enum um_status status)
+{
+  for (size_t i = 0; i < model->scenario->parts.count; i++) {
+    const struct um_scenario_part *part =
+        (const struct um_scenario_part *)model->scenario->parts.items + i;
+    const char *path = NULL;
+    char quoted[512], plain[512];
+    snprintf(quoted, sizeof quoted, "part '%s'", part->name);
+    snprintf(plain, sizeof plain, "part %s", part->name);
+    if (message_begins(context, quoted) || message_begins(context, plain))
+      return um_model_blame(context, &part->at, NULL, status);
+    if (part->mesh == NULL) continue;
+    UM_TRY(um_model_resolve(context, model, &part->mesh->at, part->mesh->file, &path));
+    if (message_begins(context, path))
+      return um_model_blame(context, &part->mesh->at, NULL, status);
+  }
+  um_core_message_prefix(context, "%s", model->scenario->at.file);
+  return status;
+}
