@@ -6,9 +6,25 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect *const list[] = {
-    &um_effects_albedo,     &um_effects_earth_ir,
-    &um_effects_earthshine, &um_effects_reflected_earth_ir,
-    &um_effects_penumbra,   &um_effects_oblateness,
+    &um_effects_albedo,
+    &um_effects_earth_ir,
+    &um_effects_earthshine,
+    &um_effects_reflected_earth_ir,
+    &um_effects_penumbra,
+    &um_effects_oblateness,
+    &um_effects_internal_power,
+    &um_effects_mli_emittance,
+    &um_effects_heat_capacity,
+    &um_effects_solar_absorptance,
+    &um_effects_emittance,
+    &um_effects_panel_extraction,
+    &um_effects_through_conductance,
+    &um_effects_contact_conductance,
+    &um_effects_albedo_level,
+    &um_effects_earth_ir_level,
+    &um_effects_earth_brightness,
+    &um_effects_solar_irradiance,
+    &um_effects_shadow_radius,
 };
 
 size_t um_effects_count(void) { return sizeof list / sizeof list[0]; }

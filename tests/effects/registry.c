@@ -31,7 +31,7 @@ static void descriptors_are_complete(void **state)
 static void names_are_cut_to_size(void **state)
 {
   (void)state;
-  char names[512], few[8];
+  char names[4096], few[8];
   um_effects_names(names, sizeof names);
   for (size_t i = 0; i < um_effects_count(); i++)
     assert_non_null(strstr(names, um_effects_at(i)->name));

@@ -1,0 +1,39 @@
+/* Level of the Earth's albedo: clouds, ice, oceans and season make a' = f a. It heats, and it
+ * lights by earthshine, in proportion. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            struct um_environment *environment)
+{
+  environment->albedo *= use->value[0];
+  if (environment->albedo <= 1.0) return UM_OK;
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "effect 'albedo_level': albedo_factor %g makes the albedo %g; accepted: up to 1",
+      use->value[0], environment->albedo);
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "albedo_factor",
+     .unit = "1",
+     .help = "of the scenario's albedo, in heat loads and in earthshine",
+     .null_value = 1.0,
+     .fallback = 1.3,
+     .minimum = 0.0,
+     .maximum = 3.0,
+     .prior_sigma = 0.5}, /* 0.1 to 0.8 at a place, 0.3 in the mean */
+};
+
+const struct um_effect um_effects_albedo_level = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "albedo_level",
+    .summary = "The Earth below reflects more or less sunlight than its mean",
+    .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
+    .validity = "uniform Lambert Earth; the albedo after the factor up to 1",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.environment = scale},
+};

@@ -1,0 +1,44 @@
+/* Conductance of contacts, hinges and brackets: Q = f G (T_a - T_b). The temperatures of parts draw
+ * together over minutes to hours, in sunlight and in the dark. */
+#include "effects/list_impl.h"
+#include "thermal/body.h"
+
+/* The place itself, or one of the part: "bus" and "bus.+x" are both met by the target "bus". */
+static bool acts_on(const struct um_effect_use *use, const char *place)
+{
+  if (um_effect_acts_on(use, place)) return true;
+  size_t n = strlen(use->target);
+  return strncmp(use->target, place, n) == 0 && place[n] == '.';
+}
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            struct um_thermal_contact *contact)
+{
+  (void)context;
+  if (acts_on(use, contact->a) || acts_on(use, contact->b)) contact->conductance *= use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "conductance_factor",
+     .unit = "1",
+     .help = "of the conductance that the scenario states",
+     .null_value = 1.0,
+     .fallback = 3.0,
+     .minimum = 0.001,
+     .maximum = 1000.0,
+     .prior_sigma = 2.0}, /* 0.05 to 5 W/K: a factor of 10 either way */
+};
+
+const struct um_effect um_effects_contact_conductance = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "contact_conductance",
+    .summary = "Contacts, hinges or brackets conduct better or worse than stated",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 8",
+    .validity = "contacts of the scenario: all, or those with an end on the part or place named",
+    .targets = UM_TARGET_GLOBAL | UM_TARGET_PART | UM_TARGET_PART_SIDE,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.contact = scale},
+};

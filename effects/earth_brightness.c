@@ -1,0 +1,40 @@
+/* Brightness temperature of the Earth in the band: the satellite reflects (1 - eps) F B(T_b + d).
+ * Clouds are cold, deserts warm; temperatures of the satellite do not feel it. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
+                            struct um_environment *environment)
+{
+  environment->brightness_temperature += use->value[0];
+  if (environment->brightness_temperature > 0.0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect 'earth_brightness': brightness_temperature_shift_K %g makes the "
+                      "brightness temperature %g K; accepted: above 0",
+                      use->value[0], environment->brightness_temperature);
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "brightness_temperature_shift_K",
+     .unit = "K",
+     .help = "added to the scenario's brightness temperature of the Earth",
+     .null_value = 0.0,
+     .fallback = -20.0,
+     .minimum = -120.0,
+     .maximum = 80.0,
+     .prior_sigma = 20.0}, /* 220 K over cloud to 290 K */
+};
+
+const struct um_effect um_effects_earth_brightness = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "earth_brightness",
+    .summary = "The Earth that the satellite reflects is warmer or colder than stated",
+    .reference = "Catsamas et al. 2025, arXiv 2511.13030",
+    .validity = "one brightness temperature for all of the Earth; optics only, while "
+                "reflected_earth_ir is on",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.environment = shift},
+};

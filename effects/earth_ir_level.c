@@ -1,0 +1,37 @@
+/* Level of the Earth's outgoing longwave radiation as a heat load: OLR' = f OLR, by latitude,
+ * season and cloud. What the satellite reflects of the Earth is earth_brightness. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            struct um_environment *environment)
+{
+  (void)context;
+  environment->outgoing_longwave *= use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "olr_factor",
+     .unit = "1",
+     .help = "of the scenario's outgoing longwave radiation",
+     .null_value = 1.0,
+     .fallback = 0.9,
+     .minimum = 0.0,
+     .maximum = 3.0,
+     .prior_sigma = 0.15}, /* 150 to 300 W/m2 about 237 */
+};
+
+const struct um_effect um_effects_earth_ir_level = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "earth_ir_level",
+    .summary = "The Earth below radiates more or less heat than its mean",
+    .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
+    .validity = "uniform outgoing longwave radiation; heat load only, the brightness temperature "
+                "in the band stays",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.environment = scale},
+};

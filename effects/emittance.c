@@ -1,0 +1,36 @@
+/* Thermal emittance of a material, total and spectral above 2.5 um: eps' = f eps. A sunlit plate
+ * stands at T ~ eps^(-1/4), a cooling one falls at a rate ~ eps. */
+#include "effects/list_impl.h"
+#include "materials/materials.h"
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            const char *material, struct um_materials_adjustment *adjustment)
+{
+  (void)context;
+  if (um_effect_acts_on(use, material)) adjustment->emittance_scale *= use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "emittance_factor",
+     .unit = "1",
+     .help = "of the total emittance and of the spectral emissivity above 2.5 um",
+     .null_value = 1.0,
+     .fallback = 0.9,
+     .minimum = 0.1,
+     .maximum = 10.0,
+     .prior_sigma = 0.12}, /* 0.1 to 0.2 of an emittance of 0.8 */
+};
+
+const struct um_effect um_effects_emittance = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "emittance",
+    .summary = "A surface emits and absorbs thermal radiation better or worse than its record",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 4",
+    .validity = "one factor for all wavelengths above 2.5 um; the emittance stays within 0 to 1",
+    .targets = UM_TARGET_MATERIAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.material = scale},
+};

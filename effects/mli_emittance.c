@@ -1,0 +1,63 @@
+/* Effective emittance of MLI: seams, compression and damage multiply the leak between blanket and
+ * what it wraps,
+ *
+ *   q = f e* sigma (T_inside^4 - T_skin^4).
+ *
+ * It shows in eclipse on blankets that face space; a sunlit blanket hardly feels it. */
+#include "effects/list_impl.h"
+#include "thermal/body.h"
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            const char *part, const char *group, struct um_thermal_group_spec *spec,
+                            struct um_thermal_shell *wall, struct um_thermal_mli *mli)
+{
+  (void)spec;
+  (void)wall;
+  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
+  if (mli != NULL) {
+    mli->effective_emittance *= use->value[0];
+    if (mli->effective_emittance <= 1.0) return UM_OK;
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect 'mli_emittance': emittance_factor %g makes the effective emittance "
+                        "of '%s.%s' %g; accepted: up to 1",
+                        use->value[0], part, group, mli->effective_emittance);
+  }
+  if (use->target == NULL || strcmp(use->target, part) == 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_emittance': '%s.%s' has no MLI", part,
+                      group);
+}
+
+/* A part that is named has MLI somewhere. */
+static enum um_status check(struct um_context *context, const struct um_effect_use *use,
+                            const char *part, struct um_thermal_part_spec *spec)
+{
+  if (use->target == NULL || strcmp(use->target, part) != 0) return UM_OK;
+  for (size_t g = 0; g < spec->ngroup; g++)
+    if (spec->groups[g].mli != NULL) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_emittance': the part '%s' has no MLI",
+                      part);
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "emittance_factor",
+     .unit = "1",
+     .help = "of the effective emittance e* that the scenario states",
+     .null_value = 1.0,
+     .fallback = 2.0,
+     .minimum = 0.01,
+     .maximum = 100.0,
+     .prior_sigma = 1.0}, /* e* 0.005 to 0.05 about 0.016: a factor of 3 either way */
+};
+
+const struct um_effect um_effects_mli_emittance = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "mli_emittance",
+    .summary = "MLI leaks more or less heat than stated: seams, compression, damage",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 5",
+    .validity = "parts or groups with MLI; e* after the factor up to 1",
+    .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.group = scale, .part = check},
+};

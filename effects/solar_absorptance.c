@@ -1,0 +1,41 @@
+/* Solar absorptance of a material: what ultraviolet light, atomic oxygen and contamination do,
+ *
+ *   alpha' = alpha + d,  rho_d' = rho_d - d below 2.5 um.
+ *
+ * It warms in sunlight and darkens in the visible at once; the end of an eclipse does not feel it.
+ * Its confounder, panel_extraction, leaves the visible alone. */
+#include "effects/list_impl.h"
+#include "materials/materials.h"
+
+static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
+                            const char *material, struct um_materials_adjustment *adjustment)
+{
+  (void)context;
+  if (um_effect_acts_on(use, material)) adjustment->absorptance_shift += use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "absorptance_shift",
+     .unit = "1",
+     .help = "added to the solar absorptance, taken from the diffuse reflectance below 2.5 um",
+     .null_value = 0.0,
+     .fallback = 0.1,
+     .minimum = -0.5,
+     .maximum = 0.5,
+     .prior_sigma = 0.15}, /* 0 to 0.3 by ageing */
+};
+
+const struct um_effect um_effects_solar_absorptance = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "solar_absorptance",
+    .summary = "A surface aged: it absorbs more sunlight and is darker in the visible",
+    .reference = "Silverman 1995, NASA CR-4661",
+    .validity = "grey in wavelength below 2.5 um; absorptance stays within 0 to 1, and what the "
+                "diffuse reflectance cannot give is taken from the specular",
+    .targets = UM_TARGET_MATERIAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.material = shift},
+};

@@ -1,0 +1,36 @@
+/* Level of sunlight: S' = f S at 1 au, in heat loads, reflected sunlight and earthshine. The
+ * distance of the Sun is already in S/d^2. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
+                            struct um_environment *environment)
+{
+  (void)context;
+  environment->solar_irradiance *= use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "irradiance_factor",
+     .unit = "1",
+     .help = "of the scenario's solar irradiance at 1 au",
+     .null_value = 1.0,
+     .fallback = 1.034,
+     .minimum = 0.8,
+     .maximum = 1.2,
+     .prior_sigma = 0.017}, /* 3.4 % where the distance was left out */
+};
+
+const struct um_effect um_effects_solar_irradiance = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "solar_irradiance",
+    .summary = "Sunlight is stronger or weaker than stated",
+    .reference = "Kopp & Lean 2011, Geophys. Res. Lett. 38:L01706",
+    .validity = "one factor for the whole spectrum, constant in time",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.environment = scale},
+};
