@@ -94,6 +94,8 @@ struct um_effect_hooks {
                             struct um_thermal_contact *);
   /* From the time tag of an observation to its true time [s]. */
   double (*time)(const struct um_effect_use *, double t_tai);
+  /* The exposure as it is, from what scenario or measurement say [s], not negative. */
+  double (*exposure)(const struct um_effect_use *, double exposure);
   /* The satellite is where the orbit has it this much later [s]. */
   double (*along_track)(const struct um_effect_use *);
   /* One attitude law of the scenario, before it is used. */

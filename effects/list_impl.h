@@ -23,5 +23,22 @@ extern const struct um_effect um_effects_earth_ir_level;
 extern const struct um_effect um_effects_earth_brightness;
 extern const struct um_effect um_effects_solar_irradiance;
 extern const struct um_effect um_effects_shadow_radius;
+extern const struct um_effect um_effects_band_emissivity;
+extern const struct um_effect um_effects_directional_emissivity;
+extern const struct um_effect um_effects_roughness;
+extern const struct um_effect um_effects_specular_level;
+extern const struct um_effect um_effects_diffuse_level;
+extern const struct um_effect um_effects_area;
+extern const struct um_effect um_effects_array_angle;
+extern const struct um_effect um_effects_attitude_offset;
+extern const struct um_effect um_effects_spin_period;
+extern const struct um_effect um_effects_time_tag;
+extern const struct um_effect um_effects_along_track;
+extern const struct um_effect um_effects_exposure;
+extern const struct um_effect um_effects_earthshine_level;
+extern const struct um_effect um_effects_earth_reflection_level;
+extern const struct um_effect um_effects_extinction;
+extern const struct um_effect um_effects_zero_point;
+extern const struct um_effect um_effects_background;
 
 #endif

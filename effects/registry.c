@@ -25,6 +25,23 @@ static const struct um_effect *const list[] = {
     &um_effects_earth_brightness,
     &um_effects_solar_irradiance,
     &um_effects_shadow_radius,
+    &um_effects_band_emissivity,
+    &um_effects_directional_emissivity,
+    &um_effects_roughness,
+    &um_effects_specular_level,
+    &um_effects_diffuse_level,
+    &um_effects_area,
+    &um_effects_array_angle,
+    &um_effects_attitude_offset,
+    &um_effects_spin_period,
+    &um_effects_time_tag,
+    &um_effects_along_track,
+    &um_effects_exposure,
+    &um_effects_earthshine_level,
+    &um_effects_earth_reflection_level,
+    &um_effects_extinction,
+    &um_effects_zero_point,
+    &um_effects_background,
 };
 
 size_t um_effects_count(void) { return sizeof list / sizeof list[0]; }

@@ -34,6 +34,7 @@ struct um_environment {
   bool albedo_on, planet_on; /* heat loads */
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */
+  double earthshine_factor, earth_reflection_factor; /* of those two [1] */
 };
 void um_environment_defaults(struct um_environment *out);
 

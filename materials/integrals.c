@@ -116,5 +116,8 @@ double um_materials_normal_emittance(const struct um_materials_record *record,
 {
   double value =
       record->grey ? record->emittance[0] : table_at(record->normal_emittance, temperature);
-  return scaled(value, adjustment);
+  value = scaled(value, adjustment);
+  if (adjustment == NULL || adjustment->emissivity_tilt == 0.0) return value;
+  double hemispherical = um_materials_emittance(record, adjustment, temperature);
+  return fmax(0.0, fmin(1.0, value + adjustment->emissivity_tilt * hemispherical / 20.0));
 }

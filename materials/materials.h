@@ -25,6 +25,9 @@ struct um_materials_adjustment {
   double roughness_scale;       /* of the Beckmann alpha; null 1 */
   double specular_scale;        /* of F; null 1 */
   double diffuse_scale;         /* of the diffuse reflectance below 2.5 um, optics only; null 1 */
+  double emissivity_tilt; /* d: emissivity above 2.5 um + d eps_h (1 - 21 (1 - cos)^5) / 20, the
+                             hemispherical value eps_h stays; 1 turns a diffuse emitter into a
+                             dielectric after Schlick, below 0 it rises to grazing; null 0 */
 };
 extern const struct um_materials_adjustment um_materials_no_adjustment;
 
@@ -85,7 +88,8 @@ double um_materials_emissivity(const struct um_materials_record *record,
                                const struct um_materials_adjustment *adjustment, double wavelength,
                                double cos_o);
 /* True when the emissivity does not depend on cos_o. */
-bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record);
+bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record,
+                                        const struct um_materials_adjustment *adjustment);
 /* Hemispherical-hemispherical reflectance at a wavelength = 1 - hemispherical emissivity (below
  * 2.5 um a grey record's explicit reflectances). */
 double um_materials_hemispherical_reflectance(const struct um_materials_record *record,

@@ -8,6 +8,8 @@
  *   absorptance_shift a, below 2.5 um:  rho_d - a; what rho_d cannot give is taken from F.
  *   emittance scales s, from 2.5 um up: emissivity s (1 - R). With phi = rho_d/(rho_d + mean F)
  *       rho_d' = phi (1 - s) + s rho_d,  F' = (1 - phi)(1 - s) + s F,  so 1 - R' = s (1 - R).
+ * A tilt d of the emissivity adds d eps_h (1 - 21 (1 - cos)^5) / 20, whose hemispherical mean is 0:
+ * (1 - cos)^5 is Schlick's (1994) approach of Fresnel's law to grazing, of mean 1/21.
  * diffuse_scale, specular_scale and roughness_scale change what is reflected only. A reflectance is
  * never negative and the described rho_d plus F never above 1. */
 #include <assert.h>
@@ -23,6 +25,7 @@ const struct um_materials_adjustment um_materials_no_adjustment = {
     .roughness_scale = 1.0,
     .specular_scale = 1.0,
     .diffuse_scale = 1.0,
+    .emissivity_tilt = 0.0,
 };
 
 /* A scale of 0 leaves a lobe this narrow, not none. */
@@ -30,6 +33,7 @@ static const double smallest_alpha = 1e-4;
 
 static double unit_clamp(double x) { return x < 0.0 ? 0.0 : (x > 1.0 ? 1.0 : x); }
 
+/* Nothing is changed but, perhaps, the tilt of the emissivity, which is added last. */
 static bool is_null(const struct um_materials_adjustment *a)
 {
   return a == NULL || (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
@@ -244,12 +248,21 @@ double um_materials_emissivity(const struct um_materials_record *record,
                                double cos_o)
 {
   const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
-  return record->grey ? grey_emissivity(record, a, wavelength)
-                      : spectral_emissivity(record, a, wavelength, cos_o);
+  double value = record->grey ? grey_emissivity(record, a, wavelength)
+                              : spectral_emissivity(record, a, wavelength, cos_o);
+  if (adjustment == NULL || adjustment->emissivity_tilt == 0.0 || wavelength < UM_MATERIALS_SPLIT)
+    return value;
+  /* eps' = eps + d eps_h (1 - 21 (1 - cos)^5) / 20 */
+  double hemispherical = 1.0 - um_materials_hemispherical_reflectance(record, a, wavelength);
+  double left = 1.0 - unit_clamp(cos_o), square = left * left;
+  double shape = (1.0 - 21.0 * square * square * left) / 20.0;
+  return unit_clamp(value + adjustment->emissivity_tilt * hemispherical * shape);
 }
 
-bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record)
+bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record,
+                                        const struct um_materials_adjustment *adjustment)
 {
+  if (adjustment != NULL && adjustment->emissivity_tilt != 0.0) return false;
   return record->grey || record->spectrum.ncos == 1;
 }
 

@@ -208,8 +208,8 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
   struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, bounce->surface);
   double cos_i = um_vec3_dot(normal, instant->sun_body);
   double sun = sunlit && cos_i > 0.0 ? instant->sun * cos_i / UM_PI : 0.0;
-  double albedo = instant->earthshine ? (double)scene->albedo[at] / UM_PI : 0.0;
-  double earth = instant->earth_reflection ? (double)scene->view_factor[at] : 0.0;
+  double albedo = instant->earthshine * (double)scene->albedo[at] / UM_PI;
+  double earth = instant->earth_reflection * (double)scene->view_factor[at];
   um_optics_spectra_planck(spectra, scene->temperature[at], work->planck);
   const double *emissivity =
       um_optics_spectra_emissivity(spectra, material, bounce->cosine, work->emissivity);

@@ -31,8 +31,10 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.sun_alpha2 = now.sun_radius * now.sun_radius / 8.0;
   double relative = UM_AU / sample->sun_distance;
   now.sun = sample->sunlit_fraction * relative * relative;
-  now.earthshine = scene->environment->earthshine_on;
-  now.earth_reflection = scene->environment->earth_reflection_on;
+  const struct um_environment *environment = scene->environment;
+  now.earthshine = environment->earthshine_on ? environment->earthshine_factor : 0.0;
+  now.earth_reflection =
+      environment->earth_reflection_on ? environment->earth_reflection_factor : 0.0;
   return now;
 }
 
@@ -171,10 +173,10 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
             instant->sun * spectra->sun[b] * specular[b] * sum->lobe;
     }
   }
-  double albedo = instant->earthshine ? sum->albedo / UM_PI : 0.0;
+  double albedo = instant->earthshine * sum->albedo / UM_PI;
   for (size_t b = 0; b < n; b++) {
     double planet = diffuse_emitter ? (1.0 - emissivity[b]) * sum->view_factor : sum->planet[b];
-    if (!instant->earth_reflection) planet = 0.0;
+    planet *= instant->earth_reflection;
     double *to = spectral + b * UM_MECHANISM_COUNT;
     to[UM_MECHANISM_EARTH] = diffuse[b] * spectra->share[b] * albedo + planet * spectra->earth[b];
     to[UM_MECHANISM_EMITTED] = (diffuse_emitter ? emissivity[b] : 1.0) * sum->emitted[b];

@@ -13,7 +13,7 @@ struct um_optics_instant {
   double sun_radius;                      /* angular, of the disc [rad] */
   double sun_alpha2;                      /* (theta_s / (2 sqrt 2))^2 [1] */
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
-  bool earthshine, earth_reflection;
+  double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
 

@@ -175,7 +175,7 @@ static enum um_status materials_create(struct um_context *context,
     if (record == NULL)
       return um_core_fail(context, UM_ERR_INPUT, "material '%s' has no record",
                           um_geometry_material_name(scene->geometry, m));
-    s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record);
+    s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
     s->lobe[m] = um_materials_has_lobe(record);
     s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;

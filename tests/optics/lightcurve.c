@@ -287,7 +287,7 @@ static void test_directional_emissivity(void **state)
   for (size_t t = 0; t < COUNT; t++)
     f.samples[t].to_observer = polar(((double)t + 0.3) * UM_DEG, 0.4);
   fixture_run(&f, 1, &fixture_lwir, 1);
-  assert_false(um_materials_emissivity_is_diffuse(f.record[0]));
+  assert_false(um_materials_emissivity_is_diffuse(f.record[0], NULL));
   double worst = 0.0;
   for (size_t t = 0; t < COUNT; t++)
     for (size_t b = 0; b < f.curve->nbin; b++) {

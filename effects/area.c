@@ -1,0 +1,37 @@
+/* Area of a part: lengths times sqrt(f), so that every surface has f times its area and emits,
+ * reflects and absorbs f times as much. Facets grow alike, so that mesh and sample points stay. */
+#include "effects/list_impl.h"
+#include "geometry/geometry.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"area_factor", "1", "factor of the area of every surface of the part", 1.0, 1.0, 0.1, 10.0,
+     0.2},
+};
+
+static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,
+                               struct um_geometry_part_spec *part)
+{
+  (void)context;
+  if (!um_effect_acts_on(use, part->name)) return UM_OK;
+  double s = sqrt(use->value[0]);
+  double *const length[] = {&part->size[0],      &part->size[1],    &part->size[2],
+                            &part->radius,       &part->radius_top, &part->height,
+                            &part->focal_length, &part->facet_size};
+  for (size_t i = 0; i < sizeof length / sizeof length[0]; i++) *length[i] *= s;
+  part->mesh_scale = part->mesh_scale == 0.0 ? s : part->mesh_scale * s;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_area = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "area",
+    .summary = "A part is larger or smaller than modelled",
+    .reference = "Wetterer & Jah 2009, J. Guid. Control Dyn. 32:1648",
+    .validity = "the part grows about its own origin, parts that hang on it stay where they are; "
+                "heat capacity and conductance per area, interior nodes and contacts stay",
+    .targets = UM_TARGET_PART,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.geometry = geometry},
+};

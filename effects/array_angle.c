@@ -1,0 +1,33 @@
+/* Angle of a joint: an offset added to the fixed angle, or to the angle that tracks the Sun. */
+#include "core/constants.h"
+#include "effects/list_impl.h"
+#include "geometry/geometry.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"angle_deg", "deg", "added to the angle of the joint", 0.0, 0.0, -180.0, 180.0, 10.0},
+};
+
+static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,
+                               struct um_geometry_part_spec *part)
+{
+  if (use->value[0] == 0.0 || !um_effect_acts_on(use, part->name)) return UM_OK;
+  if (part->joint == UM_JOINT_NONE)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect 'array_angle': part '%s' has no joint; accepted: a part with one",
+                        part->name);
+  part->joint_angle += use->value[0] * UM_DEG;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_array_angle = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "array_angle",
+    .summary = "A solar array stands at another angle than its joint was told",
+    .reference = "Payne, Gregory & Luu 2006, AMOS Conference (solar panel offsets)",
+    .validity = "a constant offset about the axis of the joint",
+    .targets = UM_TARGET_PART,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.geometry = geometry},
+};

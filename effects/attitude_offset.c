@@ -1,0 +1,33 @@
+/* Attitude offset: the body is turned from what the law says by a constant rotation vector theta in
+ * body axes, about theta/|theta| by |theta|. */
+#include "core/constants.h"
+#include "effects/list_impl.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"x_deg", "deg", "turn about the body axis x", 0.0, 0.0, -180.0, 180.0, 5.0},
+    {"y_deg", "deg", "turn about the body axis y", 0.0, 0.0, -180.0, 180.0, 5.0},
+    {"z_deg", "deg", "turn about the body axis z", 0.0, 0.0, -180.0, 180.0, 5.0},
+};
+
+static struct um_quat attitude(const struct um_effect_use *use, double t_tai, struct um_quat q)
+{
+  struct um_vec3 theta =
+      um_vec3_scale(um_vec3(use->value[0], use->value[1], use->value[2]), UM_DEG); /* [rad] */
+  double angle = um_vec3_norm(theta);
+  (void)t_tai;
+  if (!(angle > 0.0)) return q;
+  return um_quat_then(q, um_quat_from_axis(um_vec3_scale(theta, 1.0 / angle), angle));
+}
+
+const struct um_effect um_effects_attitude_offset = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "attitude_offset",
+    .summary = "The body stands at a constant angle from its attitude law",
+    .reference = "Shuster 1993, J. Astronaut. Sci. 41:439",
+    .validity = "constant in the body frame; it turns with a spinning body",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.attitude = attitude},
+};

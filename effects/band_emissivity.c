@@ -1,0 +1,32 @@
+/* Emissivity in the observed infrared band that differs from the total: eps_band = f eps. Silica
+ * has its reststrahlen at 9 um and Kapton its absorption bands in 8-12 um, so that a total
+ * emittance says little about the band. Temperatures stay. */
+#include "effects/list_impl.h"
+#include "materials/materials.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"emissivity_factor", "1", "factor of the emissivity above 2.5 um", 1.0, 1.0, 0.1, 3.0, 0.15},
+};
+
+static enum um_status material(struct um_context *context, const struct um_effect_use *use,
+                               const char *name, struct um_materials_adjustment *adjustment)
+{
+  (void)context;
+  if (um_effect_acts_on(use, name)) adjustment->band_emissivity_scale *= use->value[0];
+  return UM_OK;
+}
+
+const struct um_effect um_effects_band_emissivity = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "band_emissivity",
+    .summary =
+        "The infrared emissivity that is seen differs from the total that sets the temperature",
+    .reference = "Kitamura, Pilon & Jonasz 2007, Appl. Opt. 46:8118",
+    .validity =
+        "above 2.5 um, one factor for all wavelengths; an emissivity ends at 1; temperatures stay",
+    .targets = UM_TARGET_MATERIAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.material = material},
+};

@@ -1,0 +1,33 @@
+/* Directional emissivity: eps(theta) = eps + d eps_h (1 - 21 (1 - cos theta)^5) / 20. Schlick's
+ * dielectric 1 - R = (1 - R_0)(1 - (1 - cos)^5), divided by its hemispherical value (1 - R_0)
+ * 20/21, is d = 1; emissivities of metals rise to grazing, d < 0. The hemispherical value is kept,
+ * and with it every temperature; what is not emitted is reflected Earth. */
+#include "effects/list_impl.h"
+#include "materials/materials.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"tilt", "1", "1: a dielectric, dark at grazing; negative: a metal, bright at grazing", 0.0,
+     0.0, -2.0, 1.0, 0.5},
+};
+
+static enum um_status material(struct um_context *context, const struct um_effect_use *use,
+                               const char *name, struct um_materials_adjustment *adjustment)
+{
+  (void)context;
+  if (um_effect_acts_on(use, name)) adjustment->emissivity_tilt += use->value[0];
+  return UM_OK;
+}
+
+const struct um_effect um_effects_directional_emissivity = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "directional_emissivity",
+    .summary = "Emissivity depends on the angle of view, its hemispherical value being kept",
+    .reference = "Schlick 1994, Computer Graphics Forum 13:233",
+    .validity =
+        "above 2.5 um; added to what the record already has; an emissivity stays within 0 and 1",
+    .targets = UM_TARGET_MATERIAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.material = material},
+};

@@ -1,0 +1,29 @@
+/* Level of the Earth's own radiation that the satellite reflects to the observer. Its thermal twin
+ * is the Earth-IR load, which stays. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"factor", "1", "factor of the reflected radiation of the Earth", 1.0, 1.0, 0.0, 5.0, 0.3},
+};
+
+static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
+                                  struct um_environment *to)
+{
+  (void)context;
+  to->earth_reflection_factor *= use->value[0];
+  return UM_OK;
+}
+
+const struct um_effect um_effects_earth_reflection_level = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "earth_reflection_level",
+    .summary = "The Earth seen in the satellite is warmer or colder than modelled",
+    .reference = "Catsamas et al. 2025, arXiv 2511.13030",
+    .validity = "optics only, heat loads stay; of no effect where reflected_earth_ir is off",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.environment = environment},
+};

@@ -1,0 +1,27 @@
+/* Integration smear: observations are means over a longer exposure than was said. A box of length T
+ * has the variance T^2/12, so glints lose height in proportion to T^2: the parameter is the square
+ * of the unknown exposure, which adds in squares, T^2 = T_0^2 + s. */
+#include "effects/list_impl.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"square_s2", "s^2", "added to the square of the exposure", 0.0, 0.0, 0.0, 1e4, 1.0},
+};
+
+static double exposure(const struct um_effect_use *use, double known)
+{
+  return use->value[0] == 0.0 ? known : sqrt(known * known + use->value[0]);
+}
+
+const struct um_effect um_effects_exposure = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "exposure",
+    .summary = "Observations are smeared over a longer exposure",
+    .reference = "Kipping 2010, MNRAS 408:1758",
+    .validity = "mid-exposure is kept; averaged over the scenario's exposure_samples instants; "
+                "exposures must not overlap",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.exposure = exposure},
+};

@@ -1,0 +1,30 @@
+/* Roughness: the width of the glint, Beckmann's alpha = sqrt(2) Rq/tau times a factor. Peak times
+ * width^2 is kept, which separates it from specular_level. */
+#include "effects/list_impl.h"
+#include "materials/materials.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"alpha_factor", "1", "factor of the Beckmann alpha", 1.0, 1.0, 0.1, 5.0, 0.4},
+};
+
+static enum um_status material(struct um_context *context, const struct um_effect_use *use,
+                               const char *name, struct um_materials_adjustment *adjustment)
+{
+  (void)context;
+  if (um_effect_acts_on(use, name)) adjustment->roughness_scale *= use->value[0];
+  return UM_OK;
+}
+
+const struct um_effect um_effects_roughness = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "roughness",
+    .summary = "The surface is rougher or smoother: glints are wider and fainter, or narrower and "
+               "brighter",
+    .reference = "Beckmann & Spizzichino 1963; Walter et al. 2007, EGSR",
+    .validity = "materials with a lobe; absorptance and emittance stay",
+    .targets = UM_TARGET_MATERIAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.material = material},
+};

@@ -1,0 +1,30 @@
+/* Spin period: P (1 + r) in place of P. The phase at the reference time of the law is kept, so that
+ * the error of the phase grows like -2 pi r (t - t_0) / P. */
+#include "effects/list_impl.h"
+#include "orbit/attitude.h"
+
+static const struct um_effect_parameter parameters[] = {
+    {"relative", "1", "relative error of the period", 0.0, 0.0, -0.5, 0.5, 0.05},
+};
+
+static enum um_status law(struct um_context *context, const struct um_effect_use *use,
+                          struct um_orbit_attitude_law *to)
+{
+  (void)context;
+  if (to->kind == UM_ATTITUDE_SPIN) to->period *= 1.0 + use->value[0];
+  return UM_OK;
+}
+
+const struct um_effect um_effects_spin_period = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "spin_period",
+    .summary = "The body spins slower or faster than its law says",
+    .reference = "Kucharski et al. 2014, IEEE Trans. Geosci. Remote Sens. 52:7651",
+    .validity =
+        "laws of the kind spin; others stay; the phase is kept at at_utc, by default the start",
+    .targets = UM_TARGET_GLOBAL,
+    .parameters = parameters,
+    .nparameter = sizeof parameters / sizeof parameters[0],
+    .hooks = {.law = law},
+};
