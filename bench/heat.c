@@ -1,4 +1,4 @@
-/* Heat: one orbit of a spinning satellite of 1000, 4000 and 10000 nodes, one thread.
+/* Heat: the orbit of a spinning satellite of 1000, 4000 and 10000 nodes, one thread.
  *
  * A box under MLI (a skin node per facet) around a slow interior, and a two-sided array beside it;
  * finite-element shells of ever smaller facets; 765 km, beta 0, eight turns an orbit, so that the
@@ -6,14 +6,15 @@
  *
  *   rate          dT/dt of all nodes once, at a new time, against a copy that moves as many bytes
  *                 as it reads and writes when every array passes once
- *   orbit         one integration with the audit, against its own evaluations of the rate alone:
- *                 what solving and factoring, error control and the audit add
- *   per node      an orbit's step per node, against the same at 1000 nodes: growth beyond linear
- *   periodic      the repeating state to 0.01 K, in orbits of integration
+ *   orbit         an integration with the audit, against its own evaluations of the rate alone:
+ *                 what solving and factoring, error control and the audit add; a whole orbit at
+ * 1000 nodes, its first half and quarter above per node      its step per node, against the same at
+ * 1000 nodes: growth beyond linear periodic      the repeating state to 0.01 K, in orbits of
+ * integration, at 1000 nodes (their number does not depend on the size)
  *
  * Goals. rate 4 copies: it gathers neighbours and rounds chains of additions, which a copy does
  * not. orbit 8: each evaluation has a triangular solve over factors of three to five times the
- * entries of the matrix, and every third a factorisation. per node 2: factors of a shell grow as n
+ * entries of the matrix, and every eighth a factorisation. per node 2: factors of a shell grow as n
  * log n. periodic 5 orbits: four spin-up orbits and one more are what others spend and do not get
  * there (an interior under MLI then stands 88-99 % unconverged). Errors: audit 1e-6 of the
  * turnover, and 0.01 K from a run with tolerances a thousand times tighter, at 1000 nodes. */
@@ -35,6 +36,14 @@
 #define RATE_RUNS 15   /* one orbit is run three times at 1000 nodes, once above */
 #define AUDIT     1e-6 /* [1] */
 #define DISTANCE  0.01 /* [K] */
+
+struct size {
+  const char *name;
+  double facet_size; /* [m] */
+  double share;      /* of an orbit that is integrated [1] */
+};
+static const struct size sizes[SIZES] = {
+    {"1000 nodes", 0.42, 1.0}, {"4000 nodes", 0.21, 0.5}, {"10000 nodes", 0.132, 0.25}};
 
 struct satellite {
   struct um_geometry *geometry;
@@ -139,7 +148,7 @@ static size_t rate_bytes(const struct um_thermal_system *system)
   return system->n * per_node + system->start[system->n] * per_link;
 }
 
-/* Times of the rate and of the copy, alternating [s]. */
+/* Times of the rate and of the copy, alternating [us]. */
 static void rate_time(const struct bench *bench, const struct satellite *s,
                       struct bench_series *rate, struct bench_series *copy)
 {
@@ -168,8 +177,8 @@ static void rate_time(const struct bench *bench, const struct satellite *s,
       um_thermal_system_rate(system, out);
     }
     double c = bench_cpu();
-    bench_add(copy, (b - a) / (double)repeats);
-    bench_add(rate, (c - b) / (double)repeats);
+    bench_add(copy, 1e6 * (b - a) / (double)repeats);
+    bench_add(rate, 1e6 * (c - b) / (double)repeats);
   }
   um_core_free(bench->context, from);
   um_core_free(bench->context, to);
@@ -179,7 +188,7 @@ static void rate_time(const struct bench *bench, const struct satellite *s,
 }
 
 static struct um_thermal_history *orbit(const struct bench *bench, const struct satellite *s,
-                                        double tighter)
+                                        double share, double tighter)
 {
   struct um_thermal_solve_options options;
   struct um_thermal_history *history = NULL;
@@ -187,7 +196,7 @@ static struct um_thermal_history *orbit(const struct bench *bench, const struct 
   options.relative_tolerance /= tighter;
   options.absolute_tolerance /= tighter;
   double t[4];
-  for (int k = 0; k < 4; k++) t[k] = s->period * (k + 1) / 4.0;
+  for (int k = 0; k < 4; k++) t[k] = share * s->period * (k + 1) / 4.0;
   bench_must(bench, um_thermal_solve(bench->context, s->body->network, s->loads, &options, 0.0, t,
                                      4, &history));
   return history;
@@ -195,7 +204,8 @@ static struct um_thermal_history *orbit(const struct bench *bench, const struct 
 
 static void error_figure(struct bench *bench, const struct satellite *s)
 {
-  struct um_thermal_history *usual = orbit(bench, s, 1.0), *tight = orbit(bench, s, 1000.0);
+  struct um_thermal_history *usual = orbit(bench, s, 1.0, 1.0),
+                            *tight = orbit(bench, s, 1.0, 1000.0);
   double worst = 0.0;
   for (size_t i = 0; i < usual->ntime * usual->nnode; i++)
     worst = fmax(worst, fabs(usual->temperature[i] - tight->temperature[i]));
@@ -204,13 +214,11 @@ static void error_figure(struct bench *bench, const struct satellite *s)
   um_thermal_history_destroy(bench->context, &tight);
 }
 
-/* Orbits and time [s] of the repeating state; false when none is found, which the figures show. */
-static bool periodic_figures(struct bench *bench, const char *size, const struct satellite *s,
-                             double orbit_time)
+/* Time [s] and orbits of the repeating state; empty figures and a line when none is found. */
+static void periodic_figures(struct bench *bench, const struct satellite *s, double orbit_time)
 {
   struct um_thermal_solve_options options;
   struct um_thermal_periodic report;
-  char name[80];
   um_thermal_solve_defaults(&options);
   double *t = bench_allocate(bench, um_thermal_network_nodes(s->body->network), sizeof *t);
   double began = bench_cpu();
@@ -221,67 +229,60 @@ static bool periodic_figures(struct bench *bench, const char *size, const struct
   um_core_free(bench->context, t);
   bool found = status == UM_OK;
   if (status == UM_ERR_NUMERIC) {
-    printf("%s: after %.3g s: %s\n", size, time, um_core_message(bench->context));
+    printf("after %.3g s: %s\n", time, um_core_message(bench->context));
     um_core_message_clear(bench->context);
   } else {
     bench_must(bench, status);
   }
-  snprintf(name, sizeof name, "%s: periodic state, to one orbit", size);
-  bench_number(bench, name, "s", found ? time : NAN, orbit_time, 5.0);
-  snprintf(name, sizeof name, "%s: periodic state, orbits, rough and full", size);
-  bench_number(bench, name, "1", found ? (double)report.orbits : NAN, NAN, NAN);
-  snprintf(name, sizeof name, "%s: periodic state, distance left", size);
-  bench_number(bench, name, "K", found ? report.distance : NAN, DISTANCE, 1.0);
-  return found;
+  bench_number(bench, "1000 nodes: periodic state, to one orbit", "s", found ? time : NAN,
+               orbit_time, 5.0);
+  bench_number(bench, "1000 nodes: periodic state, orbits, rough and full", "1",
+               found ? (double)report.orbits : NAN, NAN, NAN);
+  bench_number(bench, "1000 nodes: periodic state, distance left", "K",
+               found ? report.distance : NAN, DISTANCE, 1.0);
 }
 
-/* Figures of one size; returns the step's cost per node [s]. periodic: false once none was found,
- * larger networks then do not try. */
-static double size_figures(struct bench *bench, double facet_size, const char *size,
-                           double reference_per_node, bool *periodic)
+/* Figures of one size; returns the step's cost per node [s]. reference: that of 1000 nodes, NaN for
+ * them. */
+static double size_figures(struct bench *bench, const struct size *size, double reference)
 {
   struct satellite s = {0};
   struct bench_series rate = {.n = 0}, copy = {.n = 0}, time = {.n = 0}, bare = {.n = 0};
   struct um_thermal_history *history = NULL;
+  bool first = isnan(reference);
   char name[80];
-  body_build(bench, facet_size, &s);
+  body_build(bench, size->facet_size, &s);
   loads_trace(bench, &s);
   double nnode = (double)um_thermal_network_nodes(s.body->network);
   rate_time(bench, &s, &rate, &copy);
-  int runs = isnan(reference_per_node) ? 3 : 1; /* the larger ones take their time */
-  for (int run = 0; run < runs; run++) {
+  for (int run = 0; run < (first ? 3 : 1); run++) {
     um_thermal_history_destroy(bench->context, &history);
     double began = bench_cpu();
-    history = orbit(bench, &s, 1.0);
+    history = orbit(bench, &s, size->share, 1.0);
     bench_add(&time, bench_cpu() - began);
-    bench_add(&bare, (double)history->rhs_evaluations * bench_median(&rate));
+    bench_add(&bare, (double)history->rhs_evaluations * 1e-6 * bench_median(&rate));
   }
   double steps = (double)history->steps;
   double per_node = bench_median(&time) / steps / nnode;
-  snprintf(name, sizeof name, "%s: exact number", size);
+  snprintf(name, sizeof name, "%s: exact number", size->name);
   bench_number(bench, name, "1", nnode, NAN, NAN);
-  for (size_t i = 0; i < rate.n; i++) {
-    rate.value[i] *= 1e6;
-    copy.value[i] *= 1e6;
-  }
-  snprintf(name, sizeof name, "%s: rate, to a copy of its bytes", size);
+  snprintf(name, sizeof name, "%s: rate, to a copy of its bytes", size->name);
   bench_time(bench, name, "us", &rate, &copy, 4.0);
-  snprintf(name, sizeof name, "%s: orbit, to its rates alone", size);
+  snprintf(name, sizeof name, "%s: %g orbit, to its rates alone", size->name, size->share);
   bench_time(bench, name, "s", &time, &bare, 8.0);
-  snprintf(name, sizeof name, "%s: step per node, to 1000 nodes", size);
-  bench_number(bench, name, "ns", 1e9 * per_node,
-               1e9 * (isnan(reference_per_node) ? per_node : reference_per_node), 2.0);
-  snprintf(name, sizeof name, "%s: steps of an orbit", size);
+  snprintf(name, sizeof name, "%s: step per node, to 1000 nodes", size->name);
+  bench_number(bench, name, "ns", 1e9 * per_node, 1e9 * reference, first ? NAN : 2.0);
+  snprintf(name, sizeof name, "%s: steps", size->name);
   bench_number(bench, name, "1", steps, NAN, NAN);
-  snprintf(name, sizeof name, "%s: rates per step", size);
+  snprintf(name, sizeof name, "%s: rates per step", size->name);
   bench_number(bench, name, "1", (double)history->rhs_evaluations / steps, NAN, NAN);
-  snprintf(name, sizeof name, "%s: factorisations per step", size);
+  snprintf(name, sizeof name, "%s: factorisations per step", size->name);
   bench_number(bench, name, "1", (double)history->jacobians / steps, NAN, NAN);
-  snprintf(name, sizeof name, "%s: energy audit error", size);
+  snprintf(name, sizeof name, "%s: energy audit error", size->name);
   bench_number(bench, name, "1", history->audit_error, AUDIT, 1.0);
   um_thermal_history_destroy(bench->context, &history);
-  if (isnan(reference_per_node)) error_figure(bench, &s);
-  if (*periodic) *periodic = periodic_figures(bench, size, &s, bench_median(&time));
+  if (first) error_figure(bench, &s);
+  if (first) periodic_figures(bench, &s, bench_median(&time));
   um_thermal_loads_destroy(bench->context, &s.loads);
   um_thermal_body_destroy(bench->context, &s.body);
   um_geometry_destroy(&s.geometry);
@@ -290,17 +291,9 @@ static double size_figures(struct bench *bench, double facet_size, const char *s
 
 int main(int argc, char **argv)
 {
-  static const struct {
-    double facet_size; /* [m] */
-    const char *name;
-  } size[SIZES] = {{0.42, "1000 nodes"}, {0.21, "4000 nodes"}, {0.132, "10000 nodes"}};
   struct bench bench;
-  double per_node = NAN;
-  bool periodic = true;
-  bench_begin(&bench, argc, argv, "heat: one orbit of a spinning satellite, one thread");
-  for (int i = 0; i < SIZES; i++) {
-    double found = size_figures(&bench, size[i].facet_size, size[i].name, per_node, &periodic);
-    if (i == 0) per_node = found;
-  }
+  bench_begin(&bench, argc, argv, "heat: an orbit of a spinning satellite, one thread");
+  double per_node = size_figures(&bench, &sizes[0], NAN);
+  for (int i = 1; i < SIZES; i++) size_figures(&bench, &sizes[i], per_node);
   return bench_end(&bench);
 }

@@ -1,7 +1,7 @@
 /* Rays: um_geometry_visibility_occluded against what Embree does with eight rays at a time when
  * nothing else is asked of it, on the same rays in the same run, one thread.
  *
- * A bus, a two-sided array, a dish and a boom that shadow each other, in some 11000 facets.
+ * A bus, a two-sided array, a dish and a boom that shadow each other, in 12838 facets.
  * Coherent rays leave points of the facets toward the Sun, incoherent ones are cosine-weighted and
  * shuffled. Raw Embree gets packets that are ready, origins 1e-5 of the model off the facet, no
  * filter and the hint that fits; Umbra converts double to float, excludes the facet that a ray
