@@ -35,6 +35,7 @@ enum um_status um_model_create(struct um_context *context, const char *path,
   UM_TRY(create_sky(context, path, options, &model));
   UM_CHECK(um_model_build_parts(context, model));
   UM_CHECK(um_model_build_thermal(context, model));
+  UM_CHECK(um_model_build_blocked(context, model));
 done:
   if (status != UM_OK) um_model_destroy(context, &model);
   *out = model;

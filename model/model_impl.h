@@ -15,6 +15,8 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);
 /* library, geometry, material records of it (build_parts.c). */
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model);
+/* What of each surface's sky the satellite itself covers, into the heat network (build_blocked.c). */
+enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model);
 /* heat network (build_thermal.c). */
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);
 

@@ -71,8 +71,9 @@ static void surfaces_add(const struct um_thermal_network *network, const double 
     for (int c = 0; c < 3 && network->attached[s]; c++) {
       uint32_t node = surface->node[c];
       if (node == UM_THERMAL_SPACE) continue;
-      out[node].radiated -= UM_STEFAN_BOLTZMANN * surface->weight[c] * surface->area *
-                            surface->emittance * (pow(temperature[node], 4) - space4);
+      out[node].radiated -= UM_STEFAN_BOLTZMANN * surface->weight[c] *
+                            um_thermal_surface_emission(surface) *
+                            (pow(temperature[node], 4) - space4);
     }
   }
 }

@@ -177,9 +177,9 @@ static enum um_status surface_check(const struct um_thermal_network *network, ui
     return um_core_fail(context, UM_ERR_INPUT,
                         "surface %lu: area %g m2; accepted: finite, 0 or more",
                         (unsigned long)surface, s->area);
-  const double property[3] = {s->absorptance, s->emittance, s->extraction};
-  const char *const word[3] = {"absorptance", "emittance", "extraction"};
-  for (int k = 0; k < 3; k++)
+  const double property[4] = {s->absorptance, s->emittance, s->extraction, s->blocked};
+  const char *const word[4] = {"absorptance", "emittance", "extraction", "blocked share"};
+  for (int k = 0; k < 4; k++)
     if (!(property[k] >= 0.0 && property[k] <= 1.0))
       return um_core_fail(context, UM_ERR_INPUT, "surface %lu: %s %g; accepted: 0 to 1",
                           (unsigned long)surface, word[k], property[k]);
@@ -207,6 +207,19 @@ enum um_status um_thermal_network_surface_attach(struct um_thermal_network *netw
   network->surface[surface] = *attachment;
   network->attached[surface] = true;
   if (surface >= network->nsurface) network->nsurface = (size_t)surface + 1;
+  return UM_OK;
+}
+
+enum um_status um_thermal_network_surface_block(struct um_thermal_network *network,
+                                                uint32_t surface, double blocked)
+{
+  if (surface >= network->nsurface || !network->attached[surface])
+    return um_core_fail(network->context, UM_ERR_INPUT, "surface %lu is not attached",
+                        (unsigned long)surface);
+  struct um_thermal_surface changed = network->surface[surface];
+  changed.blocked = blocked;
+  UM_TRY(surface_check(network, surface, &changed));
+  network->surface[surface] = changed;
   return UM_OK;
 }
 

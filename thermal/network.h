@@ -42,16 +42,28 @@ enum um_status um_thermal_network_radiator_add(struct um_thermal_network *networ
 /* Surface number `surface` [0, nsurface) lies on up to three nodes with weights of sum 1. It
  * absorbs area * (absorptance * (sun + albedo) + emittance * planet) and emits
  * area * emittance * sigma T^4 per node share. extraction: fraction of *direct* incident sunlight
- * turned into electricity. Each surface is attached once. */
+ * turned into electricity. blocked: cosine-weighted share of the hemisphere that the satellite
+ * itself covers; what is radiated there is taken to come back, so emission to space is 1 - blocked
+ * of the above (incident loads have their own free shares). Each surface is attached once. */
 struct um_thermal_surface {
   uint32_t node[3]; /* unused entries UM_THERMAL_SPACE */
   double weight[3];
   double area;                               /* [m^2] */
   double absorptance, emittance, extraction; /* [1] */
+  double blocked;                            /* [1] */
 };
+/* Emission to space [m^2]: times sigma T^4. */
+static inline double um_thermal_surface_emission(const struct um_thermal_surface *surface)
+{
+  return surface->area * surface->emittance * (1.0 - surface->blocked);
+}
 enum um_status um_thermal_network_surface_attach(struct um_thermal_network *network,
                                                  uint32_t surface,
                                                  const struct um_thermal_surface *attachment);
+
+/* Set `blocked` of an attached surface. UM_ERR_INPUT outside 0..1 or for no such surface. */
+enum um_status um_thermal_network_surface_block(struct um_thermal_network *network,
+                                                uint32_t surface, double blocked);
 
 size_t um_thermal_network_nodes(const struct um_thermal_network *network);
 size_t um_thermal_network_surfaces(const struct um_thermal_network *network);

@@ -69,7 +69,7 @@ static enum um_status space_build(struct um_thermal_system *system)
     for (int k = 0; k < 3 && network->attached[s]; k++)
       if (surface->node[k] != UM_THERMAL_SPACE)
         system->space[surface->node[k]] +=
-            UM_STEFAN_BOLTZMANN * surface->weight[k] * surface->area * surface->emittance;
+            UM_STEFAN_BOLTZMANN * surface->weight[k] * um_thermal_surface_emission(surface);
   }
   return UM_OK;
 }
