@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "output/gnuplot_impl.h"
+#include "output/output.h"
 
 #define NOT_FOUND 127
 
@@ -37,4 +38,9 @@ void um_output_gnuplot_run(struct um_context *context, const char *folder, const
   else if (code != 0)
     um_core_log(context, UM_LOG_WARNING, "gnuplot failed with code %d on %s, see gnuplot.log", code,
                 script);
+}
+
+void um_output_plot_script(struct um_context *context, const char *folder, const char *script)
+{
+  um_output_gnuplot_run(context, folder, script);
 }

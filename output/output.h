@@ -41,6 +41,10 @@ enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file)
 enum um_status um_output_plot_run(struct um_context *context, const char *folder,
                                   const struct um_output_run *run);
 
+/* Run a gnuplot script that lies in a finished folder, with that as its working folder. What goes
+ * wrong is a logged warning: pictures are not results. */
+void um_output_plot_script(struct um_context *context, const char *folder, const char *script);
+
 /* Spectral image as OpenEXR, channels "S0.<wavelength>nm" (Fichet 2021 layout, emission-like
  * radiance in W/m^2/sr/nm) and an RGB preview. */
 enum um_status um_output_write_exr(struct um_context *context, const struct um_optics_image *image,

@@ -1,0 +1,229 @@
+/* Metrics, residuals and correlations of every channel. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/compare_impl.h"
+#include "compare/correlation_impl.h"
+#include "compare/series.h"
+
+double um_compare_normalised(const struct um_compare_comparison *comparison, size_t row)
+{
+  double sigma = comparison->sigma[row];
+  return isnan(sigma) ? comparison->residual[row] : comparison->residual[row] / sigma;
+}
+
+static enum um_status find_residuals(struct um_context *context, struct um_compare_comparison *c)
+{
+  const struct um_compare_measurements *m = c->run.plan->measurements;
+  UM_TRY(um_core_allocate(context, m->count, sizeof *c->model, &c->model));
+  UM_TRY(um_core_allocate(context, m->count, sizeof *c->residual, &c->residual));
+  UM_TRY(um_core_allocate(context, m->count, sizeof *c->sigma, &c->sigma));
+  UM_TRY(um_compare_predict(context, c->run.plan, c->run.trace, c->run.result, c->model));
+  for (size_t i = 0; i < m->count; i++) {
+    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
+    double measured, model, unused;
+    um_compare_linear(quantity, m->row[i].value, m->row[i].sigma, &measured, &c->sigma[i]);
+    um_compare_linear(quantity, c->model[i], NAN, &model, &unused);
+    c->residual[i] = measured - model; /* NaN where the row is left out */
+  }
+  return UM_OK;
+}
+
+/* Values of one channel in order of time, in the quantity's unit, and the labels of its rows. */
+struct gathered {
+  double *measured, *model, *sigma; /* [count] */
+  size_t *light, *motion;           /* [count] */
+};
+
+static enum um_status gather(struct um_context *context, const struct um_compare_comparison *c,
+                             const struct um_compare_channel_comparison *channel,
+                             struct gathered *g)
+{
+  const struct um_compare_plan *plan = c->run.plan;
+  UM_TRY(um_core_allocate(context, 3 * channel->count, sizeof *g->measured, &g->measured));
+  UM_TRY(um_core_allocate(context, 2 * channel->count, sizeof *g->light, &g->light));
+  g->model = g->measured + channel->count;
+  g->sigma = g->model + channel->count;
+  g->motion = g->light + channel->count;
+  for (size_t i = 0; i < channel->count; i++) {
+    size_t row = channel->row[i], k = plan->observation[row];
+    g->measured[i] = plan->measurements->row[row].value;
+    g->model[i] = c->model[row];
+    g->sigma[i] = plan->measurements->row[row].sigma;
+    g->light[i] = (size_t)c->light[k];
+    g->motion[i] = UM_COMPARE_LABEL_NONE;
+    if (c->motion[k] != UM_SEGMENT_COUNT) g->motion[i] = (size_t)(c->motion[k] - UM_SEGMENT_RISING);
+  }
+  return UM_OK;
+}
+
+static enum um_status channel_metrics(struct um_context *context,
+                                      const struct um_compare_comparison *c, double fitted,
+                                      struct um_compare_channel_comparison *channel)
+{
+  struct gathered g = {0};
+  enum um_compare_quantity quantity = c->run.plan->measurements->channel[channel->channel].quantity;
+  enum um_status status;
+  UM_CHECK(gather(context, c, channel, &g));
+  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
+                                      g.sigma, g.light, UM_SEGMENT_RISING, fitted, channel->segment,
+                                      &channel->all));
+  /* the parameters' share of rising and setting is that of all rows, as for light */
+  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
+                                      g.sigma, g.motion, UM_SEGMENT_COUNT - UM_SEGMENT_RISING,
+                                      fitted, channel->segment + UM_SEGMENT_RISING, NULL));
+done:
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s: %s '%s'", c->run.plan->measurements->path,
+                           um_compare_quantity_name(quantity),
+                           c->run.plan->measurements->channel[channel->channel].of);
+  um_core_free(context, g.measured);
+  um_core_free(context, g.light);
+  return status;
+}
+
+/* --- correlations ---------------------------------------------------------------------------- */
+
+static int by_p(const void *a, const void *b)
+{
+  const struct um_compare_correlation *x = a, *y = b;
+  bool known_x = !isnan(x->p), known_y = !isnan(y->p);
+  if (known_x != known_y) return known_x ? -1 : 1;
+  if (known_x && x->p != y->p) return x->p < y->p ? -1 : 1;
+  if (known_x && fabs(x->value) != fabs(y->value)) return fabs(x->value) > fabs(y->value) ? -1 : 1;
+  return strcmp(x->name, y->name);
+}
+
+/* One coordinate; x of observation k. NULL: the model's own value. */
+static enum um_status correlate(struct um_context *context, const struct um_compare_comparison *c,
+                                const struct um_compare_channel_comparison *channel,
+                                const struct um_compare_coordinate *coordinate, double *pairs,
+                                struct um_compare_correlation *out)
+{
+  double *x = pairs, *y = pairs + channel->count;
+  size_t n = 0;
+  for (size_t i = 0; i < channel->count; i++) {
+    size_t row = channel->row[i], k = c->run.plan->observation[row];
+    x[n] = coordinate == NULL ? c->model[row] : coordinate->value[k];
+    y[n] = um_compare_normalised(c, row);
+    if (!isnan(x[n])) n++;
+  }
+  out->name = coordinate == NULL ? "model" : coordinate->name;
+  out->count = n;
+  return coordinate != NULL && coordinate->circular
+             ? um_compare_circular(context, n, x, y, &out->value, &out->p)
+             : um_compare_spearman(context, n, x, y, &out->value, &out->p);
+}
+
+static enum um_status channel_correlations(struct um_context *context,
+                                           const struct um_compare_comparison *c,
+                                           struct um_compare_channel_comparison *channel)
+{
+  const struct um_compare_coordinates *coordinates = c->coordinates;
+  double *pairs = NULL;
+  enum um_status status;
+  UM_TRY(um_core_allocate(context, coordinates->count + 1, sizeof *channel->correlation,
+                          &channel->correlation));
+  UM_TRY(um_core_allocate(context, 2 * channel->count, sizeof *pairs, &pairs));
+  for (size_t j = 0; j <= coordinates->count; j++)
+    UM_CHECK(correlate(context, c, channel,
+                       j < coordinates->count ? &coordinates->coordinate[j] : NULL, pairs,
+                       &channel->correlation[channel->ncorrelation++]));
+  qsort(channel->correlation, channel->ncorrelation, sizeof *channel->correlation, by_p);
+  status = UM_OK;
+done:
+  um_core_free(context, pairs);
+  return status;
+}
+
+/* --- channels -------------------------------------------------------------------------------- */
+
+static enum um_status make_channel(struct um_context *context,
+                                   const struct um_compare_comparison *c, size_t which,
+                                   double fitted, struct um_compare_channel_comparison *channel)
+{
+  const struct um_compare_measurements *m = c->run.plan->measurements;
+  struct um_compare_series *series = NULL;
+  UM_TRY(um_compare_series_create(context, m, which, SIZE_MAX, &series));
+  channel->channel = which;
+  channel->count = series->count;
+  channel->left_out = m->channel[which].count - series->count;
+  channel->row = series->row;
+  series->row = NULL; /* taken over */
+  um_compare_series_destroy(context, &series);
+  UM_TRY(channel_metrics(context, c, fitted, channel));
+  UM_TRY(um_compare_intervals_find(context, c, channel));
+  return channel_correlations(context, c, channel);
+}
+
+static enum um_status make_channels(struct um_context *context, struct um_compare_comparison *c,
+                                    double fitted)
+{
+  const struct um_compare_measurements *m = c->run.plan->measurements;
+  size_t weighted = 0; /* rows in use that have a sigma */
+  UM_TRY(um_core_allocate(context, m->nchannel, sizeof *c->channel, &c->channel));
+  for (size_t i = 0; i < m->count; i++)
+    if (c->run.plan->observation[i] != UM_COMPARE_NOWHERE && !isnan(m->row[i].sigma)) weighted++;
+  for (size_t i = 0; i < m->nchannel; i++) {
+    if (c->run.plan->source[i] == UM_COMPARE_NOWHERE) continue;
+    size_t own = 0;
+    for (size_t r = 0; r < m->count; r++)
+      if (m->row[r].channel == i && m->row[r].flag == 0 && !isnan(m->row[r].sigma)) own++;
+    double share = weighted == 0 ? 0.0 : fitted * (double)own / (double)weighted;
+    UM_TRY(make_channel(context, c, i, share, &c->channel[c->nchannel++]));
+  }
+  c->chi2 = c->dof = c->chi2_reduced = NAN;
+  if (weighted == 0) return UM_OK;
+  c->chi2 = 0.0;
+  for (size_t i = 0; i < c->nchannel; i++)
+    if (!isnan(c->channel[i].all.chi2)) c->chi2 += c->channel[i].all.chi2;
+  c->dof = (double)weighted - fitted;
+  if (c->dof > 0.0) c->chi2_reduced = c->chi2 / c->dof;
+  return UM_OK;
+}
+
+enum um_status um_compare_create(struct um_context *context, const struct um_compare_run *run,
+                                 double fitted, struct um_compare_comparison **out)
+{
+  struct um_compare_comparison *c = NULL;
+  enum um_status status;
+  size_t nobs = run->trace->nobs;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *c, &c));
+  c->run = *run;
+  UM_CHECK(find_residuals(context, c));
+  UM_CHECK(um_core_allocate(context, nobs, sizeof *c->light, &c->light));
+  UM_CHECK(um_core_allocate(context, nobs, sizeof *c->motion, &c->motion));
+  UM_CHECK(um_compare_segments_find(context, run->model, run->trace, c->light, c->motion));
+  UM_CHECK(um_compare_coordinates_create(context, run->model, run->trace, &c->coordinates));
+  UM_CHECK(make_channels(context, c, fitted));
+  *out = c;
+  c = NULL;
+done:
+  um_compare_destroy(context, &c);
+  return status;
+}
+
+void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison)
+{
+  if (comparison == NULL || *comparison == NULL) return;
+  struct um_compare_comparison *c = *comparison;
+  for (size_t i = 0; i < c->nchannel; i++) {
+    for (size_t w = 0; w < UM_COMPARE_WORST; w++) {
+      um_core_free(context, c->channel[i].worst[w].mechanism);
+      um_core_free(context, c->channel[i].worst[w].material);
+    }
+    um_core_free(context, c->channel[i].row);
+    um_core_free(context, c->channel[i].correlation);
+  }
+  um_core_free(context, c->channel);
+  um_compare_coordinates_destroy(context, &c->coordinates);
+  um_core_free(context, c->model);
+  um_core_free(context, c->residual);
+  um_core_free(context, c->sigma);
+  um_core_free(context, c->light);
+  um_core_free(context, c->motion);
+  um_core_free(context, c);
+  *comparison = NULL;
+}

@@ -1,0 +1,65 @@
+/* Places by name. */
+#include "compare/places_impl.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "core/words.h"
+
+#define MATERIAL "material:"
+
+static size_t find_material(const struct um_model *model, const char *name)
+{
+  size_t n = um_geometry_material_count(model->geometry);
+  for (size_t k = 0; k < n; k++)
+    if (strcmp(um_geometry_material_name(model->geometry, k), name) == 0)
+      return model->body->nplace + k;
+  return SIZE_MAX;
+}
+
+/* What could have been meant. */
+struct guess {
+  const char *nearest;
+  size_t distance;
+};
+
+static void consider(const char *written, const char *known, struct guess *guess)
+{
+  size_t d = um_core_words_distance(written, known);
+  if (!um_core_words_are_near(written, known) || d >= guess->distance) return;
+  guess->distance = d;
+  guess->nearest = known;
+}
+
+enum um_status um_compare_place_find(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *place)
+{
+  const struct um_thermal_body *body = model->body;
+  struct guess guess = {NULL, SIZE_MAX};
+  char accepted[640] = "", alike[320] = "";
+  size_t found = 0;
+  bool material = strncmp(name, MATERIAL, sizeof MATERIAL - 1) == 0;
+  *place = material ? find_material(model, name + sizeof MATERIAL - 1)
+                    : um_thermal_body_place_find(body, name);
+  if (*place != SIZE_MAX) return UM_OK;
+  for (size_t p = 0; p < body->nplace; p++) {
+    const char *known = body->place[p].name, *dot = strchr(known, '.');
+    um_core_words_append(accepted, sizeof accepted, known);
+    consider(name, known, &guess);
+    if (dot == NULL) continue;
+    consider(name, dot + 1, &guess);
+    if (strcmp(dot + 1, name) != 0) continue;
+    um_core_words_append(alike, sizeof alike, known);
+    *place = p;
+    found++;
+  }
+  if (found == 1) return UM_OK;
+  *place = SIZE_MAX;
+  if (found > 1)
+    return um_core_fail(context, UM_ERR_INPUT, "'%s' stands for more than one place; accepted: %s",
+                        name, alike);
+  return um_core_fail(
+      context, UM_ERR_INPUT, "the scenario has no place '%s'%s%s%s; accepted: %s, " MATERIAL "NAME",
+      name, guess.nearest == NULL ? "" : "; did you mean '",
+      guess.nearest == NULL ? "" : guess.nearest, guess.nearest == NULL ? "" : "'?", accepted);
+}

@@ -1,0 +1,13 @@
+/* Places by the names that users give them. Private to compare/. */
+#ifndef UMBRA_COMPARE_PLACES_IMPL_H
+#define UMBRA_COMPARE_PLACES_IMPL_H
+
+#include "model/model.h"
+
+/* Index as in um_model_result.place of "bus.+x", "material:cfrp", or of what stands behind the
+ * part's name ("+x", "interior") where only one place has it. UM_ERR_INPUT, a message without
+ * origin, to be prefixed. */
+enum um_status um_compare_place_find(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *place);
+
+#endif

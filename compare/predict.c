@@ -1,0 +1,264 @@
+/* From rows to observations and back. */
+#include "compare/predict.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/places_impl.h"
+#include "compare/set_impl.h"
+#include "core/constants.h"
+#include "core/words.h"
+
+#define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
+#define NEXT_TIME 1e-6   /* from one exposure to a longer one of the same time [s] */
+
+/* --- sources of the channels ----------------------------------------------------------------- */
+
+static size_t first_used(const struct um_compare_measurements *m, size_t channel)
+{
+  for (size_t i = 0; i < m->count; i++)
+    if (m->row[i].channel == channel && m->row[i].flag == 0) return i;
+  return UM_COMPARE_NOWHERE;
+}
+
+static enum um_status find_band(struct um_context *context, const struct um_model *model,
+                                const char *name, size_t *out)
+{
+  const char *nearest = NULL;
+  char accepted[320] = "";
+  size_t distance = SIZE_MAX;
+  *out = um_model_band_find(model, name);
+  if (*out != UM_COMPARE_NOWHERE) return UM_OK;
+  for (size_t b = 0; b < model->nband; b++) {
+    const char *known = model->band[b].name;
+    size_t d = um_core_words_distance(name, known);
+    um_core_words_append(accepted, sizeof accepted, known);
+    if (!um_core_words_are_near(name, known) || d >= distance) continue;
+    distance = d;
+    nearest = known;
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s%s%s; accepted: %s",
+                      name, nearest == NULL ? "" : "; did you mean '",
+                      nearest == NULL ? "" : nearest, nearest == NULL ? "" : "'?", accepted);
+}
+
+/* Of light, of which the scenario needs an observer. */
+static bool is_light(enum um_compare_quantity quantity)
+{
+  return quantity == UM_QUANTITY_BAND_IRRADIANCE || quantity == UM_QUANTITY_RADIANT_INTENSITY ||
+         quantity == UM_QUANTITY_MAGNITUDE_AB;
+}
+
+static enum um_status find_source(struct um_context *context, const struct um_model *model,
+                                  const struct um_compare_measurements *m, size_t channel,
+                                  size_t *out)
+{
+  size_t row = first_used(m, channel);
+  enum um_compare_quantity quantity = m->channel[channel].quantity;
+  const char *of = m->channel[channel].of;
+  *out = UM_COMPARE_NOWHERE;
+  if (row == UM_COMPARE_NOWHERE) return UM_OK;
+  int line = m->row[row].line;
+  if (is_light(quantity) && !model->has_observer)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column 'quantity': %s wants an observer, which the scenario has "
+                        "not; accepted: temperature",
+                        m->path, line, um_compare_quantity_name(quantity));
+  if (is_light(quantity) || quantity == UM_QUANTITY_TEMPERATURE) {
+    enum um_status status = is_light(quantity) ? find_band(context, model, of, out)
+                                               : um_compare_place_find(context, model, of, out);
+    if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
+    return status;
+  }
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "%s:%d: column 'quantity': %s of '%s' wants a %s, which scenarios of this version do not "
+      "have; accepted: band_irradiance, radiant_intensity, magnitude_ab, temperature, or a flag "
+      "that leaves the row out",
+      m->path, line, um_compare_quantity_name(quantity), of,
+      quantity == UM_QUANTITY_COUNT_RATE ? "sensor" : "filter");
+}
+
+/* --- times ----------------------------------------------------------------------------------- */
+
+struct wanted {
+  double t, exposure; /* [s] */
+  size_t row;
+};
+
+static int compare_wanted(const void *a, const void *b)
+{
+  const struct wanted *x = a, *y = b;
+  if (x->t != y->t) return x->t < y->t ? -1 : 1;
+  if (x->exposure != y->exposure) return x->exposure < y->exposure ? -1 : 1;
+  return x->row < y->row ? -1 : x->row > y->row;
+}
+
+/* Within the scenario's own time, and where orbit and attitude are known. */
+static enum um_status check_time(struct um_context *context, const struct um_model *model,
+                                 const struct um_compare_measurements *m, size_t row)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  struct um_environment_sample sample;
+  struct um_orbit_look look;
+  double t = m->row[row].t_tai;
+  if (!(t >= time->start - time->step_s && t <= time->stop + time->step_s)) {
+    char text[40], start[40], stop[40];
+    um_compare_time_text(t, text);
+    um_compare_time_text(time->start, start);
+    um_compare_time_text(time->stop, stop);
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column 'time_utc': %s is outside the scenario; accepted: %s to %s "
+                        "(time.start_utc, time.stop_utc)",
+                        m->path, m->row[row].line, text, start, stop);
+  }
+  enum um_status status = model->has_observer
+                              ? um_model_sample_seen(context, model, t, &sample, &look)
+                              : um_model_sample_at(context, model, t, &sample);
+  if (status != UM_OK) um_core_message_prefix(context, "%s:%d", m->path, m->row[row].line);
+  return status;
+}
+
+static enum um_status merge(struct um_context *context, const struct um_model *model,
+                            struct wanted *wanted, size_t n, struct um_compare_plan *plan)
+{
+  double t = 0.0; /* of the observation as measured, before it gave way */
+  UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
+  UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
+  qsort(wanted, n, sizeof *wanted, compare_wanted);
+  for (size_t i = 0; i < n; i++) {
+    const struct wanted *w = &wanted[i];
+    size_t k = plan->ntime;
+    bool same = k > 0 && w->t - t <= SAME_TIME && w->exposure == plan->exposure[k - 1];
+    if (!same) {
+      UM_TRY(check_time(context, model, plan->measurements, w->row));
+      t = w->t;
+      plan->time[k] = k > 0 ? fmax(t, plan->time[k - 1] + NEXT_TIME) : t;
+      plan->exposure[k] = w->exposure;
+      plan->ntime++;
+    }
+    plan->observation[w->row] = plan->ntime - 1;
+  }
+  return UM_OK;
+}
+
+static enum um_status plan_times(struct um_context *context, const struct um_model *model,
+                                 struct um_compare_plan *plan)
+{
+  const struct um_compare_measurements *m = plan->measurements;
+  struct wanted *wanted = NULL;
+  size_t n = 0;
+  UM_TRY(um_core_allocate(context, m->count, sizeof *wanted, &wanted));
+  for (size_t i = 0; i < m->count; i++) {
+    plan->observation[i] = UM_COMPARE_NOWHERE;
+    if (m->row[i].flag != 0) continue;
+    double exposure = m->row[i].exposure;
+    if (isnan(exposure)) exposure = model->scenario->time->exposure_s;
+    wanted[n++] = (struct wanted){m->row[i].t_tai, exposure, i};
+  }
+  enum um_status status;
+  if (n == 0)
+    status =
+        um_core_fail(context, UM_ERR_INPUT,
+                     "%s: every row is flagged; accepted: at least one row with flag 0", m->path);
+  else
+    status = merge(context, model, wanted, n, plan);
+  um_core_free(context, wanted);
+  return status;
+}
+
+/* --- plan ------------------------------------------------------------------------------------ */
+
+enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_measurements *measurements,
+                                      struct um_compare_plan **out)
+{
+  struct um_compare_plan *plan = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *plan, &plan));
+  plan->measurements = measurements;
+  UM_CHECK(um_core_allocate(context, measurements->nchannel, sizeof *plan->source, &plan->source));
+  UM_CHECK(um_core_allocate(context, measurements->count, sizeof *plan->observation,
+                            &plan->observation));
+  for (size_t c = 0; c < measurements->nchannel; c++)
+    UM_CHECK(find_source(context, model, measurements, c, &plan->source[c]));
+  UM_CHECK(plan_times(context, model, plan));
+  if (measurements->independent)
+    um_core_log(context, UM_LOG_WARNING,
+                "%s: satellite height, azimuth and elevation are not used: the scenario's orbit "
+                "says where the satellite is",
+                measurements->path);
+  *out = plan;
+  plan = NULL;
+done:
+  um_compare_plan_destroy(context, &plan);
+  return status;
+}
+
+void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan)
+{
+  if (plan == NULL || *plan == NULL) return;
+  um_core_free(context, (*plan)->time);
+  um_core_free(context, (*plan)->exposure);
+  um_core_free(context, (*plan)->observation);
+  um_core_free(context, (*plan)->source);
+  um_core_free(context, *plan);
+  *plan = NULL;
+}
+
+enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
+                                     const struct um_compare_plan *plan,
+                                     struct um_model_trace **out)
+{
+  return um_model_trace_create_at(context, model, plan->time, plan->exposure, plan->ntime, out);
+}
+
+/* --- values ---------------------------------------------------------------------------------- */
+
+static enum um_status refuse_horizon(struct um_context *context,
+                                     const struct um_compare_measurements *m, size_t row,
+                                     const struct um_model_trace *trace, size_t k)
+{
+  double lowest = INFINITY; /* [rad] */
+  for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++)
+    lowest = fmin(lowest, trace->look[i].elevation);
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s:%d: column 'time_utc': the satellite is below the horizon (elevation "
+                      "%.2f deg); accepted: rows above it, or a flag that leaves the row out",
+                      m->path, m->row[row].line, lowest / UM_DEG);
+}
+
+static bool below_horizon(const struct um_model_trace *trace, size_t k)
+{
+  for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++)
+    if (trace->look[i].elevation < 0.0) return true; /* NaN without a station */
+  return false;
+}
+
+enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
+                                  const struct um_model_trace *trace,
+                                  const struct um_model_result *result, double *value)
+{
+  const struct um_compare_measurements *m = plan->measurements;
+  for (size_t i = 0; i < m->count; i++) {
+    size_t k = plan->observation[i], channel = m->row[i].channel, s = plan->source[channel];
+    value[i] = NAN;
+    if (k == UM_COMPARE_NOWHERE) continue;
+    enum um_compare_quantity quantity = m->channel[channel].quantity;
+    if (quantity == UM_QUANTITY_TEMPERATURE) {
+      value[i] = result->place[s].mean[k];
+    } else if (quantity == UM_QUANTITY_RADIANT_INTENSITY) {
+      value[i] = um_model_result_intensity(result, k, s, -1);
+    } else if (below_horizon(trace, k)) {
+      return refuse_horizon(context, m, i, trace, k);
+    } else if (quantity == UM_QUANTITY_BAND_IRRADIANCE) {
+      value[i] = result->irradiance[k * result->nband + s];
+    } else {
+      value[i] = result->magnitude_ab[k * result->nband + s];
+    }
+  }
+  return UM_OK;
+}

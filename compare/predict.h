@@ -1,0 +1,51 @@
+/* What a model says of every row of a measurement set: one trace and one run for all of them. */
+#ifndef UMBRA_COMPARE_PREDICT_H
+#define UMBRA_COMPARE_PREDICT_H
+
+#include "compare/measurements.h"
+#include "model/model.h"
+
+/* An index that stands for nothing. */
+#define UM_COMPARE_NOWHERE ((size_t)-1)
+
+/* Which observation of a trace, and which number of it, answers each row. It depends on the times,
+ * names and exposures of the rows and on the names of bands and places, so it serves every variant
+ * of a scenario with the same parts and bands. */
+struct um_compare_plan {
+  const struct um_compare_measurements *measurements; /* borrowed */
+  size_t ntime;
+  double *time;        /* [ntime] observation times, strictly ascending, t_tai [s] */
+  double *exposure;    /* [ntime] [s] */
+  size_t *observation; /* [count] of each row; UM_COMPARE_NOWHERE for a row that is left out */
+  size_t *source;      /* [nchannel] band or place; UM_COMPARE_NOWHERE: no row of it is used */
+};
+
+/* Find the source of every channel and merge the times of all rows with flag 0. Times within half a
+ * microsecond are one observation where the exposures are equal; where they differ, the longer
+ * exposure stands one microsecond later. An empty exposure is the scenario's. Temperatures are of a
+ * place: its full name ("bus.+x", "bus.interior", "material:cfrp"), or the part of it behind the
+ * part's name ("+x", "interior", "front") where only one place has it.
+ *
+ * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, place or observer
+ * that the scenario has not, an ambiguous place, a filter or sensor (this version has none), a time
+ * more than one step outside time.start_utc to time.stop_utc, a time that orbit or attitude do not
+ * cover, no row with flag 0. UM_ERR_MEMORY. The caller destroys. */
+enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_measurements *measurements,
+                                      struct um_compare_plan **out);
+void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan);
+
+/* The trace of a plan: um_model_trace_create_at at its times and exposures. */
+enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
+                                     const struct um_compare_plan *plan,
+                                     struct um_model_trace **out);
+
+/* Model value of every row in the unit of its quantity, from a run on a trace of the plan; value:
+ * shape [count of the set]; NaN for rows that are left out, +infinity for a magnitude of no light.
+ * UM_ERR_INPUT with file and line: a row of irradiance or magnitude while the satellite is below
+ * the horizon. */
+enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
+                                  const struct um_model_trace *trace,
+                                  const struct um_model_result *result, double *value);
+
+#endif

@@ -1,0 +1,231 @@
+/* compare.json, metrics.csv and residuals.csv. */
+#include <math.h>
+#include <stdio.h>
+
+#include "compare/compare_impl.h"
+#include "compare/json_impl.h"
+#include "compare/set_impl.h"
+
+#define ALL_LABEL "all"
+
+/* Name, as in both files, and value of every figure of a segment. */
+struct figure {
+  const char *name;
+  double value;
+};
+#define FIGURES 15
+static void figures(const struct um_compare_metrics *m, struct figure out[FIGURES])
+{
+  const struct figure all[FIGURES] = {{"mean_measured", m->mean_measured},
+                                      {"mean_model", m->mean_model},
+                                      {"bias", m->bias},
+                                      {"sd", m->sd},
+                                      {"rms", m->rms},
+                                      {"rms_over_mean", m->rms_over_mean},
+                                      {"median_ratio", m->median_ratio},
+                                      {"scale", m->scale},
+                                      {"rms_scaled", m->rms_scaled},
+                                      {"chi2", m->chi2},
+                                      {"dof", m->dof},
+                                      {"chi2_red", m->chi2_reduced},
+                                      {"chi2_p", m->chi2_p},
+                                      {"durbin_watson", m->durbin_watson},
+                                      {"white_p", m->white_p}};
+  for (size_t i = 0; i < FIGURES; i++) out[i] = all[i];
+}
+
+static const struct um_compare_channel *channel_of(const struct um_compare_comparison *c, size_t i)
+{
+  return &c->run.plan->measurements->channel[c->channel[i].channel];
+}
+
+/* Unit of residuals: magnitudes are compared as flux. */
+static const char *residual_unit(enum um_compare_quantity quantity)
+{
+  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA
+             ? "flux of magnitude 0"
+             : um_compare_quantity_unit(quantity);
+}
+
+/* --- compare.json ---------------------------------------------------------------------------- */
+
+static void json_metrics(FILE *file, const char *before, const char *name,
+                         const struct um_compare_metrics *m)
+{
+  struct figure all[FIGURES];
+  figures(m, all);
+  fprintf(file, "%s\"%s\": {\"count\": %zu", before, name, m->count);
+  for (size_t i = 0; i < FIGURES; i++) um_compare_json_field(file, ", ", all[i].name, all[i].value);
+  fputc('}', file);
+}
+
+static void json_shares(FILE *file, const char *key, const struct um_compare_share *share, size_t n)
+{
+  fprintf(file, ", \"%s\": {", key);
+  for (size_t i = 0; i < n; i++) {
+    fputs(i > 0 ? ", " : "", file);
+    um_compare_json_string(file, share[i].name);
+    fputs(": ", file);
+    um_compare_json_number(file, share[i].value);
+  }
+  fputc('}', file);
+}
+
+static void json_interval(FILE *file, const struct um_compare_interval *w, bool heat)
+{
+  char from[40], to[40];
+  um_compare_time_text(w->from, from);
+  um_compare_time_text(w->to, to);
+  fprintf(file, "{\"from_utc\": \"%s\", \"to_utc\": \"%s\", \"count\": %zu", from, to, w->count);
+  um_compare_json_field(file, ", ", "chi2", w->chi2);
+  um_compare_json_field(file, ", ", "bias", w->bias);
+  um_compare_json_field(file, ", ", "mean_measured", w->mean_measured);
+  um_compare_json_field(file, ", ", "sunlit_fraction", w->sunlit);
+  json_shares(file, heat ? "heat_W" : "mechanism_W_sr", w->mechanism, w->nmechanism);
+  if (!heat) json_shares(file, "material_W_sr", w->material, w->nmaterial);
+  fputc('}', file);
+}
+
+static void json_correlations(FILE *file, const struct um_compare_channel_comparison *channel)
+{
+  fputs(",\n     \"correlations\": [", file);
+  for (size_t j = 0; j < channel->ncorrelation; j++) {
+    const struct um_compare_correlation *r = &channel->correlation[j];
+    fprintf(file, "%s\n       {\"coordinate\": ", j > 0 ? "," : "");
+    um_compare_json_string(file, r->name);
+    fprintf(file, ", \"count\": %zu", r->count);
+    um_compare_json_field(file, ", ", "correlation", r->value);
+    um_compare_json_field(file, ", ", "p", r->p);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
+static void json_channel(FILE *file, const struct um_compare_comparison *c, size_t i)
+{
+  const struct um_compare_channel_comparison *channel = &c->channel[i];
+  enum um_compare_quantity quantity = channel_of(c, i)->quantity;
+  fprintf(file, "%s\n    {\"quantity\": \"%s\", \"of\": ", i > 0 ? "," : "",
+          um_compare_quantity_name(quantity));
+  um_compare_json_string(file, channel_of(c, i)->of);
+  fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\", \"left_out\": %zu,\n",
+          um_compare_quantity_unit(quantity), residual_unit(quantity), channel->left_out);
+  json_metrics(file, "     \"metrics\": {\n       ", ALL_LABEL, &channel->all);
+  for (int s = 0; s < UM_SEGMENT_COUNT; s++)
+    if (channel->segment[s].count > 0)
+      json_metrics(file, ",\n       ", um_compare_segment_name((enum um_compare_segment)s),
+                   &channel->segment[s]);
+  fputs("},\n     \"worst\": [", file);
+  for (size_t w = 0; w < channel->nworst; w++) {
+    fputs(w > 0 ? ",\n       " : "\n       ", file);
+    json_interval(file, &channel->worst[w], quantity == UM_QUANTITY_TEMPERATURE);
+  }
+  fputc(']', file);
+  json_correlations(file, channel);
+  fputc('}', file);
+}
+
+void um_compare_write_json(const struct um_compare_comparison *comparison, const char *command,
+                           const char *version, FILE *file)
+{
+  const struct um_compare_comparison *c = comparison;
+  fputs("{\n  \"scenario\": ", file);
+  um_compare_json_string(file, c->run.model->scenario->name);
+  fputs(",\n  \"measurements\": ", file);
+  um_compare_json_string(file, c->run.plan->measurements->path);
+  fputs(",\n  \"command\": ", file);
+  um_compare_json_string(file, command);
+  fputs(",\n  \"version\": ", file);
+  um_compare_json_string(file, version);
+  um_compare_json_field(file, ",\n  ", "chi2", c->chi2);
+  um_compare_json_field(file, ", ", "dof", c->dof);
+  um_compare_json_field(file, ", ", "chi2_red", c->chi2_reduced);
+  fputs(",\n  \"channels\": [", file);
+  for (size_t i = 0; i < c->nchannel; i++) json_channel(file, c, i);
+  fputs("]\n}\n", file);
+}
+
+/* --- tables ---------------------------------------------------------------------------------- */
+
+static void csv_number(FILE *file, double value)
+{
+  if (isnan(value))
+    fputc(',', file);
+  else
+    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
+}
+
+static void csv_metrics(FILE *file, const struct um_compare_channel *channel, const char *segment,
+                        const struct um_compare_metrics *m)
+{
+  struct figure all[FIGURES];
+  figures(m, all);
+  fprintf(file, "%s,%s,%s,%s,%zu", um_compare_quantity_name(channel->quantity), channel->of,
+          segment, residual_unit(channel->quantity), m->count);
+  for (size_t i = 0; i < FIGURES; i++) csv_number(file, all[i].value);
+  fputc('\n', file);
+}
+
+static void write_metrics(const struct um_compare_comparison *c, FILE *file)
+{
+  struct figure all[FIGURES];
+  figures(&(struct um_compare_metrics){0}, all);
+  fputs("quantity,of,segment,unit,count", file);
+  for (size_t i = 0; i < FIGURES; i++) fprintf(file, ",%s", all[i].name);
+  fputc('\n', file);
+  for (size_t i = 0; i < c->nchannel; i++) {
+    csv_metrics(file, channel_of(c, i), ALL_LABEL, &c->channel[i].all);
+    for (int s = 0; s < UM_SEGMENT_COUNT; s++)
+      if (c->channel[i].segment[s].count > 0)
+        csv_metrics(file, channel_of(c, i), um_compare_segment_name((enum um_compare_segment)s),
+                    &c->channel[i].segment[s]);
+  }
+}
+
+static void residual_row(const struct um_compare_comparison *c, size_t row, FILE *file)
+{
+  const struct um_compare_measurements *m = c->run.plan->measurements;
+  const struct um_compare_measurement *r = &m->row[row];
+  size_t k = c->run.plan->observation[row];
+  char time[40];
+  um_compare_time_text(r->t_tai, time);
+  fprintf(file, "%s,%s,%s", time, um_compare_quantity_name(m->channel[r->channel].quantity),
+          m->channel[r->channel].of);
+  csv_number(file, r->value);
+  csv_number(file, c->model[row]);
+  csv_number(file, r->sigma);
+  csv_number(file, c->residual[row]);
+  csv_number(file, isnan(c->sigma[row]) ? (double)NAN : um_compare_normalised(c, row));
+  fprintf(file, ",%s,%s", um_compare_segment_name(c->light[k]),
+          um_compare_segment_name(c->motion[k]));
+  for (size_t j = 0; j < c->coordinates->count; j++)
+    csv_number(file, c->coordinates->coordinate[j].value[k]);
+  fputc('\n', file);
+}
+
+/* Channel after channel, each in order of time; rows that are left out do not appear. */
+static void write_residuals(const struct um_compare_comparison *c, FILE *file)
+{
+  fputs("time_utc,quantity,of,measured,model,sigma,residual,residual_in_sigma,light,motion", file);
+  for (size_t j = 0; j < c->coordinates->count; j++)
+    fprintf(file, ",%s", c->coordinates->coordinate[j].name);
+  fputc('\n', file);
+  for (size_t i = 0; i < c->nchannel; i++)
+    for (size_t r = 0; r < c->channel[i].count; r++) residual_row(c, c->channel[i].row[r], file);
+}
+
+enum um_status um_compare_write(struct um_context *context,
+                                const struct um_compare_comparison *comparison, const char *command,
+                                const char *version, struct um_core_folder *folder)
+{
+  FILE *file;
+  UM_TRY(um_core_folder_open(context, folder, "compare.json", &file));
+  um_compare_write_json(comparison, command, version, file);
+  UM_TRY(um_core_file_close(context, "compare.json", &file));
+  UM_TRY(um_core_folder_open(context, folder, "metrics.csv", &file));
+  write_metrics(comparison, file);
+  UM_TRY(um_core_file_close(context, "metrics.csv", &file));
+  UM_TRY(um_core_folder_open(context, folder, "residuals.csv", &file));
+  write_residuals(comparison, file);
+  return um_core_file_close(context, "residuals.csv", &file);
+}

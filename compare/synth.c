@@ -1,0 +1,150 @@
+/* Measurements made from a model. */
+#include "compare/synth.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+
+#include "compare/places_impl.h"
+#include "compare/series.h"
+#include "compare/set_impl.h"
+#include "core/sampling.h"
+
+/* A channel in the making. */
+struct source {
+  enum um_compare_quantity quantity;
+  size_t index;   /* band or place */
+  size_t channel; /* of the set */
+  double sigma;   /* of a temperature [K]; floor of an irradiance [W/m^2] */
+  gsl_rng *random;
+};
+
+/* A generator of its own for the channel; the twister takes 32 bits, and 0 would be its default. */
+static enum um_status seed_source(struct um_context *context, uint64_t seed, const char *name,
+                                  struct source *s)
+{
+  uint64_t key = um_core_hash(seed, (uint64_t)s->quantity);
+  for (; *name != '\0'; name++) key = um_core_hash(key, (unsigned char)*name);
+  s->random = gsl_rng_alloc(gsl_rng_mt19937);
+  if (s->random == NULL) return um_core_fail(context, UM_ERR_MEMORY, "out of memory");
+  gsl_rng_set(s->random, (unsigned long)(key & 0xffffffffu) | 1u);
+  return UM_OK;
+}
+
+/* Largest irradiance of a band above the horizon; 0 when it is never. */
+static double peak(const struct um_model_result *r, size_t band)
+{
+  double largest = 0.0;
+  for (size_t k = 0; k < r->nobs; k++) {
+    double e = r->irradiance[k * r->nband + band];
+    if (e > largest) largest = e; /* NaN below the horizon */
+  }
+  return largest;
+}
+
+static enum um_status make_sources(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_result *result,
+                                   const struct um_compare_synth *o, struct um_compare_set *set,
+                                   struct source *source, size_t *count)
+{
+  for (size_t b = 0; model->has_observer && b < model->nband; b++) {
+    struct source *s = &source[(*count)++];
+    *s = (struct source){
+        .quantity = UM_QUANTITY_BAND_IRRADIANCE, .index = b, .sigma = o->floor * peak(result, b)};
+    UM_TRY(um_compare_set_channel(context, set, s->quantity, model->band[b].name, &s->channel));
+    UM_TRY(seed_source(context, o->seed, model->band[b].name, s));
+  }
+  for (size_t p = 0; p < o->nplace; p++) {
+    struct source *s = &source[(*count)++];
+    *s = (struct source){.quantity = UM_QUANTITY_TEMPERATURE, .sigma = o->temperature_sigma};
+    UM_TRY(um_compare_place_find(context, model, o->place[p], &s->index));
+    for (size_t i = 0; i + 1 < *count; i++)
+      if (source[i].quantity == s->quantity && source[i].index == s->index)
+        return um_core_fail(context, UM_ERR_INPUT, "place '%s' is named twice", o->place[p]);
+    const char *name = result->place[s->index].name;
+    UM_TRY(um_compare_set_channel(context, set, s->quantity, name, &s->channel));
+    UM_TRY(seed_source(context, o->seed, name, s));
+  }
+  return UM_OK;
+}
+
+/* The row of a source at observation k, unless the satellite is below the horizon there. */
+static enum um_status add_row(struct um_context *context, const struct um_model *model,
+                              const struct um_model_trace *trace, const struct um_model_result *r,
+                              const struct um_compare_synth *o, const struct source *s, size_t k,
+                              struct um_compare_set *set)
+{
+  bool heat = s->quantity == UM_QUANTITY_TEMPERATURE;
+  double truth = heat ? r->place[s->index].mean[k] : r->irradiance[k * r->nband + s->index];
+  double exposure = model->scenario->time->exposure_s;
+  if (isnan(truth)) return UM_OK;
+  double sigma = heat ? s->sigma : hypot(o->relative * truth, s->sigma);
+  if (!(sigma > 0.0))
+    return um_core_fail(
+        context, UM_ERR_INPUT, "noise of %s '%s' of %g W/m^2 is %g; accepted: a floor above 0",
+        um_compare_quantity_name(s->quantity), model->band[s->index].name, truth, sigma);
+  struct um_compare_measurement row = {.t_tai = trace->t_obs[k],
+                                       .channel = s->channel,
+                                       .value = truth + gsl_ran_gaussian_ziggurat(s->random, sigma),
+                                       .sigma = sigma,
+                                       .exposure = exposure > 0.0 ? exposure : (double)NAN,
+                                       .satellite_height = NAN,
+                                       .azimuth = NAN,
+                                       .elevation = NAN,
+                                       .line = 2 + (int)set->made->count,
+                                       .station = SIZE_MAX};
+  UM_TRY(um_compare_set_track(context, set, "", &row.track));
+  return um_compare_set_add(context, set, &row);
+}
+
+static enum um_status check_options(struct um_context *context, const struct um_model *model,
+                                    const struct um_compare_synth *o)
+{
+  if (!(o->relative >= 0.0 && o->floor >= 0.0 && o->relative + o->floor > 0.0) ||
+      !isfinite(o->relative + o->floor))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "noise %g,%g; accepted: relative and floor 0 or more, not both 0",
+                        o->relative, o->floor);
+  if (o->nplace > 0 && !(o->temperature_sigma > 0.0 && isfinite(o->temperature_sigma)))
+    return um_core_fail(context, UM_ERR_INPUT, "noise of temperatures %g K; accepted: above 0 K",
+                        o->temperature_sigma);
+  if (model->has_observer || o->nplace > 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s: the scenario has no observer; accepted: places whose temperatures are "
+                      "measured",
+                      model->scenario->at.file);
+}
+
+enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
+                                       const struct um_model_trace *trace,
+                                       const struct um_model_result *result,
+                                       const struct um_compare_synth *options, const char *path,
+                                       struct um_compare_measurements **out)
+{
+  struct um_compare_set set = {0};
+  struct source *source = NULL;
+  size_t count = 0;
+  enum um_status status;
+  *out = NULL;
+  UM_TRY(check_options(context, model, options));
+  UM_TRY(um_core_allocate(context, model->nband + options->nplace, sizeof *source, &source));
+  UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
+  UM_CHECK(make_sources(context, model, result, options, &set, source, &count));
+  for (size_t k = 0; k < trace->nobs; k++)
+    for (size_t i = 0; i < count; i++)
+      UM_CHECK(add_row(context, model, trace, result, options, &source[i], k, &set));
+  if (set.made->count == 0) {
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: the satellite is never above the horizon; accepted: another time, "
+                          "or places whose temperatures are measured",
+                          model->scenario->at.file);
+    goto done;
+  }
+  UM_CHECK(um_compare_set_finish(context, &set, out));
+done:
+  for (size_t i = 0; i < count; i++)
+    if (source[i].random != NULL) gsl_rng_free(source[i].random);
+  um_core_free(context, source);
+  um_compare_set_abandon(context, &set);
+  return status;
+}

@@ -1,0 +1,36 @@
+/* Measurements made from a model: what it says, with Gaussian noise in linear flux. */
+#ifndef UMBRA_COMPARE_SYNTH_H
+#define UMBRA_COMPARE_SYNTH_H
+
+#include <stdint.h>
+
+#include "compare/measurements.h"
+#include "model/model.h"
+
+struct um_compare_synth {
+  double relative; /* of the truth [1], >= 0 */
+  double floor;    /* of the band's largest truth [1], >= 0; not both 0 */
+  uint64_t seed;
+  const char *const *place; /* [nplace] whose temperatures are measured too; names as in
+                               um_compare_plan_create; NULL when nplace is 0 */
+  size_t nplace;
+  double temperature_sigma; /* [K] > 0 when nplace > 0 */
+};
+
+/* At every observation of the trace, for every band above the horizon,
+ *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
+ * and the temperature of every place with temperature_sigma. Sigma is of the truth, as the noise
+ * is. Each channel draws from a generator of its own (Mersenne twister, Matsumoto & Nishimura 1998;
+ * ziggurat, Marsaglia & Tsang 2000) that depends on the seed and the channel alone: the same seed
+ * gives the same noise whatever else is measured. exposure_s is written where the scenario has one.
+ *
+ * path: what the set is called in messages. UM_ERR_INPUT: noise out of range, a sigma of 0, an
+ * unknown place, or nothing to measure (no observer or never above the horizon, and no places).
+ * UM_ERR_MEMORY. The caller destroys. */
+enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
+                                       const struct um_model_trace *trace,
+                                       const struct um_model_result *result,
+                                       const struct um_compare_synth *options, const char *path,
+                                       struct um_compare_measurements **out);
+
+#endif
