@@ -24,6 +24,8 @@ struct um_app_options {
   size_t nwith, nwithout;
   const char *time_utc, *band; /* --time, --band */
   int width, samples;          /* --width, --samples */
+  /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
+  const char *noise, *seed, *temperatures, *temperature_sigma;
   bool force, json, thermal, optics, no_plots;
   char *command; /* the command as typed */
 };
@@ -53,6 +55,8 @@ int um_app_passes(struct um_context *context, const struct um_app_options *optio
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);
+int um_app_compare(struct um_context *context, const struct um_app_options *options);
+int um_app_synth(struct um_context *context, const struct um_app_options *options);
 int um_app_validate(struct um_context *context, const struct um_app_options *options);
 int um_app_schema(struct um_context *context, const struct um_app_options *options);
 

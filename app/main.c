@@ -26,6 +26,17 @@ static const struct um_app_verb verbs[] = {
      "umbra render SCENARIO --time UTC --band B -o image.exr [--width N] [--samples N] [--force]",
      "one picture, every wavelength, as OpenEXR", 1, 1,
      "out set with without time band width samples force", um_app_render},
+    {"compare",
+     "umbra compare SCENARIO MEASURED [--out DIR] [--set KEY=VALUE]... [--with EFFECT]..."
+     " [--without EFFECT]... [--force] [--no-plots] [--json]",
+     "a scenario beside measurements: how far off, when, and what the residual goes with", 2, 2,
+     "out set with without force no-plots json", um_app_compare},
+    {"synth",
+     "umbra synth SCENARIO --noise REL[,FLOOR] --seed N -o measured.csv [--temperatures PLACE,...]"
+     " [--temperature-sigma K] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."
+     " [--force]",
+     "measurements made from a scenario, with noise", 1, 1,
+     "out set with without noise seed temperatures temperature-sigma force", um_app_synth},
     {"materials", "umbra materials [NAME] [--json]", "materials with their integrated properties",
      0, 1, "json", um_app_materials},
     {"effects", "umbra effects [NAME] [--json]", "physical effects and their parameters", 0, 1,
@@ -113,6 +124,10 @@ enum option_id {
   BAND,
   WIDTH,
   SAMPLES,
+  NOISE,
+  SEED,
+  TEMPERATURES,
+  TEMPERATURE_SIGMA,
   FORCE,
   JSON,
   THERMAL,
@@ -122,14 +137,26 @@ enum option_id {
   HELP
 };
 static const struct option long_options[] = {
-    {"out", required_argument, NULL, OUT},     {"set", required_argument, NULL, SET},
-    {"with", required_argument, NULL, WITH},   {"without", required_argument, NULL, WITHOUT},
-    {"time", required_argument, NULL, TIME},   {"band", required_argument, NULL, BAND},
-    {"width", required_argument, NULL, WIDTH}, {"samples", required_argument, NULL, SAMPLES},
-    {"force", no_argument, NULL, FORCE},       {"json", no_argument, NULL, JSON},
-    {"thermal", no_argument, NULL, THERMAL},   {"optics", no_argument, NULL, OPTICS},
-    {"no-plots", no_argument, NULL, NO_PLOTS}, {"threads", required_argument, NULL, THREADS},
-    {"help", no_argument, NULL, HELP},         {NULL, 0, NULL, 0}};
+    {"out", required_argument, NULL, OUT},
+    {"set", required_argument, NULL, SET},
+    {"with", required_argument, NULL, WITH},
+    {"without", required_argument, NULL, WITHOUT},
+    {"time", required_argument, NULL, TIME},
+    {"band", required_argument, NULL, BAND},
+    {"width", required_argument, NULL, WIDTH},
+    {"samples", required_argument, NULL, SAMPLES},
+    {"noise", required_argument, NULL, NOISE},
+    {"seed", required_argument, NULL, SEED},
+    {"temperatures", required_argument, NULL, TEMPERATURES},
+    {"temperature-sigma", required_argument, NULL, TEMPERATURE_SIGMA},
+    {"force", no_argument, NULL, FORCE},
+    {"json", no_argument, NULL, JSON},
+    {"thermal", no_argument, NULL, THERMAL},
+    {"optics", no_argument, NULL, OPTICS},
+    {"no-plots", no_argument, NULL, NO_PLOTS},
+    {"threads", required_argument, NULL, THREADS},
+    {"help", no_argument, NULL, HELP},
+    {NULL, 0, NULL, 0}};
 
 static bool accepted(const struct um_app_verb *verb, const char *name)
 {
@@ -176,6 +203,18 @@ static bool take(struct um_context *context, struct um_app_options *o, int id, c
     return positive_integer(value, 8192, &o->width);
   case SAMPLES:
     return positive_integer(value, 65536, &o->samples);
+  case NOISE:
+    o->noise = value;
+    return true;
+  case SEED:
+    o->seed = value;
+    return true;
+  case TEMPERATURES:
+    o->temperatures = value;
+    return true;
+  case TEMPERATURE_SIGMA:
+    o->temperature_sigma = value;
+    return true;
   case FORCE:
     o->force = true;
     return true;
@@ -234,7 +273,8 @@ static int parse(struct um_context *context, const struct um_app_verb *verb, int
     if (!take(context, o, id == 'o' ? OUT : id, optarg))
       return misuse(verb, "value of an option not understood: '%s'", optarg);
   }
-  if (o->npositional < verb->npositional_min) return misuse(verb, "%s is missing", "SCENARIO");
+  if (o->npositional < verb->npositional_min)
+    return misuse(verb, "%s is missing", o->npositional == 0 ? "SCENARIO" : "MEASURED");
   return UM_APP_DONE;
 }
 

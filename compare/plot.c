@@ -65,7 +65,9 @@ static void head(const struct um_compare_comparison *c, FILE *f)
           "set datafile separator ','\nset grid linecolor rgb '#e4e4e4'\n"
           "t0 = strptime('%%Y-%%m-%%dT%%H:%%M:%%S', '%s')\n"
           "m(s) = (strptime('%%Y-%%m-%%dT%%H:%%M:%%S', s) - t0) / 60.0\n"
-          "is(q, o) = strcol(2) eq q && strcol(3) eq o\nset xrange [%.6f:%.6f]\n"
+          "own(i) = strcol(2) eq q && strcol(3) eq o\n"
+          "x(i) = own(i) ? m(strcol(i)) : NaN\ny(i) = own(i) ? column(i) : NaN\n"
+          "s(i) = strcol(i) eq \"\" ? 0 : column(i)\nset xrange [%.6f:%.6f]\n"
           "set key outside right top\nset lmargin 13\n",
           start, minutes(c, t->t_obs[0]), fmax(minutes(c, t->t_obs[t->nobs - 1]), 1e-3));
   shade(c, f);
@@ -93,21 +95,21 @@ static void script_channel(const struct um_compare_comparison *c, size_t i, cons
   put_name(f, of->of);
   if (!isnan(channel->all.chi2_reduced))
     fprintf(f, ", reduced chi-square %.3g", channel->all.chi2_reduced);
-  fprintf(f,
-          "\"\nset size 1,0.6\nset origin 0,0.37\nset yrange [*:*]%s\nunset xlabel\nset ylabel "
-          "\"[%s]\"\n"
-          "plot 'residuals.csv' every ::1 using (is(q, o) ? m(strcol(1)) : NaN):4:(strcol(6) eq "
-          "\"\" ? 0 : $6) with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb '#555555' title "
-          "'measured', '' every ::1 using (is(q, o) ? m(strcol(1)) : NaN):5 with lines linewidth 2 "
-          "linecolor rgb '#b3261e' title 'model'\n",
-          magnitude ? " reverse" : "", um_compare_quantity_unit(of->quantity));
+  fprintf(
+      f,
+      "\"\nset size 1,0.6\nset origin 0,0.37\nset yrange [*:*]%s\nunset xlabel\nset ylabel "
+      "\"[%s]\"\n"
+      "plot 'residuals.csv' every ::1 using (x(1)):(y(4)):(s(6)) with yerrorbars pointtype 7 "
+      "pointsize 0.5 linecolor rgb '#555555' title 'measured', '' every ::1 using (x(1)):(y(5)) "
+      "with lines linewidth 2 linecolor rgb '#b3261e' title 'model'\n",
+      magnitude ? " reverse" : "", um_compare_quantity_unit(of->quantity));
   fprintf(f,
           "set size 1,0.37\nset origin 0,0\nset yrange [*:*] noreverse\n"
           "set xlabel \"minutes after %s (grey: umbra, light grey: penumbra)\"\n"
           "set ylabel \"%s\"\n"
           "plot 0 with lines linecolor rgb '#888888' notitle, 'residuals.csv' every ::1 using "
-          "(is(q, o) ? m(strcol(1)) : NaN):%d with points pointtype 7 pointsize 0.5 linecolor rgb "
-          "'#1f4e9c' title 'residual'\nunset multiplot\n",
+          "(x(1)):(y(%d)) with points pointtype 7 pointsize 0.5 linecolor rgb '#1f4e9c' title "
+          "'residual'\nunset multiplot\n",
           start, isnan(channel->all.chi2) ? "measured - model" : "(measured - model) / {/Symbol s}",
           isnan(channel->all.chi2) ? 7 : 8);
 }

@@ -97,9 +97,11 @@ static enum um_status add_row(struct um_context *context, const struct um_model 
   return um_compare_set_add(context, set, &row);
 }
 
-static enum um_status check_options(struct um_context *context, const struct um_model *model,
-                                    const struct um_compare_synth *o)
+enum um_status um_compare_synth_check(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_synth *options)
 {
+  const struct um_compare_synth *o = options;
+  size_t place;
   if (!(o->relative >= 0.0 && o->floor >= 0.0 && o->relative + o->floor > 0.0) ||
       !isfinite(o->relative + o->floor))
     return um_core_fail(context, UM_ERR_INPUT,
@@ -108,6 +110,8 @@ static enum um_status check_options(struct um_context *context, const struct um_
   if (o->nplace > 0 && !(o->temperature_sigma > 0.0 && isfinite(o->temperature_sigma)))
     return um_core_fail(context, UM_ERR_INPUT, "noise of temperatures %g K; accepted: above 0 K",
                         o->temperature_sigma);
+  for (size_t p = 0; p < o->nplace; p++)
+    UM_TRY(um_compare_place_find(context, model, o->place[p], &place));
   if (model->has_observer || o->nplace > 0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s: the scenario has no observer; accepted: places whose temperatures are "
@@ -126,7 +130,7 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
   size_t count = 0;
   enum um_status status;
   *out = NULL;
-  UM_TRY(check_options(context, model, options));
+  UM_TRY(um_compare_synth_check(context, model, options));
   UM_TRY(um_core_allocate(context, model->nband + options->nplace, sizeof *source, &source));
   UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
   UM_CHECK(make_sources(context, model, result, options, &set, source, &count));

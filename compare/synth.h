@@ -17,6 +17,10 @@ struct um_compare_synth {
   double temperature_sigma; /* [K] > 0 when nplace > 0 */
 };
 
+/* What can be said of the options before anything is computed. UM_ERR_INPUT as below. */
+enum um_status um_compare_synth_check(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_synth *options);
+
 /* At every observation of the trace, for every band above the horizon,
  *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
  * and the temperature of every place with temperature_sigma. Sigma is of the truth, as the noise

@@ -1,0 +1,132 @@
+/* umbra synth: measurements made from a scenario, with noise. */
+#include "compare/synth.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "app/app.h"
+#include "app/terminal.h"
+#include "compare/compare.h"
+#include "core/csv.h"
+
+#define DEFAULT_FLOOR             1e-3               /* of the peak */
+#define DEFAULT_TEMPERATURE_SIGMA 0.5                /* [K] */
+#define SEED_MAX                  9007199254740992.0 /* 2^53: whole numbers that a double holds */
+
+/* "REL" or "REL,FLOOR"; the core checks their range. */
+static bool parse_noise(const char *text, struct um_compare_synth *o)
+{
+  char relative[64];
+  const char *comma = strchr(text, ',');
+  size_t n = comma == NULL ? strlen(text) : (size_t)(comma - text);
+  if (n >= sizeof relative) return false;
+  memcpy(relative, text, n);
+  relative[n] = '\0';
+  o->floor = DEFAULT_FLOOR;
+  return um_core_number_parse(relative, &o->relative) &&
+         (comma == NULL || um_core_number_parse(comma + 1, &o->floor));
+}
+
+/* A list "a,b" cut in place; names borrow from it. */
+static enum um_status split_places(struct um_context *context, char *list, const char ***out,
+                                   size_t *count)
+{
+  size_t n = 1;
+  for (const char *c = list; *c != '\0'; c++) n += *c == ',';
+  UM_TRY(um_core_allocate(context, n, sizeof **out, out));
+  for (char *at = list, *comma; at != NULL; at = comma) {
+    comma = strchr(at, ',');
+    if (comma != NULL) *comma++ = '\0';
+    (*out)[(*count)++] = at;
+  }
+  return UM_OK;
+}
+
+static int misuse(const char *what)
+{
+  fprintf(stderr, "umbra: %s\n", what);
+  return UM_APP_MISUSE;
+}
+
+static int read_options(const struct um_app_options *options, struct um_compare_synth *o)
+{
+  double seed;
+  if (options->out == NULL || options->noise == NULL || options->seed == NULL)
+    return misuse("synth needs --noise REL[,FLOOR], --seed N and -o measured.csv");
+  if (!parse_noise(options->noise, o))
+    return misuse("--noise takes one number, or two with a comma between them");
+  if (!um_core_number_parse(options->seed, &seed) || !(seed >= 0.0 && seed <= SEED_MAX) ||
+      seed != floor(seed))
+    return misuse("--seed takes a whole number from 0 to 2^53");
+  o->seed = (uint64_t)seed;
+  o->temperature_sigma = DEFAULT_TEMPERATURE_SIGMA;
+  if (options->temperature_sigma != NULL &&
+      !um_core_number_parse(options->temperature_sigma, &o->temperature_sigma))
+    return misuse("--temperature-sigma takes a number [K]");
+  return UM_APP_DONE;
+}
+
+/* Said before the computing begins. */
+static enum um_status check_target(struct um_context *context, const char *out, bool force)
+{
+  struct stat st;
+  if (stat(out, &st) != 0 || !S_ISREG(st.st_mode) || force) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
+}
+
+static void print_set(const struct um_compare_measurements *m, const char *out)
+{
+  printf("%s: %zu rows", out, m->count);
+  for (size_t i = 0; i < m->nchannel; i++)
+    printf("%s %s %s %zu", i > 0 ? "," : ":", um_compare_quantity_name(m->channel[i].quantity),
+           m->channel[i].of, m->channel[i].count);
+  printf("\n");
+}
+
+static enum um_status make(struct um_context *context, const struct um_app_options *options,
+                           const struct um_compare_synth *o, struct um_compare_measurements **out)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  struct um_model_trace *trace = NULL;
+  struct um_model_result *result = NULL;
+  struct um_model_options changes = um_app_model_options(options);
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(um_compare_synth_check(context, model, o));
+  UM_CHECK(um_model_trace_create(context, model, &trace));
+  UM_CHECK(um_model_run(context, model, trace, &result));
+  UM_CHECK(um_compare_synth_create(context, model, trace, result, o, options->out, out));
+done:
+  um_model_result_destroy(context, &result);
+  um_model_trace_destroy(context, &trace);
+  um_model_destroy(context, &model);
+  return status;
+}
+
+int um_app_synth(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_compare_synth o = {0};
+  struct um_compare_measurements *made = NULL;
+  char *list = NULL;
+  const char **place = NULL;
+  int code = read_options(options, &o);
+  if (code != UM_APP_DONE) return code;
+  UM_CHECK(check_target(context, options->out, options->force));
+  if (options->temperatures != NULL) {
+    UM_CHECK(um_core_strdup(context, options->temperatures, &list));
+    UM_CHECK(split_places(context, list, &place, &o.nplace));
+    o.place = place;
+  }
+  UM_CHECK(make(context, options, &o, &made));
+  UM_CHECK(um_compare_measurements_write(context, made, options->out));
+  um_app_terminal_clear();
+  print_set(made, options->out);
+done:
+  um_compare_measurements_destroy(context, &made);
+  um_core_free(context, (void *)place);
+  um_core_free(context, list);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
