@@ -1,0 +1,209 @@
+/* Heat effects on parts, each against the balance that its equation says. The satellite is steady
+ * (heat_help.h), so every node's balance is exact; loads are floats, 6e-8 of each. */
+#include "effects/effects.h"
+#include "heat_help.h"
+
+#define BALANCE 1e-6 /* relative: float loads and the solver's 1e-9 of temperatures of 300 K */
+
+/* Whatever is released inside is radiated in the end: emission rises by the power. */
+static void internal_power_is_radiated(void **state)
+{
+  (void)state;
+  struct heat_run a = heat_compute(NONE, NONE, NONE);
+  struct heat_run b = heat_compute(NONE, LIST("internal_power:bus,power_W=30"), NONE);
+  struct heat_budget before = heat_budget(&a, NULL, false), after = heat_budget(&b, NULL, false);
+  heat_close("emission without", before.emitted, before.absorbed + 20.0, BALANCE);
+  heat_close("emission with", after.emitted, before.absorbed + 50.0, BALANCE);
+  assert_true(heat_temperature(&b, "bus.interior", 0) > heat_temperature(&a, "bus.interior", 0));
+  assert_true(heat_same_reflected(&a, &b, "vis"));
+  heat_release(&a);
+  heat_release(&b);
+}
+
+/* What the blankets radiate more than they absorb comes through them: sum f e* sigma A (T_wall^4 -
+ * T_skin^4). The difference of near numbers keeps 1e-5. */
+static void mli_emittance_scales_the_leak(void **state)
+{
+  (void)state;
+  static const char *const groups[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  static const struct {
+    const char *text, *group; /* the factor acts on this group, NULL: on all */
+    double factor;
+  } cases[] = {{"mli_emittance:bus,emittance_factor=1", NULL, 1.0},
+               {"mli_emittance:bus,emittance_factor=3", NULL, 3.0},
+               {"mli_emittance:bus.-x,emittance_factor=5", "-x", 5.0}};
+  double interior[3];
+  for (size_t i = 0; i < 3; i++) {
+    struct heat_run run = heat_compute(NONE, LIST(cases[i].text), NONE);
+    struct heat_budget skin = heat_budget(&run, "bus", false);
+    double leak = 0.0;
+    for (size_t g = 0; g < 6; g++) {
+      char outer[32], wall[32];
+      snprintf(outer, sizeof outer, "bus.%s", groups[g]);
+      snprintf(wall, sizeof wall, "bus.%s.wall", groups[g]);
+      bool acts = cases[i].group == NULL || strcmp(cases[i].group, groups[g]) == 0;
+      leak +=
+          (acts ? cases[i].factor : 1.0) * 0.02 * UM_STEFAN_BOLTZMANN *
+          (pow(heat_temperature(&run, wall, 0), 4.0) - pow(heat_temperature(&run, outer, 0), 4.0));
+    }
+    heat_close(cases[i].text, leak, skin.emitted - skin.absorbed, 1e-5);
+    interior[i] = heat_temperature(&run, "bus.interior", 0);
+    heat_release(&run);
+  }
+  assert_true(interior[1] < interior[2] && interior[2] < interior[0]);
+}
+
+/* A body that exchanges with nothing else obeys f C dT/dt = q(T): with f = 2 it is at 120 s where
+ * it was at 60 s with f = 1. To the integrator's 1e-9 per step. */
+static void heat_capacity_stretches_time(void **state)
+{
+  (void)state;
+  const char *const *cooling = LIST(
+      "orbit={fixed: {position_gcrs_km: [-7000, 0, 0]}}", "contacts=[]", "thermal.start=isothermal",
+      "thermal.orbits_before=0", "time.stop_utc=2020-03-20T12:02:00Z");
+  struct heat_run a = heat_compute(cooling, NONE, NONE);
+  struct heat_run b = heat_compute(cooling, LIST("heat_capacity:panel,capacity_factor=2"), NONE);
+  static const char *const sides[] = {"panel.front", "panel.back"};
+  for (size_t i = 0; i < 2; i++) {
+    double t = heat_temperature(&a, sides[i], 1);
+    assert_true(280.0 - t > 1.0);
+    heat_close(sides[i], heat_temperature(&b, sides[i], 2), t, 1e-7);
+  }
+  /* the bus is another body: only the steps of the integrator are others */
+  heat_close("bus", heat_temperature(&b, "bus.-x", 2), heat_temperature(&a, "bus.-x", 2), 1e-7);
+  heat_release(&a);
+  heat_release(&b);
+}
+
+static double capacity(const struct heat_run *run, const char *node)
+{
+  size_t i = um_thermal_network_find(run->model->body->network, node);
+  if (i == (size_t)-1) fail_msg("no node is called '%s'", node);
+  return um_thermal_network_capacity(run->model->body->network, (uint32_t)i);
+}
+
+/* Walls and skins, of the group or part that is named; never the interior. Doubling is exact. */
+static void heat_capacity_acts_on_its_target(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *node;
+    double of_part, of_group;
+  } nodes[] = {{"bus.+x", 2.0, 2.0},     {"bus.+x.mli", 2.0, 2.0},   {"bus.-y", 2.0, 1.0},
+               {"bus.-y.mli", 2.0, 1.0}, {"bus.interior", 1.0, 1.0}, {"panel.back", 1.0, 1.0}};
+  struct heat_run a = heat_compute(NONE, NONE, NONE);
+  struct heat_run part = heat_compute(NONE, LIST("heat_capacity:bus,capacity_factor=2"), NONE);
+  struct heat_run group = heat_compute(NONE, LIST("heat_capacity:bus.+x,capacity_factor=2"), NONE);
+  for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
+    assert_true(capacity(&part, nodes[i].node) == nodes[i].of_part * capacity(&a, nodes[i].node));
+    assert_true(capacity(&group, nodes[i].node) == nodes[i].of_group * capacity(&a, nodes[i].node));
+  }
+  heat_close("steady state", heat_temperature(&part, "bus.interior", 0),
+             heat_temperature(&a, "bus.interior", 0), 1e-8);
+  heat_release(&a);
+  heat_release(&part);
+  heat_release(&group);
+}
+
+/* A solid has its capacity in the volume. */
+static void heat_capacity_acts_on_solids(void **state)
+{
+  (void)state;
+  const struct um_effect *effect = um_effects_find("heat_capacity");
+  const double value[] = {1.5};
+  const struct um_effect_use use = {effect, "tank", value};
+  struct um_thermal_part_spec spec = {
+      .kind = UM_THERMAL_SOLID, .density = 2700.0, .specific_heat = 900.0, .conductivity = 167.0};
+  assert_int_equal(effect->hooks.part(NULL, &use, "other", &spec), UM_OK);
+  assert_true(spec.specific_heat == 900.0);
+  assert_int_equal(effect->hooks.part(NULL, &use, "tank", &spec), UM_OK);
+  assert_true(spec.specific_heat == 1350.0 && spec.density == 2700.0 && spec.conductivity == 167.0);
+}
+
+/* The share of direct sunlight on the front is missing from what is radiated. */
+static void panel_extraction_takes_direct_sunlight(void **state)
+{
+  (void)state;
+  struct heat_run a = heat_compute(NONE, NONE, NONE);
+  struct heat_run b = heat_compute(NONE, LIST("panel_extraction:panel,efficiency=0.2"), NONE);
+  struct heat_budget before = heat_budget(&a, NULL, false), after = heat_budget(&b, NULL, false);
+  struct heat_budget front = heat_budget(&a, "panel", false);
+  assert_true(front.sun > 0.99 * 2.0 * UM_SOLAR_IRRADIANCE);
+  heat_close("emission", after.emitted, before.emitted - 0.2 * front.sun, BALANCE);
+  assert_true(heat_same_reflected(&a, &b, "vis"));
+  assert_false(heat_same_band(&a, &b, "lwir"));
+  heat_release(&a);
+  heat_release(&b);
+}
+
+/* Without contacts the back gets through the panel what it radiates more than it absorbs: f U A
+ * (T_front - T_back). */
+static void through_conductance_carries_to_the_back(void **state)
+{
+  (void)state;
+  double gradient[2];
+  const double factor[] = {1.0, 4.0};
+  for (size_t i = 0; i < 2; i++) {
+    char text[64];
+    snprintf(text, sizeof text, "through_conductance:panel,conductance_factor=%g", factor[i]);
+    struct heat_run run = heat_compute(LIST("contacts=[]"), LIST(text), NONE);
+    struct heat_budget back = heat_budget(&run, "panel", true);
+    gradient[i] =
+        heat_temperature(&run, "panel.front", 0) - heat_temperature(&run, "panel.back", 0);
+    heat_close(text, factor[i] * 50.0 * 2.0 * gradient[i], back.emitted - back.absorbed, BALANCE);
+    heat_release(&run);
+  }
+  assert_true(gradient[1] < 0.3 * gradient[0]);
+}
+
+/* What reaches the back and is not radiated there goes on through the contact: f G (T_back -
+ * T_wall). */
+static void contact_conductance_carries_to_the_bus(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *text;
+    double factor;
+  } cases[] = {{"contact_conductance,conductance_factor=1", 1.0},
+               {"contact_conductance,conductance_factor=5", 5.0},
+               {"contact_conductance:bus.+x,conductance_factor=5", 5.0},
+               {"contact_conductance:panel,conductance_factor=5", 5.0},
+               {"contact_conductance:bus.-x,conductance_factor=5", 1.0}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    struct heat_run run = heat_compute(NONE, LIST(cases[i].text), NONE);
+    struct heat_budget back = heat_budget(&run, "panel", true);
+    double at_back = heat_temperature(&run, "panel.back", 0);
+    double through = 50.0 * 2.0 * (heat_temperature(&run, "panel.front", 0) - at_back);
+    double contact = through - (back.emitted - back.absorbed); /* [W] of 650 W */
+    heat_close(cases[i].text,
+               cases[i].factor * 2.0 * (at_back - heat_temperature(&run, "bus.+x.wall", 0)),
+               contact, 1e-5);
+    heat_release(&run);
+  }
+}
+
+static int setup(void **state)
+{
+  (void)state;
+  return heat_setup("effects_heat_parts.yaml");
+}
+static int teardown(void **state)
+{
+  (void)state;
+  return heat_teardown();
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(internal_power_is_radiated),
+      cmocka_unit_test(mli_emittance_scales_the_leak),
+      cmocka_unit_test(heat_capacity_stretches_time),
+      cmocka_unit_test(heat_capacity_acts_on_its_target),
+      cmocka_unit_test(heat_capacity_acts_on_solids),
+      cmocka_unit_test(panel_extraction_takes_direct_sunlight),
+      cmocka_unit_test(through_conductance_carries_to_the_back),
+      cmocka_unit_test(contact_conductance_carries_to_the_bus),
+  };
+  return cmocka_run_group_tests(tests, setup, teardown);
+}
