@@ -1,0 +1,101 @@
+/* The manual's page of every effect, written from its descriptor: what it is, what it acts on, its
+ * parameters, when it holds, who says so, and how a scenario names it. */
+#include <math.h>
+#include <string.h>
+
+#include "effects/effects.h"
+
+/* A word for the target in examples. */
+static const char *example_target(const struct um_effect *effect)
+{
+  if ((effect->targets & UM_TARGET_GLOBAL) != 0) return NULL;
+  if ((effect->targets & UM_TARGET_PART) != 0) return "PART";
+  if ((effect->targets & UM_TARGET_PART_SIDE) != 0) return "PART.SIDE";
+  if ((effect->targets & UM_TARGET_MATERIAL) != 0) return "MATERIAL";
+  if ((effect->targets & UM_TARGET_BAND) != 0) return "BAND";
+  return "SENSOR";
+}
+
+static void write_targets(FILE *file, const struct um_effect *effect)
+{
+  static const struct {
+    enum um_effect_target target;
+    const char *words;
+  } names[] = {{UM_TARGET_GLOBAL, "everything (no target)"},
+               {UM_TARGET_PART, "a part"},
+               {UM_TARGET_PART_SIDE, "a side or group of a part"},
+               {UM_TARGET_MATERIAL, "a material"},
+               {UM_TARGET_BAND, "a band"},
+               {UM_TARGET_SENSOR, "a sensor"}};
+  const char *separator = "";
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    if ((effect->targets & (uint32_t)names[i].target) == 0) continue;
+    fprintf(file, "%s%s", separator, names[i].words);
+    separator = ", ";
+  }
+}
+
+static void write_parameters(FILE *file, const struct um_effect *effect)
+{
+  if (effect->nparameter == 0) return;
+  fputs("\n| parameter | unit | vanishes at | default | range | prior sigma | meaning |\n"
+        "|---|---|---|---|---|---|---|\n",
+        file);
+  for (size_t i = 0; i < effect->nparameter; i++) {
+    const struct um_effect_parameter *p = &effect->parameters[i];
+    fprintf(file, "| `%s` | %s | %g | %g | %g to %g | ", p->name, p->unit, p->null_value,
+            p->fallback, p->minimum, p->maximum);
+    if (isfinite(p->prior_sigma))
+      fprintf(file, "%g", p->prior_sigma);
+    else
+      fputs("none", file);
+    fprintf(file, " | %s |\n", p->help);
+  }
+}
+
+/* In a scenario and on the command line. */
+static void write_example(FILE *file, const struct um_effect *effect)
+{
+  const char *target = example_target(effect);
+  fprintf(file, "\n```yaml\neffects:\n  - {effect: %s", effect->name);
+  if (target != NULL) fprintf(file, ", target: %s", target);
+  if (effect->on_by_default) fputs(", off: true", file);
+  for (size_t i = 0; i < effect->nparameter; i++)
+    fprintf(file, ", %s: %g", effect->parameters[i].name, effect->parameters[i].fallback);
+  fprintf(file, "}\n```\n\n`umbra run SCENARIO %s %s",
+          effect->on_by_default ? "--without" : "--with", effect->name);
+  if (target != NULL) fprintf(file, ":%s", target);
+  for (size_t i = 0; i < effect->nparameter; i++)
+    fprintf(file, ",%s=%g", effect->parameters[i].name, effect->parameters[i].fallback);
+  fputs("`\n", file);
+}
+
+void um_effects_write_markdown(FILE *file, const struct um_effect *effect)
+{
+  fprintf(file, "## %s\n\n%s.\n\n- acts on: ", effect->name, effect->summary);
+  write_targets(file, effect);
+  fprintf(file, "\n- %s by default\n- valid: %s\n- reference: %s\n",
+          effect->on_by_default ? "on" : "off", effect->validity, effect->reference);
+  write_parameters(file, effect);
+  write_example(file, effect);
+}
+
+void um_effects_write_manual(FILE *file)
+{
+  fputs("# Effects\n\n"
+        "Made from the descriptors in `effects/` by the test `unit_effects_manual` with\n"
+        "`UMBRA_WRITE_DOCS=1`; not edited by hand. An effect at the value at which it vanishes "
+        "leaves the result\nbit-identical to a run without it. A prior sigma is the width of a "
+        "weak prior about that value.\n\n"
+        "| effect | by default | what it is |\n|---|---|---|\n",
+        file);
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    fprintf(file, "| [%s](#%s) | %s | %s |\n", e->name, e->name, e->on_by_default ? "on" : "off",
+            e->summary);
+  }
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    fputc('\n', file);
+    um_effects_write_markdown(file, um_effects_at(i));
+  }
+}
