@@ -13,8 +13,10 @@
  *   1/(1 - exp(-x)) ~ 1/x + 1 - 3/(x + 6)       (within 8.6 % for every x > 0),
  *
  * is two sparse solves. An orbit with a frozen J then shrinks the error of every mode at least
- * elevenfold; KINSOL's fixed point with Anderson acceleration takes care of the rest. Because the
- * correction is an estimate of the distance to the periodic state, its size is what is judged.
+ * elevenfold; KINSOL's fixed point with Anderson acceleration takes care of the rest. The
+ * correction dT estimates how far T is from the periodic state, dT - r how far G(T) is; G(T) is
+ * what is taken, so dT - r is judged. It vanishes for nodes that forget within an orbit, and with
+ * it the noise of their integration, which no iteration removes.
  *
  * The loads are taken over one window [from, from + P] whatever comes after, so a spin that is not
  * commensurate with the orbit does not keep the iteration from converging: nodes faster than the
@@ -35,8 +37,9 @@
 #define ANDERSON_DELAY 2    /* plain corrections first, while radiation is far from linear */
 #define LARGEST_CHANGE 0.25 /* of a temperature in one correction */
 #define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
-#define LOOSENED       100.0 /* a fifth of the steps */
-#define SLOWEST        1e-6  /* modes slower than 1e6 orbits are taken as that */
+#define ROUGH_ORBITS   8   /* after so many the rough stage has done what it can */
+#define LOOSENED       30.0 /* a third of the steps */
+#define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
   struct um_thermal_system *system;
@@ -50,7 +53,8 @@ struct periodic {
   void *kinsol;
   double *start, *end, *mean_cube; /* [n]: [K], [K], [K^3] */
   double *jacobian;                /* [nnonzero] of the orbit mean [1/s] */
-  double distance;                 /* of the last start [K] */
+  double distance;                 /* of the last orbit's end [K] */
+  double wanted;                   /* distance that is good enough [K] */
   size_t orbits;
   enum um_status status; /* of the callback */
   char words[256];       /* of KINSOL */
@@ -130,9 +134,12 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
   periodic->distance = 0.0;
   for (size_t k = 0; k < system->nunknown; k++) {
     double limit = LARGEST_CHANGE * fmax(fabs(y[k]), 10.0);
-    periodic->distance = fmax(periodic->distance, fabs(change[k]));
+    double drift = periodic->end[system->node[k]] - y[k];
+    periodic->distance = fmax(periodic->distance, fabs(change[k] - drift));
     if (fabs(change[k]) * factor > limit) factor = limit / fabs(change[k]);
   }
+  /* good enough: a fixed point, which ends KINSOL's iteration */
+  if (periodic->distance <= periodic->wanted) factor = 0.0;
   for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + factor * change[k];
   return UM_OK;
 }
@@ -220,19 +227,24 @@ static enum um_status not_converged(struct periodic *periodic, double tolerance,
       periodic->words[0] != '\0' ? ": " : "", periodic->words);
 }
 
-/* Fixed point to `tolerance` [K] with integration tolerances times `loosened`. KINSOL judges its
- * mixed iterate, we the correction itself: go on until that is small. */
-static enum um_status converge(struct periodic *periodic, double tolerance, double loosened)
+/* Toward a fixed point within `wanted` [K], with integration tolerances times `loosened`, in at
+ * most `orbits` iterations. KINSOL judges its mixed iterate, we the distance: go on until that is
+ * small. *code: KINSOL's last. */
+static enum um_status approach(struct periodic *periodic, double wanted, double loosened,
+                               size_t orbits, int *code)
 {
+  size_t last = periodic->orbits + orbits;
+  periodic->wanted = wanted;
+  periodic->distance = INFINITY;
   um_thermal_integrator_loosen(periodic->integrator, loosened);
-  int code = KINSetFuncNormTol(periodic->kinsol, tolerance);
-  do {
-    if (code >= 0)
-      code = KINSol(periodic->kinsol, periodic->y, KIN_FP, periodic->one, periodic->one);
+  *code = KINSetFuncNormTol(periodic->kinsol, wanted);
+  while (*code >= 0 && !(periodic->distance <= wanted) && periodic->orbits < last) {
+    *code = KINSetNumMaxIters(periodic->kinsol, (long)(last - periodic->orbits));
+    if (*code >= 0)
+      *code = KINSol(periodic->kinsol, periodic->y, KIN_FP, periodic->one, periodic->one);
     if (periodic->status != UM_OK) return periodic->status;
-    if (code < 0) return not_converged(periodic, tolerance, code);
-  } while (!(periodic->distance <= tolerance) && periodic->orbits < ORBITS_LIMIT);
-  return periodic->distance <= tolerance ? UM_OK : not_converged(periodic, tolerance, code);
+  }
+  return UM_OK;
 }
 
 static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
@@ -247,10 +259,10 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (code >= 0) code = KINInit(kinsol, orbit_callback, periodic->y);
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
-  if (code >= 0) code = KINSetNumMaxIters(kinsol, ORBITS_LIMIT);
   if (code < 0) return not_converged(periodic, tolerance, code);
-  if (tolerance < ROUGH) UM_TRY(converge(periodic, ROUGH, LOOSENED));
-  return converge(periodic, tolerance, 1.0);
+  if (tolerance < ROUGH) UM_TRY(approach(periodic, ROUGH, LOOSENED, ROUGH_ORBITS, &code));
+  UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));
+  return periodic->distance <= tolerance ? UM_OK : not_converged(periodic, tolerance, code);
 }
 
 static enum um_status arguments_check(struct um_context *context,
@@ -294,7 +306,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
   size_t n = periodic.system->n;
   memcpy(periodic.start, periodic.system->temperature, n * sizeof(double));
   UM_CHECK(kinsol_run(&periodic, tolerance));
-  memcpy(temperature, periodic.start, n * sizeof(double));
+  memcpy(temperature, periodic.end, n * sizeof(double));
   for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = periodic.end[i] - periodic.start[i];
   if (report != NULL) *report = report_make(&periodic);
 done:
@@ -313,6 +325,6 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
   struct um_thermal_periodic report;
   UM_TRY(um_thermal_solve_periodic_report(context, network, loads, options, from, period, tolerance,
                                           temperature, NULL, &report));
-  *drift = report.drift;
+  *drift = report.distance;
   return UM_OK;
 }

@@ -12,8 +12,8 @@
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
 {
-  *options = (struct um_thermal_solve_options){.relative_tolerance = 1e-6,
-                                               .absolute_tolerance = 1e-4,
+  *options = (struct um_thermal_solve_options){.relative_tolerance = 2e-7,
+                                               .absolute_tolerance = 2e-5,
                                                .space_temperature = UM_SPACE_TEMPERATURE,
                                                .albedo_on = true,
                                                .planet_on = true};

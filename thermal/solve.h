@@ -7,8 +7,8 @@
 #include "thermal/network.h"
 
 struct um_thermal_solve_options {
-  double relative_tolerance; /* default 1e-6 */
-  double absolute_tolerance; /* [K], default 1e-4 */
+  double relative_tolerance; /* default 2e-7: errors of one sign add to some 5 mK in an orbit */
+  double absolute_tolerance; /* [K], default 2e-5 */
   double space_temperature;  /* [K], default UM_SPACE_TEMPERATURE */
   bool albedo_on, planet_on; /* heat loads switched */
 };
@@ -41,7 +41,8 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
  * T(from) under the loads of [from, from + period]; KINSOL fixed point with Anderson acceleration
  * from the network's own start temperatures. The estimated distance of every node from the periodic
  * state, not only its drift per orbit, falls below tolerance [K], or UM_ERR_NUMERIC: a node with a
- * time constant of 300 orbits that drifts 0.01 K is 3 K away. drift: largest remaining |dT| [K].
+ * time constant of 300 orbits that drifts 0.01 K is 3 K away. drift: that distance
+ * [K].
  * The loads need not be periodic (a spin that is not commensurate): the window is always the same,
  * so nodes that follow the load within it settle in one pass. */
 enum um_status um_thermal_solve_periodic(struct um_context *context,
@@ -52,12 +53,13 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          double *temperature, double *drift);
 /* What a periodic solution says about itself. */
 struct um_thermal_periodic {
-  double drift;      /* largest |T(from + period) - T(from)| of a node [K] */
+  double drift;      /* largest change of a node over the last orbit that was integrated [K] */
   size_t drift_node; /* that node */
   double distance;   /* estimated largest distance of a node from the periodic state [K] */
   size_t orbits;     /* integrated */
 };
-/* The same with the signed drift of every node [nnode] [K] (or NULL) and a report (or NULL). */
+/* The same with the signed change of every node over that orbit [nnode] [K] (or NULL) and a report
+ * (or NULL). */
 enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 const struct um_thermal_network *network,
                                                 const struct um_thermal_loads *loads,
