@@ -12,7 +12,6 @@
 #include "core/words.h"
 
 #define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
-#define NEXT_TIME 1e-6   /* from one exposure to a longer one of the same time [s] */
 
 /* --- sources of the channels ----------------------------------------------------------------- */
 
@@ -84,7 +83,7 @@ static enum um_status find_source(struct um_context *context, const struct um_mo
 /* --- times ----------------------------------------------------------------------------------- */
 
 struct wanted {
-  double t, exposure; /* [s] */
+  double t, exposure; /* [s]; NaN: not said */
   size_t row;
 };
 
@@ -92,7 +91,6 @@ static int compare_wanted(const void *a, const void *b)
 {
   const struct wanted *x = a, *y = b;
   if (x->t != y->t) return x->t < y->t ? -1 : 1;
-  if (x->exposure != y->exposure) return x->exposure < y->exposure ? -1 : 1;
   return x->row < y->row ? -1 : x->row > y->row;
 }
 
@@ -121,25 +119,48 @@ static enum um_status check_time(struct um_context *context, const struct um_mod
   return status;
 }
 
+/* The observation of n rows of one time, exposures joined; those that overlap an observation before
+ * cannot be followed in one run. */
+static enum um_status add_observation(struct um_context *context, const struct um_model *model,
+                                      const struct wanted *wanted, size_t n,
+                                      struct um_compare_plan *plan)
+{
+  const struct um_compare_measurements *m = plan->measurements;
+  size_t k = plan->ntime;
+  double exposure = NAN;
+  for (size_t i = 0; i < n; i++) {
+    if (isnan(wanted[i].exposure)) continue;
+    if (!isnan(exposure) && wanted[i].exposure != exposure)
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "%s:%d: column 'exposure_s': %g s, another row of this time has %g s; "
+                          "accepted: one exposure at a time",
+                          m->path, m->row[wanted[i].row].line, wanted[i].exposure, exposure);
+    exposure = wanted[i].exposure;
+  }
+  if (isnan(exposure)) exposure = model->scenario->time->exposure_s;
+  UM_TRY(check_time(context, model, m, wanted[0].row));
+  if (k > 0 &&
+      wanted[0].t - plan->time[k - 1] < 0.5 * (exposure + plan->exposure[k - 1]) - SAME_TIME)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column 'exposure_s': the exposure of %g s begins before the one "
+                        "before it ends; accepted: exposures that do not overlap",
+                        m->path, m->row[wanted[0].row].line, exposure);
+  plan->time[k] = wanted[0].t;
+  plan->exposure[k] = exposure;
+  for (size_t i = 0; i < n; i++) plan->observation[wanted[i].row] = k;
+  plan->ntime++;
+  return UM_OK;
+}
+
 static enum um_status merge(struct um_context *context, const struct um_model *model,
                             struct wanted *wanted, size_t n, struct um_compare_plan *plan)
 {
-  double t = 0.0; /* of the observation as measured, before it gave way */
   UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
   qsort(wanted, n, sizeof *wanted, compare_wanted);
-  for (size_t i = 0; i < n; i++) {
-    const struct wanted *w = &wanted[i];
-    size_t k = plan->ntime;
-    bool same = k > 0 && w->t - t <= SAME_TIME && w->exposure == plan->exposure[k - 1];
-    if (!same) {
-      UM_TRY(check_time(context, model, plan->measurements, w->row));
-      t = w->t;
-      plan->time[k] = k > 0 ? fmax(t, plan->time[k - 1] + NEXT_TIME) : t;
-      plan->exposure[k] = w->exposure;
-      plan->ntime++;
-    }
-    plan->observation[w->row] = plan->ntime - 1;
+  for (size_t i = 0, end; i < n; i = end) {
+    for (end = i + 1; end < n && wanted[end].t - wanted[i].t <= SAME_TIME;) end++;
+    UM_TRY(add_observation(context, model, wanted + i, end - i, plan));
   }
   return UM_OK;
 }
@@ -154,9 +175,7 @@ static enum um_status plan_times(struct um_context *context, const struct um_mod
   for (size_t i = 0; i < m->count; i++) {
     plan->observation[i] = UM_COMPARE_NOWHERE;
     if (m->row[i].flag != 0) continue;
-    double exposure = m->row[i].exposure;
-    if (isnan(exposure)) exposure = model->scenario->time->exposure_s;
-    wanted[n++] = (struct wanted){m->row[i].t_tai, exposure, i};
+    wanted[n++] = (struct wanted){m->row[i].t_tai, m->row[i].exposure, i};
   }
   enum um_status status;
   if (n == 0)

@@ -20,16 +20,17 @@ struct um_compare_plan {
   size_t *source;      /* [nchannel] band or place; UM_COMPARE_NOWHERE: no row of it is used */
 };
 
-/* Find the source of every channel and merge the times of all rows with flag 0. Times within half a
- * microsecond are one observation where the exposures are equal; where they differ, the longer
- * exposure stands one microsecond later. An empty exposure is the scenario's. Temperatures are of a
+/* Find the source of every channel and merge the times of all rows with flag 0: times within half a
+ * microsecond are one observation. An empty exposure is that of other rows of the time, else the
+ * scenario's. Temperatures are of a
  * place: its full name ("bus.+x", "bus.interior", "material:cfrp"), or the part of it behind the
  * part's name ("+x", "interior", "front") where only one place has it.
  *
  * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, place or observer
  * that the scenario has not, an ambiguous place, a filter or sensor (this version has none), a time
  * more than one step outside time.start_utc to time.stop_utc, a time that orbit or attitude do not
- * cover, no row with flag 0. UM_ERR_MEMORY. The caller destroys. */
+ * cover, two exposures of one time or exposures that overlap, no row with flag 0. UM_ERR_MEMORY.
+ * The caller destroys. */
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
                                       struct um_compare_plan **out);
