@@ -46,7 +46,7 @@ const struct um_effect um_effects_panel_extraction = {
     .struct_size = sizeof(struct um_effect),
     .name = "panel_extraction",
     .summary = "Solar cells turn part of the sunlight into electricity that is spent elsewhere",
-    .reference = "Rauschenbach 1980, Solar Cell Array Design Handbook, ch. 9",
+    .reference = "Rauschenbach 1980, Solar Cell Array Design Handbook",
     .validity = "direct sunlight on fronts; power follows the Sun, no shunting; extraction in all "
                 "up to the absorptance; where the power is spent is for internal_power to say",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
