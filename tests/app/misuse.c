@@ -8,7 +8,7 @@
 #define HELP_ONLY "umbra --help lists the commands"
 
 static const struct misuse {
-  const char *argument[8];
+  const char *argument[10];
   const char *says, *usage;
 } cases[] = {
     {{"compute"}, "unknown command 'compute'", HELP_ONLY},
@@ -31,6 +31,15 @@ static const struct misuse {
     {{"render", "a", "--time", "now", "--band", "vis"}, "-o", "usage: umbra render"},
     {{"render", "a", "--width", "0"}, "'0'", "usage: umbra render"},
     {{"render", "a", "--samples", "1.5"}, "'1.5'", "usage: umbra render"},
+    {{"compare", "a"}, "MEASURED is missing", "usage: umbra compare SCENARIO MEASURED"},
+    {{"compare", "a", "b", "c"}, "too many arguments: 'c'", "usage: umbra compare"},
+    {{"synth", "a"}, "--noise REL[,FLOOR], --seed N and -o", "usage: umbra synth SCENARIO"},
+    {{"synth", "a", "-o", "x", "--noise", "1,2,3", "--seed", "1"},
+     "--noise takes",
+     "usage: umbra synth"},
+    {{"synth", "a", "-o", "x", "--noise", "1", "--seed", "-1"},
+     "--seed takes",
+     "usage: umbra synth"},
     {{"materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra materials"},
     {{"effects", "--out", "x"}, "does not take --out", "usage: umbra effects"},
     {{"schema", "x"}, "too many arguments: 'x'", "usage: umbra schema"},

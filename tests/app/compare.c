@@ -1,0 +1,158 @@
+/* umbra synth and umbra compare: the files they make, and that what is wrong is said in one line
+ * and leaves nothing behind. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/json.h"
+#include "tests/app/table.h"
+
+#define HEAD "time_utc,quantity,of,value,sigma\n"
+
+static int enter(void **state)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data("box.yaml");
+  return 0;
+}
+
+#define SYNTH(file, ...)                                                                           \
+  "synth", "box.yaml", "--noise", "0.01,0.001", "-o", file, "--temperatures", "bus,+x",            \
+      __VA_ARGS__, NULL
+
+static void assert_same_file(const char *a, const char *b, bool same)
+{
+  char *x = command_read(a), *y = command_read(b);
+  assert_int_equal(strcmp(x, y) == 0, same);
+  free(x);
+  free(y);
+}
+
+/* One seed, one set of bytes, for any number of threads; an existing file stays without --force. */
+static void test_synth(void **state)
+{
+  (void)state;
+  command_expect(0, SYNTH("a.csv", "--seed", "5"));
+  command_expect(0, SYNTH("b.csv", "--seed", "5", "--threads", "1"));
+  command_expect(0, SYNTH("c.csv", "--seed", "6"));
+  assert_same_file("a.csv", "b.csv", true);
+  assert_same_file("a.csv", "c.csv", false);
+  command_expect(1, SYNTH("a.csv", "--seed", "6"));
+  assert_same_file("a.csv", "b.csv", true);
+  command_expect(0, SYNTH("a.csv", "--seed", "6", "--force"));
+  assert_same_file("a.csv", "c.csv", true);
+  /* five times; the first is below the horizon, where only temperatures are measured */
+  struct table t = table_read("a.csv");
+  assert_string_equal(t.header, "time_utc,quantity,of,value,sigma");
+  assert_int_equal(t.nrow, 4 * 2 + 5 * 2);
+  assert_string_equal(table_text(&t, 0, "of"), "bus");
+  assert_string_equal(table_text(&t, 2, "of"), "vis");
+  for (size_t i = 0; i < t.nrow; i++) assert_true(table_number(&t, i, "sigma") > 0.0);
+  table_release(&t);
+}
+
+/* The folder: metrics that belong together, a residual per row, JSON that is the same as what
+ * --json prints. */
+static void test_compare(void **state)
+{
+  (void)state;
+  const char *where;
+  command_expect(0, SYNTH("m.csv", "--seed", "5"));
+  struct command c = command_run("compare", "box.yaml", "m.csv", "--out", "out", "--json", NULL);
+  assert_int_equal(c.code, 0);
+  char *json = command_read("out/compare.json");
+  assert_string_equal(json, c.out);
+  if (!json_is_valid(json, &where)) fail_msg("not JSON from here on: %.60s", where);
+  assert_non_null(strstr(json, "\"chi2_red\": "));
+  assert_non_null(strstr(json, "\"coordinate\": \"since_shadow_exit_s\""));
+  assert_non_null(strstr(json, "\"mechanism_W_sr\": {\"sun\": "));
+  free(json);
+  command_release(&c);
+  struct table r = table_read("out/residuals.csv"), m = table_read("out/metrics.csv");
+  assert_int_equal(r.nrow, 18);
+  for (size_t i = 0; i < r.nrow; i++) {
+    double residual = table_number(&r, i, "measured") - table_number(&r, i, "model");
+    double sigma = table_number(&r, i, "sigma");
+    /* nine digits of either */
+    assert_true(fabs(table_number(&r, i, "residual") - residual) <=
+                1e-8 * fabs(table_number(&r, i, "model")));
+    assert_true(fabs(table_number(&r, i, "residual_in_sigma") -
+                     table_number(&r, i, "residual") / sigma) < 1e-7);
+  }
+  size_t all = 0, light = 0; /* rows by the "all" lines, and by the light segments */
+  for (size_t i = 0; i < m.nrow; i++) {
+    const char *segment = table_text(&m, i, "segment");
+    size_t count = (size_t)table_number(&m, i, "count");
+    if (strcmp(segment, "all") == 0) all += count;
+    if (strcmp(segment, "umbra") == 0 || strcmp(segment, "penumbra") == 0 ||
+        strcmp(segment, "sunlit") == 0)
+      light += count;
+  }
+  assert_int_equal(all, 18);
+  assert_int_equal(light, 18);
+  table_release(&r);
+  table_release(&m);
+  /* again into its own folder, the same bytes on one thread, and the table for people */
+  command_expect(0, "compare", "box.yaml", "m.csv", "--out", "two", "--threads", "1", "--no-plots",
+                 NULL);
+  assert_same_file("out/residuals.csv", "two/residuals.csv", true);
+  assert_same_file("out/metrics.csv", "two/metrics.csv", true);
+  c = command_run("compare", "box.yaml", "m.csv", "--out", "out", "--no-plots", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "band_irradiance lwir [W/m^2]"));
+  assert_non_null(strstr(c.out, "all channels: chi2 "));
+  command_release(&c);
+}
+
+/* One line, exit 1, nothing written: neither folder nor file. */
+static void refused(const char *measured, const char *says)
+{
+  command_write("m.csv", measured);
+  char *before = command_snapshot(".");
+  struct command c = command_run("compare", "box.yaml", "m.csv", "--out", "out", NULL);
+  char *after = command_snapshot(".");
+  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
+      strstr(c.err, says) == NULL)
+    fail_msg("exit %d, said:\n%s%s, expected '%s'", c.code, c.out, c.err, says);
+  assert_string_equal(before, after);
+  free(before);
+  free(after);
+  command_release(&c);
+}
+
+#define T0 "2016-09-06T18:10:00Z"
+#define T1 "2016-09-06T18:11:00Z"
+
+static void test_bad_measurements(void **state)
+{
+  (void)state;
+  refused("time,quantity,of,value,sigma\n", "m.csv: header: unknown column 'time'");
+  refused(HEAD T0 ",band_irradiance,swir,1,1\n",
+          "m.csv:2: column 'of': the scenario has no band 'swir'");
+  refused(HEAD T0 ",temperature,wing,1,1\n",
+          "m.csv:2: column 'of': the scenario has no place 'wing'");
+  refused(HEAD T0 ",irradiance,vis,1,1\n", "m.csv:2: column 'quantity': unknown quantity");
+  refused(HEAD T0 ",count_rate,ufo,1,1\n", "m.csv:2: column 'quantity': count_rate of 'ufo'");
+  refused(HEAD T1 ",temperature,bus,1,1\n" T0 ",temperature,bus,1,1\n",
+          "m.csv:3: column 'time_utc': 2016-09-06T18:10:00.000Z is before");
+  refused(HEAD T0 ",temperature,bus,280,1\n2017-09-06T18:10:00Z,temperature,bus,280,1\n",
+          "m.csv:3: column 'time_utc': 2017-09-06T18:10:00.000Z is outside the scenario");
+  refused(HEAD "2016-09-06T18:07:00Z,band_irradiance,vis,1,1\n",
+          "m.csv:2: column 'time_utc': the satellite is below the horizon");
+  refused(HEAD T0 ",temperature,bus,280,1\n" T0 ",temperature,bus,281,1\n",
+          "m.csv:3: column 'time_utc': second row");
+  refused(HEAD T0 ",temperature,bus,nan,1\n", "m.csv:2: column 'value'");
+  refused(HEAD T0 ",temperature,bus,280,0\n", "m.csv:2: column 'sigma'");
+  refused(HEAD, "m.csv: no measurements");
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_synth, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_compare, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_bad_measurements, enter, command_leave)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
