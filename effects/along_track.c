@@ -3,7 +3,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"shift_s", "s", "time by which the satellite is ahead of its orbit", 0.0, 0.0, -100.0, 100.0,
+    {"shift_s", "s", "time by which the satellite is ahead of its orbit", 0.0, 1.0, -100.0, 100.0,
      5.0},
 };
 

@@ -4,7 +4,7 @@
 #include "geometry/geometry.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"area_factor", "1", "factor of the area of every surface of the part", 1.0, 1.0, 0.1, 10.0,
+    {"area_factor", "1", "factor of the area of every surface of the part", 1.0, 1.1, 0.1, 10.0,
      0.2},
 };
 

@@ -4,7 +4,7 @@
 #include "geometry/geometry.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"angle_deg", "deg", "added to the angle of the joint", 0.0, 0.0, -180.0, 180.0, 10.0},
+    {"angle_deg", "deg", "added to the angle of the joint", 0.0, 10.0, -180.0, 180.0, 10.0},
 };
 
 static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,

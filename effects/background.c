@@ -2,7 +2,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"irradiance_W_m2", "W/m^2", "added to the irradiance", 0.0, 0.0, -1e-3, 1e-3, INFINITY},
+    {"irradiance_W_m2", "W/m^2", "added to the irradiance", 0.0, 1e-12, -1e-3, 1e-3, INFINITY},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,

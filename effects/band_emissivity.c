@@ -5,7 +5,7 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"emissivity_factor", "1", "factor of the emissivity above 2.5 um", 1.0, 1.0, 0.1, 3.0, 0.15},
+    {"emissivity_factor", "1", "factor of the emissivity above 2.5 um", 1.0, 0.9, 0.1, 3.0, 0.15},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,

@@ -4,7 +4,7 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"diffuse_factor", "1", "factor of the diffuse reflectance", 1.0, 1.0, 0.0, 5.0, 0.3},
+    {"diffuse_factor", "1", "factor of the diffuse reflectance", 1.0, 0.8, 0.0, 5.0, 0.3},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,

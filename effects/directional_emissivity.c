@@ -7,7 +7,7 @@
 
 static const struct um_effect_parameter parameters[] = {
     {"tilt", "1", "1: a dielectric, dark at grazing; negative: a metal, bright at grazing", 0.0,
-     0.0, -2.0, 1.0, 0.5},
+     1.0, -2.0, 1.0, 0.5},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,

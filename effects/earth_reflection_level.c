@@ -4,7 +4,7 @@
 #include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "factor of the reflected radiation of the Earth", 1.0, 1.0, 0.0, 5.0, 0.3},
+    {"factor", "1", "factor of the reflected radiation of the Earth", 1.0, 0.9, 0.0, 5.0, 0.3},
 };
 
 static enum um_status environment(struct um_context *context, const struct um_effect_use *use,

@@ -4,7 +4,7 @@
 #include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "factor of the earthshine", 1.0, 1.0, 0.0, 5.0, 0.5},
+    {"factor", "1", "factor of the earthshine", 1.0, 1.3, 0.0, 5.0, 0.5},
 };
 
 static enum um_status environment(struct um_context *context, const struct um_effect_use *use,

@@ -4,7 +4,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"square_s2", "s^2", "added to the square of the exposure", 0.0, 0.0, 0.0, 1e4, 1.0},
+    {"square_s2", "s^2", "added to the square of the exposure", 0.0, 1.0, 0.0, 1e4, 1.0},
 };
 
 static double exposure(const struct um_effect_use *use, double known)

@@ -2,7 +2,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"k_mag", "mag", "extinction at airmass 1", 0.0, 0.0, -2.0, 5.0, 0.3},
+    {"k_mag", "mag", "extinction at airmass 1", 0.0, 0.2, -2.0, 5.0, 0.3},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,

@@ -4,7 +4,7 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"alpha_factor", "1", "factor of the Beckmann alpha", 1.0, 1.0, 0.1, 5.0, 0.4},
+    {"alpha_factor", "1", "factor of the Beckmann alpha", 1.0, 1.3, 0.1, 5.0, 0.4},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,

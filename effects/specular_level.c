@@ -3,7 +3,7 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"F_factor", "1", "factor of the specular reflectance", 1.0, 1.0, 0.0, 5.0, 0.2},
+    {"F_factor", "1", "factor of the specular reflectance", 1.0, 1.2, 0.0, 5.0, 0.2},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,

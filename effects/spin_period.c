@@ -4,7 +4,7 @@
 #include "orbit/attitude.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"relative", "1", "relative error of the period", 0.0, 0.0, -0.5, 0.5, 0.05},
+    {"relative", "1", "relative error of the period", 0.0, 0.01, -0.5, 0.5, 0.05},
 };
 
 static enum um_status law(struct um_context *context, const struct um_effect_use *use,

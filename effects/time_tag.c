@@ -3,7 +3,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"bias_s", "s", "tag minus true time", 0.0, 0.0, -100.0, 100.0, 1.0},
+    {"bias_s", "s", "tag minus true time", 0.0, 0.1, -100.0, 100.0, 1.0},
 };
 
 static double true_time(const struct um_effect_use *use, double t_tai)

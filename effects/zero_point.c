@@ -2,7 +2,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "measured by true irradiance", 1.0, 1.0, 0.01, 100.0, 0.5},
+    {"factor", "1", "measured by true irradiance", 1.0, 0.9, 0.01, 100.0, 0.5},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,

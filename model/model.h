@@ -31,6 +31,8 @@ struct um_model_effect {
   const char *target; /* NULL: everything it can act on; owned by the document */
   double value[UM_EFFECT_PARAMETERS_MAX];
   bool off;
+  const struct um_mark *at;  /* entry of the scenario; NULL: of the command line, or by default */
+  const char *option, *text; /* "--with" and what was typed; NULL otherwise */
 };
 
 /* Everything built from a scenario; read it, do not change it. */
@@ -88,6 +90,7 @@ struct um_model_trace {
   struct um_environment_sample *sample; /* [nobs * nsub], at the satellite's time */
   double *sunlit;                       /* [nobs] mean over the exposure */
   double period;                        /* of the orbit [s]; NaN for a fixed point */
+  double t_first;                       /* middle of the first observation, at the satellite [s] */
   double t_start;                       /* thermal start, t_tai [s] */
   double t_periodic_end;                /* end of the orbit that is made periodic */
   struct um_thermal_loads *loads;       /* over [t_start, last observation] */

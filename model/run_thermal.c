@@ -81,7 +81,7 @@ enum um_status um_model_run_thermal(struct um_context *context, const struct um_
   double *times = NULL;
   UM_TRY(start(context, model, trace, &options, result));
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
-  double before = trace->sample[0].t_tai - trace->period;
+  double before = trace->t_first - trace->period;
   run->before = before >= trace->t_start - 1e-6;
   if (run->before) times[0] = fmax(before, trace->t_start);
   for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = trace->sample[i].t_tai;

@@ -105,11 +105,15 @@ static enum um_status trace_observations(struct um_context *context, const struc
 static void trace_span(const struct um_model *model, struct um_model_trace *trace)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  double first = trace->sample[0].t_tai;
+  double first = trace->sample[0].t_tai, sum = 0.0;
+  /* the middle of an exposure, so that its length does not move the start */
+  for (size_t i = 0; i < trace->nsub; i++) sum += trace->sample[i].t_tai - first;
+  trace->t_first = first + sum / (double)trace->nsub;
   trace->period = um_orbit_trajectory_period(model->trajectory);
   double orbits = thermal->orbits_before;
   if (thermal->start == UM_START_PERIODIC && orbits < 1.0) orbits = 1.0;
-  trace->t_start = isnan(trace->period) ? first : first - orbits * trace->period;
+  trace->t_start =
+      isnan(trace->period) ? first : fmin(first, trace->t_first - orbits * trace->period);
   trace->t_periodic_end = isnan(trace->period) ? first : trace->t_start + trace->period;
 }
 

@@ -1,0 +1,129 @@
+/* Effects on what is measured: they change irradiance and nothing else. A box 620 km above the
+ * Earth is seen from a station below it, and from one on the other side. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "optics/atmosphere.h"
+#include "tests/effects/case.h"
+
+/* At noon of the equinox GCRS +x stands 2 deg east of Greenwich: (1, 1, 0) is above 47 deg east. */
+#define SCENARIO(station)                                                                          \
+  "schema: 1\n"                                                                                    \
+  "name: photometry\n"                                                                             \
+  "time: {start_utc: 2020-03-20T12:00:00Z, stop_utc: 2020-03-20T12:04:00Z, step_s: 120}\n"         \
+  "orbit: {fixed: {position_gcrs_km: [4950, 4950, 0]}}\n"                                          \
+  "attitude: [{fixed: {q_gcrs: [1, 0, 0, 0]}}]\n"                                                  \
+  "observer: " station "\n"                                                                        \
+  "parts:\n"                                                                                       \
+  "  - {name: box, box: {size_m: [1, 1, 1]}, outside: grey_panel, lumped: true,\n"                 \
+  "     shell: {areal_heat_capacity_J_m2_K: 3000}}\n"                                              \
+  "thermal: {start: isothermal, orbits_before: 0}\n"                                               \
+  "bands:\n"                                                                                       \
+  "  vis: {from_um: 0.38, to_um: 0.78, bins: 2}\n"                                                 \
+  "  lwir: {from_um: 8, to_um: 12, bins: 2}\n"
+
+static const char below[] =
+    SCENARIO("{station: {latitude_deg: 4, longitude_deg: 47, height_m: 0}}");
+static const char behind[] =
+    SCENARIO("{station: {latitude_deg: 4, longitude_deg: -133, height_m: 0}}");
+static const char nowhere[] = SCENARIO("{direction: {unit_gcrs: [-1, -0.8, 0.3], range_km: 1000}}");
+
+/* Irradiance becomes factor(X) E + offset in the bands of a mask; all else is the same to the bit.
+ */
+static void expect(const char *with, unsigned mask, double k, double factor, double offset)
+{
+  struct case_run a = case_with(below, NULL), b = case_with(below, with);
+  assert_true(case_same_temperatures(&a, &b));
+  assert_true(case_same_intensities(&a, &b));
+  for (size_t t = 0; t < a.result->nobs; t++) {
+    double airmass = um_optics_airmass(a.trace->look[t].elevation);
+    assert_true(airmass > 1.0 && airmass < 3.0);
+    for (size_t band = 0; band < 2; band++) {
+      double before = a.result->irradiance[2 * t + band],
+             after = b.result->irradiance[2 * t + band];
+      assert_true(before > 0.0);
+      if ((mask >> band & 1) == 0)
+        assert_true(after == before);
+      else
+        case_near(with, after, factor * pow(10.0, -0.4 * k * airmass) * before + offset, 1e-14);
+    }
+  }
+  case_release(&a);
+  case_release(&b);
+}
+
+static void extinction_grows_with_airmass(void **state)
+{
+  (void)state;
+  expect("extinction,k_mag=0.25", 3, 0.25, 1.0, 0.0);
+  expect("extinction:vis,k_mag=0.25", 1, 0.25, 1.0, 0.0);
+  expect("extinction:lwir,k_mag=-0.1", 2, -0.1, 1.0, 0.0);
+}
+
+static void zero_point_is_a_factor(void **state)
+{
+  (void)state;
+  expect("zero_point,factor=0.7", 3, 0.0, 0.7, 0.0);
+  expect("zero_point:lwir,factor=1.2", 2, 0.0, 1.2, 0.0);
+}
+
+static void background_is_added(void **state)
+{
+  (void)state;
+  expect("background,irradiance_W_m2=3e-11", 3, 0.0, 1.0, 3e-11);
+  expect("background:vis,irradiance_W_m2=-2e-12", 1, 0.0, 1.0, -2e-12);
+}
+
+/* Below the horizon there is no measurement, whatever is added to it. */
+static void nothing_is_seen_below_the_horizon(void **state)
+{
+  (void)state;
+  static const char *const with[] = {"extinction,k_mag=0.25", "background,irradiance_W_m2=1e-11",
+                                     "zero_point,factor=0.5", NULL};
+  struct case_run a = case_compute(behind, with, NULL, NULL);
+  for (size_t i = 0; i < a.result->nobs * a.result->nband; i++)
+    assert_true(isnan(a.result->irradiance[i]));
+  case_release(&a);
+}
+
+/* Without a station there is no air. */
+static void extinction_needs_a_station(void **state)
+{
+  (void)state;
+  struct case_run a = case_with(nowhere, NULL), b = case_with(nowhere, "extinction,k_mag=0.25");
+  assert_true(case_same(&a, &b));
+  assert_true(a.result->irradiance[0] > 0.0);
+  case_release(&a);
+  case_release(&b);
+}
+
+static void null_values_change_nothing(void **state)
+{
+  (void)state;
+  static const char *const with[] = {"extinction,k_mag=0", "background,irradiance_W_m2=0",
+                                     "zero_point,factor=1", NULL};
+  struct case_run a = case_with(below, NULL), b = case_compute(below, with, NULL, NULL);
+  assert_true(case_same(&a, &b));
+  case_release(&a);
+  case_release(&b);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(extinction_grows_with_airmass),
+      cmocka_unit_test(zero_point_is_a_factor),
+      cmocka_unit_test(background_is_added),
+      cmocka_unit_test(nothing_is_seen_below_the_horizon),
+      cmocka_unit_test(extinction_needs_a_station),
+      cmocka_unit_test(null_values_change_nothing),
+  };
+  return cmocka_run_group_tests(tests, case_begin, case_end);
+}
