@@ -68,7 +68,7 @@ int um_app_effects(struct um_context *context, const struct um_app_options *opti
   if (options->npositional == 1) {
     const struct um_effect *e = um_effects_find(options->positional[0]);
     if (e == NULL) {
-      char names[512];
+      char names[2048];
       um_effects_names(names, sizeof names);
       um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; accepted: %s",
                    options->positional[0], names);

@@ -34,6 +34,7 @@ enum um_status um_model_create(struct um_context *context, const char *path,
   *out = NULL;
   UM_TRY(create_sky(context, path, options, &model));
   UM_CHECK(um_model_build_parts(context, model));
+  UM_CHECK(um_model_check_effects(context, model));
   UM_CHECK(um_model_build_thermal(context, model));
   UM_CHECK(um_model_build_blocked(context, model));
 done:

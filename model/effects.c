@@ -3,6 +3,7 @@
 #include "effects/effects.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,12 +28,12 @@ static enum um_status blame(struct um_context *context, const struct origin *fro
 static enum um_status find(struct um_context *context, const struct origin *from, const char *name,
                            const struct um_effect **out)
 {
-  char names[1024];
+  char names[2048];
   *out = um_effects_find(name);
   if (*out != NULL) return UM_OK;
   um_effects_names(names, sizeof names);
   return blame(context, from, "effect",
-               um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.800s",
+               um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s",
                             name, names));
 }
 
@@ -85,32 +86,9 @@ static enum um_status set_parameter(struct um_context *context, const struct ori
                             names));
 }
 
-/* Does a thing of that name exist that the effect can act on? */
-static bool target_exists(const struct um_model *model, const struct um_effect *effect,
-                          const char *target)
-{
-  const struct um_scenario_part *part = model->scenario->parts.items;
-  const struct um_scenario_band *band = model->scenario->bands.items;
-  for (size_t i = 0; i < model->scenario->parts.count; i++) {
-    size_t n = strlen(part[i].name);
-    if ((effect->targets & UM_TARGET_PART) != 0 && strcmp(part[i].name, target) == 0) return true;
-    if ((effect->targets & UM_TARGET_PART_SIDE) != 0 && strncmp(part[i].name, target, n) == 0 &&
-        target[n] == '.')
-      return true;
-  }
-  if ((effect->targets & UM_TARGET_BAND) != 0) {
-    for (size_t i = 0; i < model->scenario->bands.count; i++)
-      if (strcmp(band[i].name, target) == 0) return true;
-    if (model->scenario->bands.count == 0)
-      return strcmp(target, "vis") == 0 || strcmp(target, "lwir") == 0;
-  }
-  /* materials are checked when the library is there */
-  return (effect->targets & UM_TARGET_MATERIAL) != 0;
-}
-
-static enum um_status check_target(struct um_context *context, const struct um_model *model,
-                                   const struct origin *from, const struct um_effect *effect,
-                                   const char *target)
+/* With or without a target, as the effect has it; that it exists is checked when it is built. */
+static enum um_status check_target(struct um_context *context, const struct origin *from,
+                                   const struct um_effect *effect, const char *target)
 {
   if (target == NULL) {
     if ((effect->targets & UM_TARGET_GLOBAL) != 0) return UM_OK;
@@ -121,10 +99,7 @@ static enum um_status check_target(struct um_context *context, const struct um_m
     return blame(context, from, "target",
                  um_core_fail(context, UM_ERR_INPUT,
                               "effect '%s' acts on everything; accepted: no target", effect->name));
-  if (target_exists(model, effect, target)) return UM_OK;
-  return blame(context, from, "target",
-               um_core_fail(context, UM_ERR_INPUT, "nothing that '%s' acts on is called '%.60s'",
-                            effect->name, target));
+  return UM_OK;
 }
 
 static enum um_status take_scenario(struct um_context *context, struct um_model *model,
@@ -132,11 +107,12 @@ static enum um_status take_scenario(struct um_context *context, struct um_model 
 {
   const struct um_effect *effect = NULL;
   struct um_model_effect *use = NULL;
-  struct origin origin = {.at = &from->at};
+  struct origin origin = {.at = &from->at, .option = "effects", .text = from->effect};
   UM_TRY(find(context, &origin, from->effect, &effect));
-  UM_TRY(check_target(context, model, &origin, effect, from->target));
+  UM_TRY(check_target(context, &origin, effect, from->target));
   UM_TRY(use_of(context, model, effect, from->target, &use));
   use->off = from->off;
+  use->at = &from->at;
   const struct um_schema_number *parameter = from->parameters.items;
   for (size_t p = 0; p < from->parameters.count; p++)
     UM_TRY(set_parameter(context, &origin, use, parameter[p].name, parameter[p].value));
@@ -154,7 +130,7 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
   char *target = strchr(text, ':');
   if (target != NULL) *target++ = '\0';
   UM_TRY(find(context, origin, text, &effect));
-  if (!off || target != NULL) UM_TRY(check_target(context, model, origin, effect, target));
+  if (!off || target != NULL) UM_TRY(check_target(context, origin, effect, target));
   if (off && target == NULL) { /* all of its uses */
     bool any = false;
     for (size_t i = 0; i < model->neffect; i++)
@@ -163,6 +139,9 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
   }
   UM_TRY(use_of(context, model, effect, target, &use));
   use->off = off;
+  use->at = NULL;
+  use->option = origin->option;
+  use->text = origin->text;
   while (*rest != '\0') {
     char *next = rest + strcspn(rest, ",");
     if (*next != '\0') *next++ = '\0';
@@ -224,6 +203,70 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
     um_core_log(context, UM_LOG_INFO, "effect %s%s%s is %s", e->effect->name,
                 e->target != NULL ? ":" : "", e->target != NULL ? e->target : "",
                 e->off ? "off" : "on");
+  }
+  return UM_OK;
+}
+
+/* Names of what an effect can act on, for a message. */
+static void list_targets(const struct um_model *model, uint32_t targets, char *out, size_t size)
+{
+  const struct um_geometry *g = model->geometry;
+  out[0] = '\0';
+  for (size_t i = 0; (targets & UM_TARGET_PART) != 0 && i < um_geometry_part_count(g); i++)
+    um_core_words_append(out, size, um_geometry_part_name(g, i));
+  for (size_t i = 0; (targets & UM_TARGET_PART_SIDE) != 0 && i < um_geometry_group_count(g); i++) {
+    char name[256];
+    const struct um_geometry_group *group = um_geometry_group(g, i);
+    snprintf(name, sizeof name, "%s.%s", um_geometry_part_name(g, group->part), group->name);
+    um_core_words_append(out, size, name);
+  }
+  for (size_t i = 0; (targets & UM_TARGET_MATERIAL) != 0 && i < um_geometry_material_count(g); i++)
+    um_core_words_append(out, size, um_geometry_material_name(g, i));
+}
+
+/* Is there a side, group or interior of that name, "part.name"? */
+static bool side_exists(const struct um_model *model, const char *target)
+{
+  const struct um_geometry *g = model->geometry;
+  const char *dot = strchr(target, '.');
+  if (dot == NULL) return false;
+  for (size_t i = 0; i < um_geometry_group_count(g); i++) {
+    const struct um_geometry_group *group = um_geometry_group(g, i);
+    const char *part = um_geometry_part_name(g, group->part);
+    if (strlen(part) != (size_t)(dot - target) || strncmp(part, target, strlen(part)) != 0)
+      continue;
+    if (strcmp(group->name, dot + 1) == 0 || strcmp(dot, ".interior") == 0) return true;
+    if (group->back_material != UM_GEOMETRY_NONE &&
+        (strcmp(dot, ".front") == 0 || strcmp(dot, ".back") == 0))
+      return true;
+  }
+  return false;
+}
+
+static bool built_target_exists(const struct um_model *model, const struct um_model_effect *e)
+{
+  const struct um_geometry *g = model->geometry;
+  uint32_t targets = e->effect->targets;
+  if ((targets & UM_TARGET_PART) != 0 && um_geometry_part_find(g, e->target) != (size_t)-1)
+    return true;
+  if ((targets & UM_TARGET_PART_SIDE) != 0 && side_exists(model, e->target)) return true;
+  for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)
+    if (strcmp(um_geometry_material_name(g, m), e->target) == 0) return true;
+  return (targets & UM_TARGET_BAND) != 0 && um_model_band_find(model, e->target) != (size_t)-1;
+}
+
+enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model)
+{
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    char names[700];
+    if (e->off || e->target == NULL || built_target_exists(model, e)) continue;
+    list_targets(model, e->effect->targets, names, sizeof names);
+    const struct origin from = {.at = e->at, .option = e->option, .text = e->text};
+    return blame(context, &from, "target",
+                 um_core_fail(context, UM_ERR_INPUT,
+                              "nothing that '%s' acts on is called '%.60s'; accepted: %s",
+                              e->effect->name, e->target, names));
   }
   return UM_OK;
 }

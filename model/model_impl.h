@@ -7,6 +7,8 @@
 /* effect: the scenario's list, --with and --without (effects.c). */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options);
+/* Every target names something that the built parts have (after um_model_build_parts). */
+enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model);
 /* The next effect that is on, from *index, which moves behind it; false at the end. */
 bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use);
 /* environment: from the scenario's mapping, then its effects (build_environment.c). */
@@ -15,7 +17,8 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);
 /* library, geometry, material records of it (build_parts.c). */
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model);
-/* What of each surface's sky the satellite itself covers, into the heat network (build_blocked.c). */
+/* What of each surface's sky the satellite itself covers, into the heat network (build_blocked.c).
+ */
 enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model);
 /* heat network (build_thermal.c). */
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);

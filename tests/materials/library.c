@@ -185,7 +185,7 @@ static void table_record(void **state)
       UM_OK);
   const struct um_materials_record *r = um_materials_library_find(library, "m");
   assert_false(um_materials_is_grey(r) || um_materials_has_lobe(r));
-  assert_true(um_materials_emissivity_is_diffuse(r));
+  assert_true(um_materials_emissivity_is_diffuse(r, NULL));
   static const double rows[][2] = {{0.1, 0.2},  {0.5, 0.2},   {0.75, 0.4}, {1.0, 0.6},
                                    {2.9, 0.55}, {10.5, 0.35}, {20.0, 0.1}, {500.0, 0.1}};
   for (size_t i = 0; i < 8; i++) {
