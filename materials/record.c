@@ -131,8 +131,7 @@ static double adjusted_lambert(const struct um_materials_spectrum *s, const stru
   return fmax(0.0, fmin(c->diffuse * scale, 1.0 - *normal));
 }
 
-/* The masking term follows the lobe: it scales with F (not beyond the described
- * F: a scale above 1 saturates toward grazing), and changes with alpha by the change of the
+/* The masking term follows the lobe: it scales with F, and changes with alpha by the change of the
  * tabulated loss. The brightest direction, E times F beside the Lambert part, must keep room for
  * it. */
 static double adjusted_loss(const struct um_materials_record *record, const struct changed *c,
@@ -141,7 +140,7 @@ static double adjusted_loss(const struct um_materials_record *record, const stru
 {
   const struct um_materials_spectrum *s = &record->spectrum;
   double lost = linear(s->lost, i, t), mean = linear(s->lobe_mean, i, t);
-  double lobe = apply(c, mean) * fmin(a->specular_scale, 1.0);
+  double lobe = apply(c, mean) * a->specular_scale;
   double value = mean > 0.0 ? lost * lobe / mean : 0.0;
   if (a->roughness_scale != 1.0)
     value += lobe * (um_materials_beckmann_loss(record->alpha * a->roughness_scale) - record->loss);

@@ -214,6 +214,46 @@ static void adjustments_are_continuous(void **state)
   }
 }
 
+/* ... and with one slope from both sides, which a kink at the null value would not give: diagnosis
+ * takes its signatures there. Curvature leaves 1e-4 of the slope at these steps. Left out: a black
+ * surface, which cannot emit more, and bare rough aluminium, which cannot reflect more. */
+static void adjustments_have_one_slope(void **state)
+{
+  (void)state;
+  const double h = 1e-4;
+  const struct um_materials_adjustment up[] = {{0, 1, 1 + h, 1, 1, 1, 0},
+                                               {0, 1, 1, 1 + h, 1, 1, 0},
+                                               {0, 1, 1, 1, 1 + h, 1, 0},
+                                               {0, 1, 1, 1, 1, 1 + h, 0},
+                                               {0, 1, 1, 1, 1, 1, h}},
+                                       down[] = {{0, 1, 1 - h, 1, 1, 1, 0},
+                                                 {0, 1, 1, 1 - h, 1, 1, 0},
+                                                 {0, 1, 1, 1, 1 - h, 1, 0},
+                                                 {0, 1, 1, 1, 1, 1 - h, 0},
+                                                 {0, 1, 1, 1, 1, 1, -h}};
+  for (size_t m = 0; m < um_materials_library_count(library); m++) {
+    const struct um_materials_record *r = um_materials_library_at(library, m);
+    if (strcmp(um_materials_name(r), "black") == 0) continue;
+    if (strcmp(um_materials_name(r), "aluminium_bare") == 0) continue;
+    for (size_t s = 0; s < sizeof up / sizeof up[0]; s++)
+      for (size_t j = 0; j < NWAVELENGTH; j++) {
+        double l = wavelengths[j], d[3], f = um_materials_specular_reflectance(r, NULL, l, 0.8);
+        double rho = um_materials_diffuse_reflectance(r, NULL, l);
+        double e = um_materials_emissivity(r, NULL, l, 0.8);
+        d[0] = um_materials_specular_reflectance(r, &up[s], l, 0.8) +
+               um_materials_specular_reflectance(r, &down[s], l, 0.8) - 2.0 * f;
+        d[1] = um_materials_diffuse_reflectance(r, &up[s], l) +
+               um_materials_diffuse_reflectance(r, &down[s], l) - 2.0 * rho;
+        d[2] = um_materials_emissivity(r, &up[s], l, 0.8) +
+               um_materials_emissivity(r, &down[s], l, 0.8) - 2.0 * e;
+        for (int k = 0; k < 3; k++)
+          if (!(fabs(d[k]) <= 1e-3 * h))
+            fail_msg("%s, adjustment %zu, %g um: quantity %d has a kink of %g",
+                     um_materials_name(r), s, l * 1e6, k, d[k] / h);
+      }
+  }
+}
+
 /* What each adjustment promises in materials.h, on one spectral and one grey record. */
 static void adjustments_do_what_they_say(void **state)
 {
@@ -322,6 +362,7 @@ int main(void)
       cmocka_unit_test(reciprocity),
       cmocka_unit_test(null_adjustment_is_bit_identical),
       cmocka_unit_test(adjustments_are_continuous),
+      cmocka_unit_test(adjustments_have_one_slope),
       cmocka_unit_test(adjustments_do_what_they_say),
       cmocka_unit_test(extreme_adjustments_stay_physical),
   };
