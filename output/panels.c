@@ -107,7 +107,7 @@ enum um_status um_output_plot_panels(struct um_context *context,
           "set terminal pngcairo size %zu,%zu font 'Sans,10'\nset output 'satellite.png'\n"
           "set palette defined (0 '#000004', 0.15 '#2b0b57', 0.4 '#982766', 0.65 '#e65d2f', 0.85 "
           "'#fcb519', 1 '#fcffa4')\nset size ratio -1\nset xlabel '[m]' offset 0,0.5\nunset "
-          "ylabel\nset xtics 5\nset ytics 5\n"
+          "ylabel\nset autoscale xfix\nset autoscale yfix\n"
           "set format cb '%%.1e'\nset multiplot layout %zu,%zu\n",
           460 * columns, 400 * rows, rows, columns);
   for (size_t r = 0; r < rows; r++) script_row(f, panels + r * columns, columns, r * columns);
