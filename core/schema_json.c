@@ -34,11 +34,15 @@ static void write_member(FILE *file, const char *key, const char *text)
 static void open_number(FILE *file, const struct um_schema_field *field, const char *type)
 {
   fprintf(file, "{\"type\": \"%s\"", type);
-  if (field->minimum == field->maximum) return;
-  if (isfinite(field->minimum))
-    fprintf(file, ", \"%s\": %.17g", field->open_minimum ? "exclusiveMinimum" : "minimum",
-            field->minimum);
-  if (isfinite(field->maximum)) fprintf(file, ", \"maximum\": %.17g", field->maximum);
+  double minimum = field->minimum, maximum = field->maximum;
+  if (minimum == maximum) return;
+  if (field->type == UM_SCHEMA_INTEGER) {
+    maximum = floor(maximum);
+    minimum = field->open_minimum ? floor(minimum) : ceil(minimum);
+  }
+  if (isfinite(minimum))
+    fprintf(file, ", \"%s\": %.17g", field->open_minimum ? "exclusiveMinimum" : "minimum", minimum);
+  if (isfinite(maximum)) fprintf(file, ", \"maximum\": %.17g", maximum);
 }
 
 static void write_default(FILE *file, const struct um_schema_field *field)

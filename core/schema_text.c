@@ -11,18 +11,22 @@ static void append(char *buffer, size_t size, const char *text)
   if (used + 1 < size) snprintf(buffer + used, size - used, "%s", text);
 }
 
-/* ", more than 0, at most 1" */
+/* ", more than 0, at most 1"; the bounds of a whole number are the whole numbers inside them */
 static void append_range(const struct um_schema_field *field, char *buffer, size_t size)
 {
   char text[96];
-  if (field->minimum == field->maximum) return;
-  if (isfinite(field->minimum)) {
+  bool whole = field->type == UM_SCHEMA_INTEGER;
+  double minimum = field->minimum, maximum = field->maximum;
+  if (minimum == maximum) return;
+  if (whole) maximum = floor(maximum);
+  if (whole) minimum = field->open_minimum ? floor(minimum) : ceil(minimum);
+  if (isfinite(minimum)) {
     snprintf(text, sizeof text, ", %s %.10g", field->open_minimum ? "more than" : "at least",
-             field->minimum);
+             minimum);
     append(buffer, size, text);
   }
-  if (isfinite(field->maximum)) {
-    snprintf(text, sizeof text, ", at most %.10g", field->maximum);
+  if (isfinite(maximum)) {
+    snprintf(text, sizeof text, ", at most %.10g", maximum);
     append(buffer, size, text);
   }
 }

@@ -45,7 +45,15 @@ static enum um_status fail_collected(const struct loader *l, struct fy_diag *dia
   const struct fy_diag_error *error = fy_diag_errors_iterate(diag, &at);
   char text[256];
   if (error == NULL || error->msg == NULL) return fail_at(l, 0, "not YAML");
-  snprintf(text, sizeof text, "not YAML: %s", error->msg);
+  size_t length = 0;
+  const char *key = NULL;
+  if (strcmp(error->msg, "duplicate key") == 0 && error->fyt != NULL)
+    key = fy_token_get_text(error->fyt, &length);
+  if (key != NULL)
+    snprintf(text, sizeof text, "duplicate key '%.*s'; accepted: each key once",
+             (int)(length < 80 ? length : 80), key);
+  else
+    snprintf(text, sizeof text, "not YAML: %s", error->msg);
   return fail_at(l, error->line, text);
 }
 

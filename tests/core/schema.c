@@ -253,7 +253,9 @@ static void test_text_refusals(void **state)
   } cases[] = {
       {"", "s.yaml: empty; accepted: YAML"},
       {"# nothing\n", "s.yaml: empty; accepted: YAML"},
-      {"name: a\nname: b\n", "s.yaml:2: not YAML: duplicate key"},
+      {"name: a\nname: b\n", "s.yaml:2: duplicate key 'name'; accepted: each key once"},
+      {"name: a\ntime: {step_s: 1,\n  step_s: 2}\n",
+       "s.yaml:3: duplicate key 'step_s'; accepted: each key once"},
       {"name: &x a\n", "s.yaml:1: an anchor ('&name') is not accepted; write the value out"},
       {"name: !t a\n", "s.yaml:1: a tag ('!name') is not accepted"},
       {"[a]: b\n", "s.yaml:1: a key that is not a word; accepted: key: value"},
