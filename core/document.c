@@ -94,11 +94,12 @@ enum um_status um_core_node_label(struct um_document *document, const struct um_
   return UM_OK;
 }
 
-/* Give every node the path by which --set reaches it. */
+/* Give every node the path by which --set reaches it, and its mark the node. */
 static enum um_status set_paths(struct um_document *document, struct um_node *node,
                                 const char *path)
 {
   node->at.path = path;
+  node->at.node = node;
   size_t index = 0, n = strlen(path);
   for (struct um_node *child = node->first; child != NULL; child = child->next, index++) {
     const char *label = child->key;
@@ -225,6 +226,13 @@ void um_core_document_destroy(struct um_document **document)
   }
   um_core_free(context, *document);
   *document = NULL;
+}
+
+const struct um_mark *um_core_mark_key(const struct um_mark *parent, const char *key)
+{
+  if (parent->node == NULL || parent->node->kind != UM_NODE_MAP || key == NULL) return parent;
+  const struct um_node *child = um_core_node_child(parent->node, key);
+  return child == NULL ? parent : &child->at;
 }
 
 enum um_status um_core_mark_fail(struct um_context *context, const struct um_mark *at,

@@ -10,11 +10,15 @@
 
 #include "core/context.h"
 
+struct um_node;
+
 /* Where a value came from: "file:line: path". An override has line 0 and file "--set". */
 struct um_mark {
   const char *file; /* borrowed from the document */
   int line;         /* 1-based; 0 = no line */
   const char *path; /* e.g. "parts.bus.interior.power_W", borrowed */
+  /* what stands there, borrowed, for um_core_mark_key; NULL: a mapping that is not written */
+  const struct um_node *node;
 };
 
 enum um_schema_type {
@@ -119,6 +123,11 @@ enum um_status um_core_document_text(struct um_context *context, const struct um
 /* Memory owned by the document, zeroed; for things derived while binding. */
 enum um_status um_core_document_allocate(struct um_context *context, struct um_document *document,
                                          size_t count, size_t size, void *out);
+
+/* Mark of a key of the mapping that stands at `parent`; `parent` itself when the mapping has no
+ * such key, is no mapping, or key is NULL. Borrowed from the document, or `parent`. Does not fail.
+ */
+const struct um_mark *um_core_mark_key(const struct um_mark *parent, const char *key);
 
 /* Record "file:line: path: message" and return UM_ERR_INPUT. */
 enum um_status um_core_mark_fail(struct um_context *context, const struct um_mark *at,

@@ -260,6 +260,15 @@ static enum um_status fail_missing(struct binder *b, const struct um_schema_obje
                            field->key, object->name, accepted);
 }
 
+/* A mapping that is not written, read as an empty one: it stands where its parent does. */
+static enum um_status bind_absent(struct binder *b, const struct um_schema_field *field,
+                                  const struct um_node *parent, char *target)
+{
+  struct um_node empty = {.kind = UM_NODE_MAP, .at = parent->at};
+  empty.at.node = NULL;
+  return bind_field(b, field, &empty, target);
+}
+
 static enum um_status bind_object(struct binder *b, const struct um_schema_object *object,
                                   const struct um_node *node, char *target)
 {
@@ -282,7 +291,7 @@ static enum um_status bind_object(struct binder *b, const struct um_schema_objec
     else if (field->required && !scalar)
       return fail_missing(b, object, field, node);
     else if (field->always)
-      UM_TRY(bind_field(b, field, &(struct um_node){.kind = UM_NODE_MAP, .at = node->at}, target));
+      UM_TRY(bind_absent(b, field, node, target));
     else
       set_default(field, target);
   }

@@ -162,7 +162,9 @@ static enum um_status load_node(const struct loader *l, struct fy_node *from, in
                                 int depth, struct um_node *node)
 {
   int line = node->key_line;
-  if (from == NULL || fy_node_is_scalar(from) || line == 0) {
+  enum fy_node_style style = from == NULL ? FYNS_PLAIN : fy_node_get_style(from);
+  bool block = style == FYNS_LITERAL || style == FYNS_FOLDED; /* begins below its key */
+  if (from == NULL || (fy_node_is_scalar(from) && !block) || line == 0) {
     int own = first_line(from, 0);
     if (own != 0) line = own;
   }

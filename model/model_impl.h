@@ -26,8 +26,8 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
 /* Path relative to the file of a mark; owned by the document. */
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
                                 const struct um_mark *at, const char *relative, const char **out);
-/* Put "file:line: path.key: " before the recorded message; key NULL: the mapping itself. Returns
- * status. */
+/* Put "file:line: path.key: " before the recorded message, with the line of the key where the
+ * mapping has it; key NULL: the mapping itself. Returns status. */
 enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
                               enum um_status status);
 /* Record "file:line: path.key: message" and return UM_ERR_INPUT. */

@@ -28,13 +28,14 @@ enum um_status um_model_blame(struct um_context *context, const struct um_mark *
 {
   if (status == UM_OK || status == UM_ERR_MEMORY) return status;
   const char *dot = at->path[0] != '\0' && key != NULL ? "." : "";
+  const struct um_mark *place = um_core_mark_key(at, key);
   if (key == NULL) key = "";
   if (at->path[0] != '\0' || key[0] != '\0')
     um_core_message_prefix(context, "%s%s%s", at->path, dot, key);
-  if (at->line > 0)
-    um_core_message_prefix(context, "%s:%d", at->file, at->line);
+  if (place->line > 0)
+    um_core_message_prefix(context, "%s:%d", place->file, place->line);
   else
-    um_core_message_prefix(context, "%s", at->file);
+    um_core_message_prefix(context, "%s", place->file);
   return status;
 }
 

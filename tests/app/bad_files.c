@@ -85,12 +85,12 @@
 #define ORB(label, ...)                                                                            \
   {                                                                                                \
     .name = "trajectory table: " label, .scenario = TLE("table: places.csv"),                      \
-    .file = "places.csv", .base = PLACES, .line_of = "orbit:", __VA_ARGS__                         \
+    .file = "places.csv", .base = PLACES, .line_of = "table: places.csv", __VA_ARGS__                         \
   }
 #define ELE(label, ...)                                                                            \
   {                                                                                                \
     .name = "elements file: " label, .scenario = TLE("tle_file: sat.tle"), .file = "sat.tle",      \
-    .base = ELEMENTS, .line_of = "orbit:", __VA_ARGS__                                             \
+    .base = ELEMENTS, .line_of = "tle_file:", __VA_ARGS__                                             \
   }
 #define OBS(label, ...)                                                                            \
   {                                                                                                \

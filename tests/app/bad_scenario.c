@@ -5,11 +5,11 @@ static const struct bad_case cases[] = {
     /* two-line elements */
     {.name = "wrong checksum of line 2",
      .scenario = {"790760345", "790760344", 0},
-     .line_of = "orbit:",
+     .line_of = "tle:",
      .says = {"orbit.tle: ", "line 2", "checksum is 5", "the line says 4"}},
     {.name = "wrong checksum of line 1",
      .scenario = {"0  9999", "0  9998", 0},
-     .line_of = "orbit:",
+     .line_of = "tle:",
      .says = {"orbit.tle: ", "line 1", "checksum is 9", "the line says 8"}},
     /* keys */
     {.name = "unknown key, suggestion",
@@ -113,7 +113,7 @@ static const struct bad_case cases[] = {
     {
         .name = "missing material, nearest named",
         .scenario = {"grey_white", "grey_whit", 0},
-        .line_of = "name: bus",
+        .line_of = "outside:",
         .says = {"parts.bus.outside: ", "no material is called 'grey_whit'", "did you mean",
                  "grey_white"},
     },
@@ -141,13 +141,13 @@ static const struct bad_case cases[] = {
     {
         .name = "a back on a closed part",
         .scenario = {"outside: grey_white", "front: grey_white\n    back: grey_mli", 0},
-        .line_of = "name: bus",
+        .line_of = "back:",
         .says = {"parts.bus.back: ", "closed", "accepted: outside"},
     },
     {
         .name = "outside beside front",
         .scenario = {"outside: grey_white", "outside: grey_white\n    front: grey_mli", 0},
-        .line_of = "name: bus",
+        .line_of = "outside:",
         .says = {"parts.bus.outside: ", "closed parts", "accepted: one or the other"},
     },
     {
@@ -159,7 +159,7 @@ static const struct bad_case cases[] = {
     {
         .name = "unknown parent",
         .scenario = {"lumped: true", "lumped: true\n    parent: buss", 0},
-        .line_of = "name: bus",
+        .line_of = "parent:",
         .says = {"parts.bus.parent: ", "'buss' is not a part", "accepted: "},
     },
     {

@@ -111,6 +111,15 @@ static void test_marks(void **state)
   check_mark(&((struct sample_material *)s->materials.items)[0].at, "s.yaml", 12, "materials.mli");
   check_mark(&((struct sample_effect *)s->effects.items)[0].at, "s.yaml", 14, "effects.panel:bus");
   check_mark(&((struct sample_effect *)s->effects.items)[1].at, "s.yaml", 15, "effects.albedo");
+  check_mark(um_core_mark_key(&s->at, "altitude_km"), "s.yaml", 2, "altitude_km");
+  check_mark(um_core_mark_key(&s->time->at, "step_s"), "s.yaml", 3, "time.step_s");
+  check_mark(um_core_mark_key(&part[1].at, "shell"), "s.yaml", 8, "parts.solar.array.shell");
+  check_mark(um_core_mark_key(&part[0].shell->at, "thickness_m"), "--set", 0,
+             "parts.bus.shell.thickness_m");
+  /* no such key, no key, and a single value that stands for a mapping: the mark itself */
+  assert_ptr_equal(um_core_mark_key(&s->time->at, "stop"), &s->time->at);
+  assert_ptr_equal(um_core_mark_key(&s->at, NULL), &s->at);
+  assert_ptr_equal(um_core_mark_key(&s->atmosphere->at, "model"), &s->atmosphere->at);
   um_core_message_clear(context);
   assert_int_equal(um_core_mark_fail(context, &part[1].at, "the mesh is %s", "open"), UM_ERR_INPUT);
   assert_string_equal(um_core_message(context), "s.yaml:7: parts.solar.array: the mesh is open");
@@ -310,6 +319,23 @@ static void test_files(void **state)
   assert_string_equal(um_core_message(context), ".: is a folder; accepted: a file");
 }
 
+/* A block of text stands on the line of its key. */
+static void test_mark_of_key(void **state)
+{
+  (void)state;
+  static const char text[] = "name: a\ntle: |\n  1\n  2\ntime:\n  step_s: 2\n  start: T0+1\n";
+  struct um_document *document;
+  void *root;
+  um_core_message_clear(context);
+  if (um_core_document_parse(context, "w.yaml", text, &sample_schema, NULL, 0, &document, &root) !=
+      UM_OK)
+    fail_msg("%s", um_core_message(context));
+  struct sample *s = root;
+  check_mark(um_core_mark_key(&s->at, "tle"), "w.yaml", 2, "tle");
+  check_mark(um_core_mark_key(&s->time->at, "start"), "w.yaml", 7, "time.start");
+  um_core_document_destroy(&document);
+}
+
 /* A byte order mark and Windows line ends change nothing. */
 static void test_other_editors(void **state)
 {
@@ -426,7 +452,7 @@ int main(void)
       cmocka_unit_test(test_value_refusals), cmocka_unit_test(test_text_refusals),
       cmocka_unit_test(test_files),          cmocka_unit_test(test_other_editors),
       cmocka_unit_test(test_text_edited),    cmocka_unit_test(test_text_rewritten),
-      cmocka_unit_test(test_text_of_blocks),
+      cmocka_unit_test(test_text_of_blocks), cmocka_unit_test(test_mark_of_key),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
