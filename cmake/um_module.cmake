@@ -14,8 +14,8 @@ endfunction()
 function(um_test)
   cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;MODULES;LABELS;LIBRARIES" ${ARGN})
   add_executable(test_${ARG_NAME} ${ARG_SOURCES})
-  target_link_libraries(test_${ARG_NAME} PRIVATE um_options ${ARG_MODULES} ${ARG_LIBRARIES}
-                        PkgConfig::CMOCKA m)
+  target_link_libraries(test_${ARG_NAME} PRIVATE um_options um_test_support ${ARG_MODULES}
+                        ${ARG_LIBRARIES} PkgConfig::CMOCKA m)
   target_compile_definitions(test_${ARG_NAME} PRIVATE
     UMBRA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" UMBRA_SHARED_DIR="${UMBRA_SHARED_DIR}")
   add_test(NAME ${ARG_NAME} COMMAND test_${ARG_NAME})

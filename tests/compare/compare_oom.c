@@ -2,32 +2,7 @@
  * allocation fails once; each time the call returns UM_ERR_MEMORY, hands nothing out and leaves
  * nothing behind. */
 #include "model_test.h"
-
-struct source {
-  int alive, calls, fail_call; /* blocks out, calls so far, the one that fails (0: none) */
-};
-
-static void *source_allocate(void *self, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  s->alive++;
-  return malloc(bytes);
-}
-static void *source_reallocate(void *self, void *block, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  if (block == NULL) s->alive++;
-  return realloc(block, bytes);
-}
-static void source_release(void *self, void *block)
-{
-  struct source *s = self;
-  if (block == NULL) return;
-  s->alive--;
-  free(block);
-}
+#include "tests/support/allocator.h"
 
 static enum um_status everything(struct world *w, const struct um_compare_measurements *m)
 {
@@ -53,9 +28,8 @@ done:
 static void test_every_allocation(void **state)
 {
   (void)state;
-  struct source source = {0};
-  struct um_core_allocator allocator = {&source, source_allocate, source_reallocate,
-                                        source_release};
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   struct um_context *kept = context;
   static const char *const shorter = "time.stop_utc=2016-09-06T18:08:16Z";
   assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
@@ -71,25 +45,25 @@ static void test_every_allocation(void **state)
             4 * k, 4 * k);
   fclose(file);
   assert_ok(um_compare_measurements_read(context, "m.csv", &m));
-  int alive = source.alive;
-  source.calls = 0;
+  long alive = memory.alive;
+  memory.calls = 0;
   assert_ok(everything(&w, m));
-  assert_int_equal(source.alive, alive);
-  int calls = source.calls;
+  assert_int_equal(memory.alive, alive);
+  long calls = memory.calls;
   assert_true(calls > 50);
-  for (int k = 1; k <= calls; k++) {
-    source.calls = 0;
-    source.fail_call = k;
+  for (long k = 1; k <= calls; k++) {
+    memory.calls = 0;
+    memory.fail_call = k;
     um_core_message_clear(context);
-    if (everything(&w, m) != UM_ERR_MEMORY || source.alive != alive)
-      fail_msg("allocation %d of %d: %s; %d blocks left", k, calls, um_core_message(context),
-               source.alive - alive);
+    if (everything(&w, m) != UM_ERR_MEMORY || memory.alive != alive)
+      fail_msg("allocation %ld of %ld: %s; %ld blocks left", k, calls, um_core_message(context),
+               memory.alive - alive);
   }
-  source.fail_call = 0;
+  memory.fail_call = 0;
   um_compare_measurements_destroy(context, &m);
   world_end(&w);
   um_core_context_destroy(&context);
-  assert_int_equal(source.alive, 0);
+  assert_int_equal(memory.alive, 0);
   context = kept;
 }
 

@@ -12,15 +12,16 @@
 #include "compare/measurements.h"
 #include "core/constants.h"
 #include "core/sampling.h"
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
 
 static inline int compare_set_up(void **state)
 {
-  static char folder[] = "/tmp/umbra-compare-XXXXXX";
+  char folder[UM_TEST_PATH];
   (void)state;
-  if (mkdtemp(folder) == NULL || chdir(folder) != 0) return -1;
+  if (um_test_folder_create(folder) != 0 || chdir(folder) != 0) return -1;
   return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
 }
 
@@ -33,7 +34,8 @@ static inline int compare_tear_down(void **state)
   remove("m.csv");
   remove("w.csv");
   remove("t.txt");
-  return getcwd(folder, sizeof folder) != NULL && chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
+  if (getcwd(folder, sizeof folder) == NULL || chdir("/") != 0) return -1;
+  return um_test_folder_remove(folder);
 }
 
 static inline void put(const char *path, const char *text)

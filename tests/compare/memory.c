@@ -3,34 +3,7 @@
 #include "compare/metrics.h"
 #include "compare/series.h"
 #include "compare_test.h"
-
-struct source {
-  int alive;     /* blocks handed out and not returned */
-  int calls;     /* so far */
-  int fail_call; /* this one fails; 0: none */
-};
-
-static void *source_allocate(void *self, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  s->alive++;
-  return malloc(bytes);
-}
-static void *source_reallocate(void *self, void *block, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  if (block == NULL) s->alive++;
-  return realloc(block, bytes);
-}
-static void source_release(void *self, void *block)
-{
-  struct source *s = self;
-  if (block == NULL) return;
-  s->alive--;
-  free(block);
-}
+#include "tests/support/allocator.h"
 
 /* Everything that allocates, once. */
 static enum um_status everything(struct um_context *c)
@@ -72,27 +45,26 @@ static void test_every_allocation(void **state)
   }
   fclose(file);
   fclose(survey);
-  struct source source = {0};
-  struct um_core_allocator allocator = {&source, source_allocate, source_reallocate,
-                                        source_release};
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   struct um_context *c;
   assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
   um_core_context_set_threads(c, 1);
-  int alive = source.alive, first = source.calls;
+  long alive = memory.alive, first = memory.calls;
   assert_int_equal(everything(c), UM_OK);
-  assert_int_equal(source.alive, alive);
-  int calls = source.calls - first;
+  assert_int_equal(memory.alive, alive);
+  long calls = memory.calls - first;
   assert_true(calls > 100);
-  for (int i = 1; i <= calls; i++) {
+  for (long i = 1; i <= calls; i++) {
     um_core_message_clear(c);
-    source.calls = 0;
-    source.fail_call = i;
+    memory.calls = 0;
+    memory.fail_call = i;
     assert_int_equal(everything(c), UM_ERR_MEMORY);
-    source.fail_call = 0;
-    assert_int_equal(source.alive, alive);
+    memory.fail_call = 0;
+    assert_int_equal(memory.alive, alive);
   }
   um_core_context_destroy(&c);
-  assert_int_equal(source.alive, 0);
+  assert_int_equal(memory.alive, 0);
 }
 
 int main(void)

@@ -2,40 +2,18 @@
 #include "core/context.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "tests/core/cmocka_all.h"
+#include "tests/support/allocator.h"
+#include "tests/support/cmocka.h"
 
-/* An allocator that counts what is alive. */
-static int alive;
-
-static void *count_allocate(void *self, size_t bytes)
-{
-  (void)self;
-  alive++;
-  return malloc(bytes);
-}
-static void *count_reallocate(void *self, void *block, size_t bytes)
-{
-  (void)self;
-  if (block == NULL) alive++;
-  return realloc(block, bytes);
-}
-static void count_release(void *self, void *block)
-{
-  (void)self;
-  if (block != NULL) alive--;
-  free(block);
-}
-
+static struct um_test_memory memory; /* counts what is alive */
 static struct um_context *context;
 
 static int set_up(void **state)
 {
   (void)state;
-  static const struct um_core_allocator counting = {NULL, count_allocate, count_reallocate,
-                                                    count_release};
+  struct um_core_allocator counting = um_test_memory_allocator(&memory);
   return um_core_context_create(&counting, &context) == UM_OK ? 0 : -1;
 }
 
@@ -45,7 +23,7 @@ static int tear_down(void **state)
   um_core_context_destroy(&context);
   um_core_context_destroy(&context);
   um_core_context_destroy(NULL);
-  return context == NULL && alive == 0 ? 0 : -1;
+  return context == NULL && memory.alive == 0 ? 0 : -1;
 }
 
 static void test_status_texts(void **state)
@@ -86,7 +64,7 @@ static void test_messages(void **state)
 static void test_memory(void **state)
 {
   (void)state;
-  int before = alive;
+  long before = memory.alive;
   double *block;
   assert_int_equal(um_core_allocate(context, 100, sizeof *block, &block), UM_OK);
   for (int i = 0; i < 100; i++) assert_true(block[i] == 0.0);
@@ -112,7 +90,7 @@ static void test_memory(void **state)
   assert_int_equal(um_core_asprintf(context, &text, "%s-%03d", "x", 7), UM_OK);
   assert_string_equal(text, "x-007");
   um_core_free(context, text);
-  assert_int_equal(alive, before);
+  assert_int_equal(memory.alive, before);
 }
 
 static char sink_text[256];

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
 
 static struct um_context *context;
 

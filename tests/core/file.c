@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
 
 static struct um_context *context;
 static char base[] = "umbra-test-XXXXXX";

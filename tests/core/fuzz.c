@@ -6,8 +6,8 @@
 
 #include "core/csv.h"
 #include "core/sampling.h"
-#include "tests/core/cmocka_all.h"
 #include "tests/core/sample_schema.h"
+#include "tests/support/cmocka.h"
 
 #define FLIPS 4000
 

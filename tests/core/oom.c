@@ -1,41 +1,13 @@
 /* Memory that runs out: every allocation of the context fails once, at each place in turn. Each
  * time the call must return UM_ERR_MEMORY, leave nothing behind, and work when tried again.
  * (Allocations inside libfyaml do not pass through the context and do not fail here.) */
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/csv.h"
 #include "core/file.h"
-#include "tests/core/cmocka_all.h"
 #include "tests/core/sample_schema.h"
-
-struct source {
-  int alive;     /* blocks handed out and not returned */
-  int calls;     /* so far */
-  int fail_call; /* this one fails; 0: none */
-};
-
-static void *source_allocate(void *self, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  s->alive++;
-  return malloc(bytes);
-}
-static void *source_reallocate(void *self, void *block, size_t bytes)
-{
-  struct source *s = self;
-  if (++s->calls == s->fail_call) return NULL;
-  if (block == NULL) s->alive++;
-  return realloc(block, bytes);
-}
-static void source_release(void *self, void *block)
-{
-  struct source *s = self;
-  if (block == NULL) return;
-  s->alive--;
-  free(block);
-}
+#include "tests/support/allocator.h"
+#include "tests/support/cmocka.h"
 
 static enum um_status use_csv(struct um_context *context)
 {
@@ -131,30 +103,29 @@ static enum um_status use_log(struct um_context *context)
 }
 
 /* Returns the number of allocations of a use that succeeds. */
-static int run(enum um_status (*use)(struct um_context *), bool survives)
+static long run(enum um_status (*use)(struct um_context *), bool survives)
 {
-  for (int k = 1;; k++) {
-    struct source source = {0, 0, k};
-    struct um_core_allocator allocator = {&source, source_allocate, source_reallocate,
-                                          source_release};
+  for (long k = 1;; k++) {
+    struct um_test_memory memory = {.fail_call = k};
+    struct um_core_allocator allocator = um_test_memory_allocator(&memory);
     struct um_context *context;
     enum um_status status = um_core_context_create(&allocator, &context);
     if (status == UM_OK) {
-      int before = source.alive;
+      long before = memory.alive;
       status = use(context);
-      if (!survives) assert_int_equal(source.alive, before);
+      if (!survives) assert_int_equal(memory.alive, before);
       if (status != UM_OK) {
         assert_true(strlen(um_core_message(context)) > 0);
-        source.fail_call = 0;
+        memory.fail_call = 0;
         um_core_message_clear(context);
         assert_int_equal(use(context), UM_OK);
       }
     }
     um_core_context_destroy(&context);
-    assert_int_equal(source.alive, 0);
-    if (source.calls < k) {
+    assert_int_equal(memory.alive, 0);
+    if (memory.calls < k) {
       assert_int_equal(status, UM_OK);
-      return source.calls;
+      return memory.calls;
     }
     if (!survives || k == 1) assert_int_equal(status, UM_ERR_MEMORY);
   }
@@ -175,7 +146,7 @@ static void test_every_allocation_fails(void **state)
               {"folder", use_folder, false},
               {"log", use_log, true}};
   for (size_t i = 0; i < sizeof uses / sizeof uses[0]; i++)
-    print_message("%s: each of %d allocations failed once\n", uses[i].name,
+    print_message("%s: each of %ld allocations failed once\n", uses[i].name,
                   run(uses[i].use, uses[i].survives));
 }
 

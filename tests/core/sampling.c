@@ -4,7 +4,7 @@
 #include "core/sampling.h"
 
 #include "core/constants.h"
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
 
 #define N 20000
 

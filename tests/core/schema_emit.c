@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/core/cmocka_all.h"
 #include "tests/core/sample_schema.h"
+#include "tests/support/cmocka.h"
 
 static char *emit(enum um_status (*writer)(FILE *, const struct um_schema_object *))
 {

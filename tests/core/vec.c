@@ -5,7 +5,7 @@
 
 #include "core/constants.h"
 #include "core/sampling.h"
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
 
 #define ULPS 4e-15
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka.h"
 
 static void test_distance(void **state)
 {

@@ -1,14 +1,11 @@
 #include "tests/effects/case.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
+#include "tests/support/cmocka.h"
 
 /* At the equinox the Sun stands along +x of GCRS, within 0.2 deg at noon. */
 const char *const case_plate =

@@ -1,16 +1,11 @@
 /* Levels of what the Earth sends to the observer by way of the satellite: earthshine and reflected
  * Earth radiation. Both are light alone; no temperature may move. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 #define PANEL "grey_panel"
 

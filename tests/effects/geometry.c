@@ -1,16 +1,11 @@
 /* Effects on geometry: a part of another area, a joint at another angle. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "core/constants.h"
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 /* One plate alone: everything that it sends scales with its area, and its temperature, which is a
  * matter of fluxes and capacity per area, stays. Lengths are scaled by sqrt(1.21), so that the

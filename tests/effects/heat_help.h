@@ -10,18 +10,13 @@
 #define UMBRA_TESTS_EFFECTS_HEAT_HELP_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h> /* needs those above */
-
 #include "core/constants.h"
 #include "model/model.h"
+#include "tests/support/cmocka.h"
 
 struct heat_run {
   struct um_context *context;

@@ -1,15 +1,10 @@
 /* docs/effects.md is what the descriptors say. With UMBRA_WRITE_DOCS set it is written anew. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "effects/effects.h"
+#include "tests/support/cmocka.h"
 
 #define PAGE UMBRA_SOURCE_DIR "/docs/effects.md"
 

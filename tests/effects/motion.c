@@ -1,16 +1,11 @@
 /* Effects on attitude, time, orbit and exposure, on the spinning plate in its orbit. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "core/constants.h"
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 static struct um_environment_sample sample(const struct case_run *run, size_t k)
 {

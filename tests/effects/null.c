@@ -2,16 +2,11 @@
  * every number as it is, to the bit; and every parameter has a slope there: halving a small step
  * halves the change. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 /* One parameter of one use, and a small step from its null value. */
 static const struct {

@@ -1,17 +1,12 @@
 /* Effects on what is measured: they change irradiance and nothing else. A box 620 km above the
  * Earth is seen from a station below it, and from one on the other side. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "optics/atmosphere.h"
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 /* At noon of the equinox GCRS +x stands 2 deg east of Greenwich: (1, 1, 0) is above 47 deg east. */
 #define SCENARIO(station)                                                                          \

@@ -1,15 +1,10 @@
 /* The registry: every descriptor is complete, and a core switch changes its own field alone. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "effects/effects.h"
 #include "environment/environment.h"
+#include "tests/support/cmocka.h"
 
 static void descriptors_are_complete(void **state)
 {

@@ -7,17 +7,12 @@
  *      ------------------
  * Sums over bins and facets leave 1e-12; what a test adds to that is said there. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "materials/bsdf.h"
 #include "tests/effects/case.h"
+#include "tests/support/cmocka.h"
 
 #define PANEL "grey_panel"
 

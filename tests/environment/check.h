@@ -3,13 +3,9 @@
 #define UMBRA_TESTS_ENVIRONMENT_CHECK_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
-#include <cmocka.h>
+#include "tests/support/cmocka.h"
 
 /* |value - expected| <= tolerance, all in one unit. */
 static inline void check_close(const char *what, double value, double expected, double tolerance)

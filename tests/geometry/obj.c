@@ -2,19 +2,16 @@
 #include <unistd.h>
 
 #include "tests/geometry/support.h"
+#include "tests/support/temporary.h"
 
 struct file {
-  char path[64];
+  char path[UM_TEST_PATH];
 };
 
 static struct file write_bytes(const char *text, size_t length)
 {
   struct file file;
-  strcpy(file.path, "/tmp/umbra-obj-XXXXXX");
-  int fd = mkstemp(file.path);
-  assert_true(fd >= 0);
-  assert_int_equal(write(fd, text, length), (ssize_t)length);
-  close(fd);
+  um_test_file_create(file.path, text, length);
   return file;
 }
 

@@ -1,5 +1,6 @@
 /* Descriptions of parts: names, materials, what is refused and how; running out of memory. */
 #include "tests/geometry/support.h"
+#include "tests/support/allocator.h"
 
 static void materials_of_groups(void **state)
 {
@@ -110,31 +111,6 @@ static void refused(void **state)
   }
 }
 
-/* malloc that fails from call number `left` on and counts what is not given back. */
-struct miser {
-  long left, held;
-};
-static void *miser_allocate(void *self, size_t bytes)
-{
-  struct miser *miser = self;
-  if (miser->left-- <= 0) return NULL;
-  miser->held++;
-  return malloc(bytes);
-}
-static void *miser_reallocate(void *self, void *block, size_t bytes)
-{
-  struct miser *miser = self;
-  if (miser->left-- <= 0) return NULL;
-  if (block == NULL) miser->held++;
-  return realloc(block, bytes);
-}
-static void miser_release(void *self, void *block)
-{
-  struct miser *miser = self;
-  if (block != NULL) miser->held--;
-  free(block);
-}
-
 static enum um_status build_all(struct um_context *context)
 {
   enum um_status status;
@@ -163,15 +139,15 @@ static void out_of_memory(void **state)
   (void)state;
   long n = 0;
   for (enum um_status status = UM_ERR_MEMORY; status != UM_OK; n++) {
-    struct miser miser = {n + 1, 0}; /* one for the context itself */
-    struct um_core_allocator allocator = {&miser, miser_allocate, miser_reallocate, miser_release};
+    struct um_test_memory memory = {.fail_call = n + 2, .stays_out = true}; /* 1: the context */
+    struct um_core_allocator allocator = um_test_memory_allocator(&memory);
     struct um_context *context;
     assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
     um_core_context_set_threads(context, 1);
     status = build_all(context);
     assert_true(status == UM_OK || status == UM_ERR_MEMORY);
     um_core_context_destroy(&context);
-    assert_int_equal(miser.held, 0);
+    assert_int_equal(memory.alive, 0);
     assert_true(n < 10000);
   }
   assert_true(n > 50);

@@ -1,5 +1,6 @@
 /* Refinement: no edge too long, area and volume kept, conforming. */
 #include "tests/geometry/support.h"
+#include "tests/support/temporary.h"
 
 /* An L-shaped prism with sliver triangles, through a file, so that refine.c does the work. */
 static const char prism[] =
@@ -15,12 +16,8 @@ static void prism_keeps_area_and_volume(void **state)
   static const double size[] = {0.0, 2.0, 0.5, 0.13};
   double sharpest = 0.0;
   for (int i = 0; i < 4; i++) {
-    char path[] = "/tmp/umbra-refine-XXXXXX";
-    int fd = mkstemp(path);
-    FILE *file = fdopen(fd, "w");
-    assert_non_null(file);
-    fputs(prism, file);
-    fclose(file);
+    char path[UM_TEST_PATH];
+    um_test_file_create(path, prism, strlen(prism));
     struct um_geometry_part_spec spec = {.name = "prism",
                                          .shape = UM_SHAPE_MESH,
                                          .mesh_path = path,

@@ -2,29 +2,16 @@
 #ifndef UMBRA_TESTS_GEOMETRY_SUPPORT_H
 #define UMBRA_TESTS_GEOMETRY_SUPPORT_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "core/constants.h"
 #include "core/context.h"
 #include "core/sampling.h"
 #include "geometry/geometry.h"
 #include "geometry/visibility.h"
-
-/* NaN fails. */
-#define assert_close(value, expected, tolerance)                                                   \
-  do {                                                                                             \
-    double value_ = (value), expected_ = (expected), tolerance_ = (tolerance);                     \
-    if (!(fabs(value_ - expected_) <= tolerance_))                                                 \
-      fail_msg("%s = %.12g, expected %.12g within %.3g", #value, value_, expected_, tolerance_);   \
-  } while (0)
+#include "tests/support/cmocka.h"
 
 /* One skin for every group; closed bodies have no back. */
 static const struct um_geometry_skin support_closed = {NULL, "paint", NULL};

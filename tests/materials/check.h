@@ -3,13 +3,9 @@
 #define UMBRA_TESTS_MATERIALS_CHECK_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
-#include <cmocka.h>
+#include "tests/support/cmocka.h"
 
 /* |computed - expected| <= tolerance, NaN fails; says what was compared. */
 static inline void check_near(const char *what, double computed, double expected, double tolerance)

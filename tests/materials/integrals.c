@@ -10,6 +10,7 @@
 #include "core/planck.h"
 #include "materials/bsdf.h"
 #include "materials/materials.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
 static struct um_materials_library *library;
@@ -140,15 +141,13 @@ static void grid_reproduces_fresnel(void **state)
   (void)state;
   static const double constants[][3] = {{1.5, 0.0, 2e-5}, {1.7, 0.3, 2e-5}, {25.3, 89.8, 1e-3}};
   for (size_t i = 0; i < 3; i++) {
-    char path[] = "/tmp/umbra_material_XXXXXX", text[512];
-    int file = mkstemp(path);
-    assert_true(file >= 0);
+    char path[UM_TEST_PATH], text[512];
     int n = snprintf(text, sizeof text,
                      "name: a\nsummary: a\ncitation: a\nsubstrate: {wavelength_um: [0.3, 30], n: "
                      "[%g, %g], k: [%g, %g]}\nsurface: {beckmann_alpha: 0.0005}\n",
                      constants[i][0], constants[i][0], constants[i][1], constants[i][1]);
-    assert_int_equal(write(file, text, (size_t)n), n);
-    close(file);
+    assert_true(n > 0 && n < (int)sizeof text);
+    um_test_file_create(path, text, (size_t)n);
     struct um_materials_library *own;
     assert_int_equal(um_materials_library_create(context, &own), UM_OK);
     assert_int_equal(um_materials_library_read_file(context, own, path, NULL, 0), UM_OK);

@@ -7,11 +7,13 @@
 #include <unistd.h>
 
 #include "materials/materials.h"
+#include "tests/support/allocator.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
 static struct um_materials_library *library;
-static char folder[] = "/tmp/umbra_materials_XXXXXX";
-static char path[128];
+static char folder[UM_TEST_PATH];
+static char path[UM_TEST_PATH + 8];
 static char logged[1024];
 
 static void keep_log(void *self, enum um_core_log_level level, const char *line)
@@ -23,7 +25,7 @@ static void keep_log(void *self, enum um_core_log_level level, const char *line)
 static int group_setup(void **state)
 {
   (void)state;
-  if (mkdtemp(folder) == NULL) return 1;
+  if (um_test_folder_create(folder) != 0) return 1;
   snprintf(path, sizeof path, "%s/m.yaml", folder);
   return 0;
 }
@@ -32,8 +34,7 @@ static int group_teardown(void **state)
 {
   (void)state;
   unlink(path);
-  rmdir(folder);
-  return 0;
+  return um_test_folder_remove(folder);
 }
 
 static int setup(void **state)
@@ -221,31 +222,6 @@ static void catalogue_warning(void **state)
   assert_non_null(strstr(logged, "a book"));
 }
 
-/* Allocation number `left` fails; every block is counted. */
-struct failing {
-  long left, blocks;
-};
-static void *fail_allocate(void *self, size_t bytes)
-{
-  struct failing *f = self;
-  if (f->left-- == 0) return NULL;
-  f->blocks++;
-  return malloc(bytes);
-}
-static void *fail_reallocate(void *self, void *block, size_t bytes)
-{
-  struct failing *f = self;
-  if (f->left-- == 0) return NULL;
-  if (block == NULL) f->blocks++;
-  return realloc(block, bytes);
-}
-static void fail_release(void *self, void *block)
-{
-  struct failing *f = self;
-  if (block != NULL) f->blocks--;
-  free(block);
-}
-
 /* Whichever allocation fails, reading says so, nothing leaks, and the library stays usable. */
 static void out_of_memory(void **state)
 {
@@ -257,19 +233,19 @@ static void out_of_memory(void **state)
   enum um_status status = UM_ERR_MEMORY;
   long n = 0;
   for (; status == UM_ERR_MEMORY && n < 2000; n++) {
-    struct failing failing = {-1, 0};
-    const struct um_core_allocator allocator = {&failing, fail_allocate, fail_reallocate,
-                                                fail_release};
+    struct um_test_memory memory = {0};
+    const struct um_core_allocator allocator = um_test_memory_allocator(&memory);
     struct um_context *own;
     struct um_materials_library *records;
     assert_int_equal(um_core_context_create(&allocator, &own), UM_OK);
     assert_int_equal(um_materials_library_create(own, &records), UM_OK);
-    failing.left = n;
+    memory.calls = 0;
+    memory.fail_call = n + 1;
     status = um_materials_library_read_file(own, records, path, NULL, 0);
     assert_int_equal(um_materials_library_count(records), status == UM_OK ? 1 : 0);
     um_materials_library_destroy(&records);
     um_core_context_destroy(&own);
-    assert_int_equal(failing.blocks, 0);
+    assert_int_equal(memory.alive, 0);
   }
   assert_int_equal(status, UM_OK);
   print_message("reading makes %ld allocations\n", n - 1);
@@ -280,7 +256,7 @@ static void product_folder(void **state)
 {
   (void)state;
   char *found;
-  char data[64], inside[80];
+  char inside[UM_TEST_PATH + 16];
   unsetenv("UMBRA_DATA");
   assert_int_equal(um_materials_library_folder(context, &found), UM_OK);
   assert_int_equal(um_materials_library_read_folder(context, library, found), UM_OK);
@@ -309,9 +285,8 @@ static void product_folder(void **state)
   um_materials_library_suggest(library, "zzzzzz", words, sizeof words);
   assert_non_null(strstr(words, "accepted"));
 
-  snprintf(data, sizeof data, "%s", folder);
   snprintf(inside, sizeof inside, "%s/materials", folder);
-  setenv("UMBRA_DATA", data, 1);
+  setenv("UMBRA_DATA", folder, 1);
   assert_int_equal(um_materials_library_folder(context, &found), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), inside));
   mkdir(inside, 0700);

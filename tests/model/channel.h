@@ -3,13 +3,9 @@
 #ifndef UMBRA_TESTS_MODEL_CHANNEL_H
 #define UMBRA_TESTS_MODEL_CHANNEL_H
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h> /* needs those above */
+#include "tests/support/cmocka.h"
 
 /* Accepted: with `relative` 0 the difference `absolute`; otherwise `relative` of the value but not
  * of less than `least`, and of values that are zero `absolute` times the peak. */

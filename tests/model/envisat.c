@@ -5,19 +5,13 @@
  *
  * Geometry and events: computed with astropy, Skyfield and sgp4 by people who did not write this
  * program (physics notes B.5); software checks, since the TLE is 15 days old. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <math.h>
 #include <string.h>
 
 #include "core/constants.h"
 #include "model/model.h"
 #include "orbit/time.h"
+#include "tests/support/cmocka.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 

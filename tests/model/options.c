@@ -1,12 +1,5 @@
 /* Scenario options whose effect on a run is known beforehand: exposure, material means, tracking
  * joints, frozen Sun, isothermal start. Scenarios are a plate and a box of grey materials. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,6 +7,7 @@
 #include "core/constants.h"
 #include "model/model.h"
 #include "orbit/time.h"
+#include "tests/support/cmocka.h"
 
 #define FILE_NAME "model_options_scenario.yaml"
 

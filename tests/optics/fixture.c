@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/constants.h"
+#include "tests/support/temporary.h"
 
 const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20};
 const struct um_optics_band fixture_lwir = {"lwir", 8e-6, 12e-6, 40};
@@ -43,12 +44,8 @@ void fixture_destroy(struct fixture *f)
 
 static void read_record(struct fixture *f, const char *text)
 {
-  char path[] = "optics_material_XXXXXX";
-  int descriptor = mkstemp(path);
-  assert_true(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  assert_non_null(file);
-  assert_true(fputs(text, file) >= 0 && fclose(file) == 0);
+  char path[UM_TEST_PATH];
+  um_test_file_create(path, text, strlen(text));
   enum um_status status = um_materials_library_read_file(f->context, f->library, path, NULL, 0);
   unlink(path);
   FIXTURE_OK(f, status);

@@ -2,14 +2,8 @@
 #ifndef UMBRA_TESTS_OPTICS_FIXTURE_H
 #define UMBRA_TESTS_OPTICS_FIXTURE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h> /* needs those above */
-
 #include "optics/optics.h"
+#include "tests/support/cmocka.h"
 
 #define FIXTURE_MATERIALS 16
 #define FIXTURE_RANGE     1.0e6 /* [m] */

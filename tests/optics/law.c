@@ -1,11 +1,11 @@
 /* What must hold whatever the numbers: sums, umbra, threads, Kirchhoff, reciprocity, errors. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/constants.h"
 #include "core/planck.h"
 #include "fixture.h"
+#include "tests/support/allocator.h"
 
 static const struct um_geometry_skin body_skin = {NULL, "blanket", NULL};
 static const struct um_geometry_skin wing_skin = {NULL, "cell", "back"};
@@ -252,38 +252,13 @@ static void test_refusals(void **state)
   fixture_destroy(&f);
 }
 
-/* An allocator that fails once, at the n-th request. */
-struct failing {
-  long countdown; /* negative: never fails */
-};
-
-static bool fails(void *self)
-{
-  struct failing *f = self;
-  return f->countdown >= 0 && f->countdown-- == 0;
-}
-static void *failing_allocate(void *self, size_t bytes)
-{
-  return fails(self) ? NULL : malloc(bytes);
-}
-static void *failing_reallocate(void *self, void *block, size_t bytes)
-{
-  return fails(self) ? NULL : realloc(block, bytes);
-}
-static void failing_release(void *self, void *block)
-{
-  (void)self;
-  free(block);
-}
-
 /* Every allocation of a run fails once: UM_ERR_MEMORY, nothing left behind (a sanitizer build sees
  * leaks), and the next run works. */
 static void test_memory(void **state)
 {
   (void)state;
-  struct failing failing = {-1};
-  const struct um_core_allocator allocator = {&failing, failing_allocate, failing_reallocate,
-                                              failing_release};
+  struct um_test_memory memory = {0};
+  const struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   struct fixture f;
   satellite(&f, 2, true);
   struct um_context *own = f.context, *context;
@@ -296,14 +271,15 @@ static void test_memory(void **state)
     struct um_optics_lightcurve *curve = NULL;
     struct um_optics_image *image = NULL;
     um_core_message_clear(context);
-    failing.countdown = step;
+    memory.calls = 0;
+    memory.fail_call = step + 1;
     enum um_status status = um_optics_view_trace(context, f.geometry, f.samples, 2, 4, &view);
     f.scene.view = view;
     if (status == UM_OK) status = um_optics_lightcurve_compute(context, &f.scene, bands, 2, &curve);
     if (status == UM_OK)
       status = um_optics_image_render(context, &f.scene, 1, bands, &options, &image);
-    bool exhausted = failing.countdown >= 0;
-    failing.countdown = -1;
+    bool exhausted = memory.calls < memory.fail_call;
+    memory.fail_call = 0;
     assert_int_equal(status, exhausted ? UM_OK : UM_ERR_MEMORY);
     if (exhausted) assert_true(view != NULL && curve != NULL && image != NULL);
     um_optics_image_destroy(context, &image);

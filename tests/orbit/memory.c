@@ -4,31 +4,7 @@
 
 #include "orbit/attitude.h"
 #include "orbit/observer.h"
-
-struct scarce {
-  long left, held;
-};
-
-static void *scarce_allocate(void *self, size_t bytes)
-{
-  struct scarce *s = self;
-  if (s->left-- <= 0) return NULL;
-  s->held++;
-  return malloc(bytes);
-}
-static void *scarce_reallocate(void *self, void *block, size_t bytes)
-{
-  struct scarce *s = self;
-  if (s->left-- <= 0) return NULL;
-  if (!block) s->held++;
-  return realloc(block, bytes);
-}
-static void scarce_release(void *self, void *block)
-{
-  struct scarce *s = self;
-  if (block) s->held--;
-  free(block);
-}
+#include "tests/support/allocator.h"
 
 struct paths {
   char orbit[256], attitude[256], finals[256];
@@ -87,19 +63,19 @@ static void runs_out(void **state)
   enum um_status status = UM_ERR_MEMORY;
   long room = 0;
   for (; status == UM_ERR_MEMORY && room < 1000; room++) {
-    struct scarce memory = {.left = 1000};
-    struct um_core_allocator allocator = {&memory, scarce_allocate, scarce_reallocate,
-                                          scarce_release};
+    struct um_test_memory memory = {.stays_out = true};
+    struct um_core_allocator allocator = um_test_memory_allocator(&memory);
     struct um_context *context = NULL;
     assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
-    memory.left = room;
-    long held = memory.held;
+    memory.calls = 0;
+    memory.fail_call = room + 1;
+    long alive = memory.alive;
     status = everything(context, &paths);
     if (status != UM_OK && status != UM_ERR_MEMORY)
       fail_msg("room for %ld: %s", room, um_core_message(context));
-    assert_int_equal(memory.held, held);
+    assert_int_equal(memory.alive, alive);
     um_core_context_destroy(&context);
-    assert_int_equal(memory.held, 0);
+    assert_int_equal(memory.alive, 0);
   }
   assert_int_equal(status, UM_OK);
   assert_true(room > 15); /* it did run out many times before */

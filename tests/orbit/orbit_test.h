@@ -2,12 +2,6 @@
 #ifndef UMBRA_TESTS_ORBIT_H
 #define UMBRA_TESTS_ORBIT_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,6 +12,7 @@
 #include "core/context.h"
 #include "core/vec.h"
 #include "orbit/time.h"
+#include "tests/support/cmocka.h"
 
 /* |got - want| <= tolerance; NaN fails. */
 #define assert_near(got, want, tolerance)                                                          \

@@ -3,15 +3,10 @@
 #define UMBRA_TESTS_SCENARIOS_SUPPORT_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
-#include <cmocka.h>
-
 #include "model/model.h"
+#include "tests/support/cmocka.h"
 
 struct support_run {
   struct um_context *context;

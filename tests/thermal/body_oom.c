@@ -1,34 +1,8 @@
 /* Every allocation of a body and of its loads fails once: the answer is "out of memory", nothing is
  * left behind, and the next try works. */
+#include "tests/support/allocator.h"
 #include "tests/thermal/body_help.h"
 #include "thermal/loads.h"
-
-struct counter {
-  long live, made, fail_at;
-};
-
-static void *count_allocate(void *self, size_t bytes)
-{
-  struct counter *c = self;
-  if (++c->made == c->fail_at) return NULL;
-  void *block = malloc(bytes);
-  if (block != NULL) c->live++;
-  return block;
-}
-static void *count_reallocate(void *self, void *block, size_t bytes)
-{
-  struct counter *c = self;
-  if (++c->made == c->fail_at) return NULL;
-  void *grown = realloc(block, bytes);
-  if (block == NULL && grown != NULL) c->live++;
-  return grown;
-}
-static void count_release(void *self, void *block)
-{
-  struct counter *c = self;
-  if (block != NULL) c->live--;
-  free(block);
-}
 
 static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
 {
@@ -56,30 +30,30 @@ static void test_body(void **state)
   struct help_satellite s = {0};
   struct um_thermal_mli mli;
   struct um_context *saved = help_context;
-  struct counter c = {0, 0, 0};
-  struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   OK(um_core_context_create(&allocator, &help_context));
   describe(&s, &mli);
   help_geometry(&s);
   const struct um_thermal_contact contact[2] = {{"bus", "array", 2.0},
                                                 {"bus.interior", "tank", 1.0}};
-  long live = c.live, tries = 0;
+  long live = memory.alive, tries = 0;
   enum um_status status = UM_ERR_MEMORY;
   while (status != UM_OK) {
-    c.made = 0;
-    c.fail_at = ++tries;
+    memory.calls = 0;
+    memory.fail_call = ++tries;
     um_core_message_clear(help_context);
     status = um_thermal_body_create(help_context, s.geometry, s.spec, s.npart, contact, 2, &s.body);
     if (status == UM_OK) break;
     assert_int_equal(status, UM_ERR_MEMORY);
     assert_null(s.body);
-    assert_int_equal(c.live, live);
+    assert_int_equal(memory.alive, live);
   }
   print_message("body: %ld allocations failed one by one\n", tries - 1);
   assert_true(tries > 30);
   help_end(&s);
   um_core_context_destroy(&help_context);
-  assert_int_equal(c.live, 0);
+  assert_int_equal(memory.alive, 0);
   help_context = saved;
 }
 
@@ -90,8 +64,8 @@ static void test_loads(void **state)
     struct help_satellite s = {0};
     struct um_thermal_mli mli;
     struct um_context *saved = help_context;
-    struct counter c = {0, 0, 0};
-    struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+    struct um_test_memory memory = {0};
+    struct um_core_allocator allocator = um_test_memory_allocator(&memory);
     OK(um_core_context_create(&allocator, &help_context));
     um_core_context_set_threads(help_context, 1);
     describe(&s, &mli);
@@ -105,26 +79,26 @@ static void test_loads(void **state)
                                            .pole = {0, 0, 1},
                                            .sunlit_fraction = 1.0,
                                            .q = {1, 0, 0, 0}};
-    long live = c.live, tries = 0;
+    long live = memory.alive, tries = 0;
     enum um_status status = UM_ERR_MEMORY;
     struct um_thermal_loads *loads = NULL;
     while (status != UM_OK) {
-      c.made = 0;
-      c.fail_at = ++tries;
+      memory.calls = 0;
+      memory.fail_call = ++tries;
       um_core_message_clear(help_context);
       status = um_thermal_loads_trace(help_context, s.geometry, &environment, &sample, 1, NULL, 0,
                                       4, &loads);
       if (status == UM_OK) break;
       assert_int_equal(status, UM_ERR_MEMORY);
       assert_null(loads);
-      assert_int_equal(c.live, live);
+      assert_int_equal(memory.alive, live);
     }
     print_message("loads: %ld allocations failed one by one\n", tries - 1);
     assert_true(tries > 15);
     um_thermal_loads_destroy(help_context, &loads);
     help_end(&s);
     um_core_context_destroy(&help_context);
-    assert_int_equal(c.live, 0);
+    assert_int_equal(memory.alive, 0);
     help_context = saved;
   }
 }

@@ -3,15 +3,11 @@
 #define UMBRA_TESTS_THERMAL_NETWORK_HELP_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "core/constants.h"
+#include "tests/support/cmocka.h"
 #include "thermal/solve.h"
 
 #define OK(call)                                                                                   \

@@ -1,35 +1,7 @@
 /* Every allocation of ours in a run, a periodic orbit, a steady state and a reading of tables fails
  * once: the answer is "out of memory", nothing is left behind, and the next try works. */
-#include <stdlib.h>
-
+#include "tests/support/allocator.h"
 #include "tests/thermal/box_help.h"
-
-struct counter {
-  long live, made, fail_at;
-};
-
-static void *count_allocate(void *self, size_t bytes)
-{
-  struct counter *c = self;
-  if (++c->made == c->fail_at) return NULL;
-  void *block = malloc(bytes);
-  if (block != NULL) c->live++;
-  return block;
-}
-static void *count_reallocate(void *self, void *block, size_t bytes)
-{
-  struct counter *c = self;
-  if (++c->made == c->fail_at) return NULL;
-  void *grown = realloc(block, bytes);
-  if (block == NULL && grown != NULL) c->live++;
-  return grown;
-}
-static void count_release(void *self, void *block)
-{
-  struct counter *c = self;
-  if (block != NULL) c->live--;
-  free(block);
-}
 
 struct subject {
   struct um_context *context;
@@ -75,23 +47,23 @@ static enum um_status read(const struct subject *s)
 
 static void fail_everywhere(deed act, struct subject s)
 {
-  struct counter c = {0, 0, 0};
-  struct um_core_allocator allocator = {&c, count_allocate, count_reallocate, count_release};
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   assert_int_equal(um_core_context_create(&allocator, &s.context), UM_OK);
-  long live = c.live;
-  c.made = 0;
+  long live = memory.alive;
+  memory.calls = 0;
   assert_int_equal(act(&s), UM_OK);
-  long made = c.made;
-  assert_int_equal(c.live, live);
+  long made = memory.calls;
+  assert_int_equal(memory.alive, live);
   assert_true(made > 5);
   for (long k = 1; k <= made; k++) {
     um_core_message_clear(s.context);
-    c.made = 0;
-    c.fail_at = k;
+    memory.calls = 0;
+    memory.fail_call = k;
     assert_int_equal(act(&s), UM_ERR_MEMORY);
-    assert_int_equal(c.live, live);
+    assert_int_equal(memory.alive, live);
   }
-  c.fail_at = 0;
+  memory.fail_call = 0;
   assert_int_equal(act(&s), UM_OK);
   um_core_context_destroy(&s.context);
 }
