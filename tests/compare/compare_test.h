@@ -12,7 +12,7 @@
 #include "compare/measurements.h"
 #include "core/constants.h"
 #include "core/sampling.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 
 static struct um_context *context;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "tests/support/allocator.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static struct um_test_memory memory; /* counts what is alive */
 static struct um_context *context;

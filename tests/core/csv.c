@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static struct um_context *context;
 

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static struct um_context *context;
 static char base[] = "umbra-test-XXXXXX";

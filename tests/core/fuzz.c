@@ -7,7 +7,7 @@
 #include "core/csv.h"
 #include "core/sampling.h"
 #include "tests/core/sample_schema.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define FLIPS 4000
 

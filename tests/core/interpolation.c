@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static const double X[] = {0.0, 1.0, 3.0, 7.0};
 static const double Y[] = {2.0, 4.0, 0.0, -8.0};

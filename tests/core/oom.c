@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "tests/core/sample_schema.h"
 #include "tests/support/allocator.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static enum um_status use_csv(struct um_context *context)
 {

@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include "core/constants.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define FROM 8e-6
 #define TO   12e-6

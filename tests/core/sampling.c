@@ -4,7 +4,7 @@
 #include "core/sampling.h"
 
 #include "core/constants.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define N 20000
 

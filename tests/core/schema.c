@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/core/cmocka_all.h"
 #include "tests/core/sample_schema.h"
+#include "tests/support/cmocka_all.h"
 
 static struct um_context *context;
 

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "tests/core/sample_schema.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static char *emit(enum um_status (*writer)(FILE *, const struct um_schema_object *))
 {

@@ -5,7 +5,7 @@
 
 #include "core/constants.h"
 #include "core/sampling.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define ULPS 4e-15
 

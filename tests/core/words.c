@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static void test_distance(void **state)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* At the equinox the Sun stands along +x of GCRS, within 0.2 deg at noon. */
 const char *const case_plate =

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define PANEL "grey_panel"
 

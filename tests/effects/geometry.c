@@ -5,7 +5,7 @@
 
 #include "core/constants.h"
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* One plate alone: everything that it sends scales with its area, and its temperature, which is a
  * matter of fluxes and capacity per area, stays. Lengths are scaled by sqrt(1.21), so that the

@@ -16,7 +16,7 @@
 
 #include "core/constants.h"
 #include "model/model.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 struct heat_run {
   struct um_context *context;

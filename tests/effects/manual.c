@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "effects/effects.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define PAGE UMBRA_SOURCE_DIR "/docs/effects.md"
 

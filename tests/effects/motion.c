@@ -5,7 +5,7 @@
 
 #include "core/constants.h"
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static struct um_environment_sample sample(const struct case_run *run, size_t k)
 {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* One parameter of one use, and a small step from its null value. */
 static const struct {

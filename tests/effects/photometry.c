@@ -6,7 +6,7 @@
 
 #include "optics/atmosphere.h"
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* At noon of the equinox GCRS +x stands 2 deg east of Greenwich: (1, 1, 0) is above 47 deg east. */
 #define SCENARIO(station)                                                                          \

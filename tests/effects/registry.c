@@ -4,7 +4,7 @@
 
 #include "effects/effects.h"
 #include "environment/environment.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 static void descriptors_are_complete(void **state)
 {

@@ -12,7 +12,7 @@
 
 #include "materials/bsdf.h"
 #include "tests/effects/case.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define PANEL "grey_panel"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* |value - expected| <= tolerance, all in one unit. */
 static inline void check_close(const char *what, double value, double expected, double tolerance)

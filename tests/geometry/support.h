@@ -11,7 +11,7 @@
 #include "core/sampling.h"
 #include "geometry/geometry.h"
 #include "geometry/visibility.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* One skin for every group; closed bodies have no back. */
 static const struct um_geometry_skin support_closed = {NULL, "paint", NULL};

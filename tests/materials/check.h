@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* |computed - expected| <= tolerance, NaN fails; says what was compared. */
 static inline void check_near(const char *what, double computed, double expected, double tolerance)

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* Accepted: with `relative` 0 the difference `absolute`; otherwise `relative` of the value but not
  * of less than `least`, and of values that are zero `absolute` times the peak. */

@@ -11,7 +11,7 @@
 #include "core/constants.h"
 #include "model/model.h"
 #include "orbit/time.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 

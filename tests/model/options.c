@@ -7,7 +7,7 @@
 #include "core/constants.h"
 #include "model/model.h"
 #include "orbit/time.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define FILE_NAME "model_options_scenario.yaml"
 

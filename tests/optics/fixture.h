@@ -3,7 +3,7 @@
 #define UMBRA_TESTS_OPTICS_FIXTURE_H
 
 #include "optics/optics.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 #define FIXTURE_MATERIALS 16
 #define FIXTURE_RANGE     1.0e6 /* [m] */

@@ -12,7 +12,7 @@
 #include "core/context.h"
 #include "core/vec.h"
 #include "orbit/time.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* |got - want| <= tolerance; NaN fails. */
 #define assert_near(got, want, tolerance)                                                          \

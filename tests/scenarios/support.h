@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "model/model.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 struct support_run {
   struct um_context *context;

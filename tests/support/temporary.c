@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 
 /* The pattern of a name for mkdtemp and mkstemp; false when it has no room. */
 static bool pattern(char path[UM_TEST_PATH])

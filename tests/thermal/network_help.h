@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "tests/support/cmocka.h"
+#include "tests/support/cmocka_all.h"
 #include "thermal/solve.h"
 
 #define OK(call)                                                                                   \

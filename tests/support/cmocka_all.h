@@ -1,6 +1,6 @@
 /* CMocka, which wants these headers before its own, and a comparison of numbers. */
-#ifndef UMBRA_TESTS_SUPPORT_CMOCKA_H
-#define UMBRA_TESTS_SUPPORT_CMOCKA_H
+#ifndef UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
+#define UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
 
 #include <math.h>
 #include <setjmp.h>
