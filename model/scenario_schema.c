@@ -10,7 +10,7 @@
 #define BETWEEN(low, high) .minimum = (low), .maximum = (high)
 #define NO_DEFAULT         .fallback = NAN
 #define DEFAULT(v)         .fallback = (v)
-#define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_field
+#define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_hook
 #define HELP(text)         .help = (text)
 #define FIELDS(array)      .fields = (array), .nfield = UM_FIELD_COUNT(array)
 #define OBJECT(identifier, structure, name_, help_, ...)                                           \

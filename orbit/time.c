@@ -124,6 +124,18 @@ bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t
   return true;
 }
 
+bool um_orbit_time_parse_hook(const char *text, void *target, char *accepted, size_t size)
+{
+  char why[160];
+  struct calendar c;
+  if (um_orbit_time_parse_field(text, target, why, sizeof why)) return true;
+  /* behind the text that it quotes stands what was broken of a time that could be read */
+  const char *fault = calendar_read(text, &c) ? strstr(why, "': ") : NULL;
+  snprintf(accepted, size, "a UTC time like 2016-09-21T20:33:00Z%s%s%s", fault != NULL ? " (" : "",
+           fault != NULL ? fault + 3 : "", fault != NULL ? ")" : "");
+  return false;
+}
+
 enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai)
 {
   char why[160];

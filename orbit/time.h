@@ -11,8 +11,10 @@
 /* ISO 8601 UTC "2016-09-21T20:33:00[.fff][Z]" -> t_tai, leap seconds by ERFA (second 60 allowed
  * only where one was). UM_ERR_INPUT. Years 1960-2100. */
 enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai);
-/* The same in the shape of a schema parse hook; target is a double. */
+/* The same without a context; target is a double, `why` takes the problem, with the text. */
 bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t why_size);
+/* The same as the parse hook of a schema: `accepted` takes what is accepted instead. */
+bool um_orbit_time_parse_hook(const char *text, void *target, char *accepted, size_t size);
 /* t_tai -> "2016-09-21T20:33:00.000Z", rounded to 1 ms; out holds 25 bytes. */
 void um_orbit_time_format(double t_tai, char out[32]);
 /* Two-part Julian dates of other scales. ut1_utc [s]. */

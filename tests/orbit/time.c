@@ -119,6 +119,22 @@ static void refusals(void **state)
   }
 }
 
+/* As the hook of a schema: what is accepted, to stand behind the text that is not. */
+static void hook(void **state)
+{
+  (void)state;
+  char accepted[160];
+  double t = 0.0, again = 0.0;
+  assert_false(um_orbit_time_parse_hook("yesterday", &t, accepted, sizeof accepted));
+  assert_string_equal(accepted, "a UTC time like 2016-09-21T20:33:00Z");
+  assert_false(um_orbit_time_parse_hook("2015-02-29T00:00:00Z", &t, accepted, sizeof accepted));
+  assert_string_equal(accepted, "a UTC time like 2016-09-21T20:33:00Z (that month does not have "
+                                "this day)");
+  assert_true(um_orbit_time_parse_hook("2015-02-28T00:00:00Z", &t, accepted, sizeof accepted));
+  assert_true(um_orbit_time_parse_field("2015-02-28T00:00:00Z", &again, accepted, sizeof accepted));
+  assert_true(t == again);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -127,6 +143,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(rounding, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(round_trip, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(scales, context_setup, context_teardown),
+      cmocka_unit_test(hook),
       cmocka_unit_test_setup_teardown(refusals, context_setup, context_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
