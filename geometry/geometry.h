@@ -92,7 +92,8 @@ struct um_geometry; /* opaque: parts, groups, materials, mesh */
 /* Build from specs. Refuses (UM_ERR_INPUT): unknown parent or cycle, duplicate names, sizes not
  * positive, unknown group in a skin, a group without material, a closed body with open edges
  * declared solid, degenerate (zero-area) facets in a file (with its line). Vertices are welded per
- * part. Opposite-side materials: an open facet without back material is refused unless closed. */
+ * part. Opposite-side materials: refused are an open facet without one, and a facet of a closed
+ * connected piece with one. */
 enum um_status um_geometry_create(struct um_context *context,
                                   const struct um_geometry_part_spec *parts, size_t npart,
                                   struct um_geometry **out);

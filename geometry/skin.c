@@ -82,7 +82,8 @@ static enum um_status check_skins(const struct um_geometry_part_spec *spec,
 
 static enum um_status add_group(struct um_geometry *geometry,
                                 const struct um_geometry_part_spec *spec, uint32_t part,
-                                const struct um_geometry_patch *patch, uint32_t group, bool open)
+                                const struct um_geometry_patch *patch, uint32_t group, bool open,
+                                bool closed)
 {
   const char *name = patch->group_name[group];
   const struct um_geometry_skin *skin = find_skin(spec, name);
@@ -94,6 +95,15 @@ static enum um_status add_group(struct um_geometry *geometry,
                         "part '%s': group '%s' has no back material, which its open surface needs "
                         "because it is seen from both sides",
                         spec->name, name);
+  /* a back inside a closed piece would radiate its heat into the body, which counts as space */
+  if (closed && skin->back != NULL && skin->back[0] != '\0')
+    return um_core_fail(patch->context, UM_ERR_INPUT,
+                        "part '%s': group '%s' has the back material '%s', but %s; accepted: %s",
+                        spec->name, name, skin->back,
+                        open ? "some of its facets enclose a body and some are open"
+                             : "its facets enclose a body, whose inside is no surface",
+                        open ? "closed and open facets in groups of their own"
+                             : "outside, or front without back");
   struct um_geometry_group *g = &geometry->group[geometry->ngroup];
   char *copy;
   UM_TRY(um_core_strdup(geometry->context, name, &copy));
@@ -112,9 +122,13 @@ enum um_status um_geometry_skin_apply(struct um_geometry *geometry,
   UM_TRY(um_core_reallocate(geometry->context, geometry->ngroup + patch->ngroup,
                             sizeof *geometry->group, (void *)&geometry->group));
   for (uint32_t g = 0; g < patch->ngroup; g++) {
-    bool open = false;
-    for (size_t f = 0; f < patch->nfacet && !open; f++) open = patch->group[f] == g && !closed[f];
-    UM_TRY(add_group(geometry, spec, part, patch, g, open));
+    bool has_open = false, has_closed = false;
+    for (size_t f = 0; f < patch->nfacet; f++) {
+      if (patch->group[f] != g) continue;
+      has_open = has_open || !closed[f];
+      has_closed = has_closed || closed[f];
+    }
+    UM_TRY(add_group(geometry, spec, part, patch, g, has_open, has_closed));
   }
   return UM_OK;
 }

@@ -174,24 +174,6 @@ static enum um_status check_parent(struct um_context *context, const struct um_m
                        part->parent, names[0] == '\0' ? "none, there is no other part" : names);
 }
 
-/* A back on a closed surface would radiate its heat into the body, which counts as space. */
-static enum um_status check_backs(struct um_context *context, const struct um_model *model)
-{
-  for (size_t i = 0; i < model->scenario->parts.count; i++) {
-    const struct um_scenario_part *part = part_at(model, i);
-    const struct um_scenario_skin *skin = part->materials.items;
-    if (!um_geometry_report(model->geometry, i).closed) continue;
-    if (part->back != NULL)
-      return um_model_fail(context, &part->at, "back",
-                           "the part is closed and has no back; accepted: outside");
-    for (size_t k = 0; k < part->materials.count; k++)
-      if (skin[k].back != NULL)
-        return um_model_fail(context, &skin[k].at, "back",
-                             "the part is closed and has no back; accepted: front");
-  }
-  return UM_OK;
-}
-
 static enum um_status build_library(struct um_context *context, struct um_model *model)
 {
   char *folder = NULL;
@@ -278,7 +260,6 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
     status = um_model_blame_part(context, model, status);
     goto done;
   }
-  UM_CHECK(check_backs(context, model));
   UM_CHECK(build_records(context, model));
 done:
   um_core_free(context, specs);

@@ -142,8 +142,9 @@ static const struct bad_case cases[] = {
     {
         .name = "a back on a closed part",
         .scenario = {"outside: grey_white", "front: grey_white\n    back: grey_mli", 0},
-        .line_of = "back:",
-        .says = {"parts.bus.back: ", "closed", "accepted: outside"},
+        .line_of = "name: bus",
+        .says = {"parts.bus: ", "group '+x' has the back material 'grey_mli'", "enclose a body",
+                 "accepted: outside"},
     },
     {
         .name = "outside beside front",

@@ -117,9 +117,9 @@ static void groups(void **state)
   support_destroy(&s);
 }
 
-#define CUBE                                                                                       \
-  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"                       \
-  "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n"
+#define CUBE_V "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+#define CUBE_F "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n"
+#define CUBE   CUBE_V CUBE_F
 
 /* Vertices given once per face are welded: a cube of 24 vertices is closed. Scale 0.01 m per unit.
  */
@@ -207,6 +207,29 @@ static void refuses_open_solids(void **state)
   spec.skins = &support_closed;
   support_refused(&spec, 1, "has no back material");
   unlink(open.path);
+  /* a closed cube in one part with an open square: backs belong to the square alone */
+  static const char sail[] = "v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\n";
+  char text[640];
+  snprintf(text, sizeof text, "%s%sg cube\n%s%sg sail\nf 9 10 11 12\n", CUBE_V, sail, CUBE_F,
+           "f 4 1 5 8\n");
+  struct file both = write_bytes(text, strlen(text));
+  const struct um_geometry_skin skins[] = {{"cube", "paint", NULL}, {NULL, "cell", "cfrp"}};
+  spec = mesh_spec(&both);
+  spec.skins = skins;
+  spec.nskin = 2;
+  struct support s = support_create(&spec, 1);
+  assert_int_equal(s.mesh->nsurface, 12 + 2 * 2);
+  support_destroy(&s);
+  spec.skins = &support_open;
+  spec.nskin = 1;
+  support_refused(&spec, 1, "group 'cube' has the back material 'cfrp', but its facets enclose");
+  unlink(both.path);
+  snprintf(text, sizeof text, "%s%sg all\n%s%sf 9 10 11 12\n", CUBE_V, sail, CUBE_F, "f 4 1 5 8\n");
+  both = write_bytes(text, strlen(text));
+  spec = mesh_spec(&both);
+  spec.skins = &support_open;
+  support_refused(&spec, 1, "group 'all' has the back material 'cfrp', but some of its facets");
+  unlink(both.path);
   static const char inward[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\n"
                                "f 2 4 3\n";
   struct file file = write_bytes(inward, strlen(inward));
