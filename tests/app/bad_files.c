@@ -85,12 +85,12 @@
 #define ORB(label, ...)                                                                            \
   {                                                                                                \
     .name = "trajectory table: " label, .scenario = TLE("table: places.csv"),                      \
-    .file = "places.csv", .base = PLACES, .line_of = "table: places.csv", __VA_ARGS__                         \
+    .file = "places.csv", .base = PLACES, .line_of = "table: places.csv", __VA_ARGS__              \
   }
 #define ELE(label, ...)                                                                            \
   {                                                                                                \
     .name = "elements file: " label, .scenario = TLE("tle_file: sat.tle"), .file = "sat.tle",      \
-    .base = ELEMENTS, .line_of = "tle_file:", __VA_ARGS__                                             \
+    .base = ELEMENTS, .line_of = "tle_file:", __VA_ARGS__                                          \
   }
 #define OBS(label, ...)                                                                            \
   {                                                                                                \
@@ -155,7 +155,9 @@ static const struct bad_case cases[] = {
      .file = "turns.csv",
      .base = TURNS,
      .edit = {"2016-09-06T18:30:00Z,1,0,0,0\n", "", 0},
-     .says = {"turns.csv: ", "is wanted at 2016-09-06T18:", "covers 2016-09-06T17:00:00"}},
+     .line_of = "turns.csv",
+     .says = {"attitude.0.table: turns.csv: ", "is wanted at 2016-09-06T18:",
+              "covers 2016-09-06T17:00:00"}},
     ORB("missing", .kind = BAD_MISSING, .says = {"orbit.table: places.csv: No such file"}),
     ORB("a folder", .kind = BAD_FOLDER, .says = {"places.csv: is a folder; accepted: a file"}),
     ORB("empty", .kind = BAD_EMPTY, .says = {"places.csv: empty; accepted: CSV"}),
@@ -172,7 +174,9 @@ static const struct bad_case cases[] = {
      .file = "places.csv",
      .base = PLACES,
      .edit = {"2016-09-06T18:20:00Z,2000,6700,0,-7.2,2.1,0\n", "", 0},
-     .says = {"places.csv: ", "is wanted at 2016-09-06T18:", "covers 2016-09-06T18:00:00"}},
+     .line_of = "table: places.csv",
+     .says = {"orbit.table: places.csv: ", "is wanted at 2016-09-06T18:",
+              "covers 2016-09-06T18:00:00"}},
     ELE("missing", .kind = BAD_MISSING, .says = {"orbit.tle_file: sat.tle: No such file"}),
     ELE("a folder", .kind = BAD_FOLDER, .says = {"sat.tle: is a folder; accepted: a file"}),
     ELE("empty", .kind = BAD_EMPTY, .says = {"sat.tle: ", "line 1 is missing", "accepted"}),
