@@ -31,7 +31,8 @@ static enum um_status pose_at_start(struct um_context *context, const struct um_
   double *angles = NULL;
   UM_TRY(
       um_core_allocate(context, um_geometry_joint_count(model->geometry), sizeof *angles, &angles));
-  UM_CHECK(um_model_sample_at(context, model, model->scenario->time->start, &sample));
+  UM_CHECK(um_model_blame_table(
+      context, model, um_model_sample_at(context, model, model->scenario->time->start, &sample)));
   um_geometry_joint_angles(model->geometry, um_quat_apply(sample.q, sample.sun), angles);
   UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, out));
 done:

@@ -1,6 +1,5 @@
 /* One instant of the scene: orbit, attitude, Sun and shadow together. */
 #include <math.h>
-#include <string.h>
 
 #include "core/constants.h"
 #include "model/model_impl.h"
@@ -32,40 +31,12 @@ static void light_of(const struct um_model *model, struct um_environment_sample 
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
 }
 
-/* Does the recorded message begin with the path of this file? The path ends as the scenario writes
- * the file. */
-static bool names_file(const struct um_context *context, const char *file)
-{
-  const char *message = um_core_message(context);
-  const char *at = file != NULL ? strstr(message, file) : NULL;
-  return at != NULL && (at == message || at[-1] == '/') && at[strlen(file)] == ':';
-}
-
-/* A table that does not reach an instant is named with its key in the scenario as well. */
-static enum um_status blame_table(struct um_context *context, const struct um_model *model,
-                                  enum um_status status)
-{
-  const struct um_scenario *scenario = model->scenario;
-  const struct um_scenario_attitude *law = scenario->attitude.items;
-  const struct um_scenario_observer *observer = scenario->observer;
-  if (status != UM_ERR_INPUT) return status;
-  if (names_file(context, scenario->orbit->table))
-    return um_model_blame(context, &scenario->orbit->at, "table", status);
-  for (size_t i = 0; i < scenario->attitude.count; i++)
-    if (law[i].table != NULL && names_file(context, law[i].table->file))
-      return um_model_blame(context, &law[i].table->at, NULL, status);
-  if (observer != NULL && observer->trajectory != NULL &&
-      names_file(context, observer->trajectory->table))
-    return um_model_blame(context, &observer->trajectory->at, "table", status);
-  return status;
-}
-
 static enum um_status attitude_of(struct um_context *context, const struct um_model *model,
                                   struct um_environment_sample *s)
 {
   struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer};
   struct um_effect_use use;
-  UM_TRY(blame_table(context, model, um_orbit_attitude_at(context, model->attitude, &in, &s->q)));
+  UM_TRY(um_orbit_attitude_at(context, model->attitude, &in, &s->q));
   for (size_t i = 0; um_model_effect_next(model, &i, &use);)
     if (use.effect->hooks.attitude != NULL) s->q = use.effect->hooks.attitude(&use, s->t_tai, s->q);
   return UM_OK;
@@ -75,16 +46,13 @@ enum um_status um_model_sample_at(struct um_context *context, const struct um_mo
                                   double t_tai, struct um_environment_sample *out)
 {
   *out = (struct um_environment_sample){.t_tai = t_tai, .range = NAN};
-  UM_TRY(
-      blame_table(context, model,
-                  um_orbit_trajectory_state(context, model->trajectory, t_tai, &out->r, &out->v)));
+  UM_TRY(um_orbit_trajectory_state(context, model->trajectory, t_tai, &out->r, &out->v));
   light_of(model, out);
   if (model->has_observer && model->points_at_observer) {
     struct um_orbit_look look;
     struct um_orbit_observer instant = model->observer;
     instant.light_time = 0;
-    UM_TRY(blame_table(context, model,
-                       um_orbit_observer_look(context, &instant, model->trajectory, t_tai, &look)));
+    UM_TRY(um_orbit_observer_look(context, &instant, model->trajectory, t_tai, &look));
     out->to_observer = look.to_observer;
   }
   UM_TRY(attitude_of(context, model, out));
@@ -99,9 +67,7 @@ enum um_status um_model_sample_seen(struct um_context *context, const struct um_
   if (!model->has_observer)
     return um_core_fail(context, UM_ERR_INPUT, "%s: the scenario has no observer",
                         model->scenario->at.file);
-  UM_TRY(blame_table(
-      context, model,
-      um_orbit_observer_look(context, &model->observer, model->trajectory, t_observer, look)));
+  UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, t_observer, look));
   *out = (struct um_environment_sample){.t_tai = look->t_satellite,
                                         .r = look->r_gcrs,
                                         .v = look->v_gcrs,
@@ -120,9 +86,7 @@ static enum um_status event_geometry(void *self, double t_tai, struct um_vec3 *r
                                      struct um_vec3 *sun, double *distance, struct um_vec3 *pole)
 {
   const struct event_source *source = self;
-  UM_TRY(blame_table(
-      source->context, source->model,
-      um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, NULL)));
+  UM_TRY(um_orbit_trajectory_state(source->context, source->model->trajectory, t_tai, r, NULL));
   sun_of(source->model, t_tai, *r, sun, distance);
   *pole = source->model->pole;
   return UM_OK;

@@ -270,6 +270,7 @@ enum um_status um_model_trace_create_at(struct um_context *context, const struct
                                   &trace->view));
 done:
   um_core_free(context, grid);
+  status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_trace_destroy(context, &trace);
   *out = trace;
   return status;

@@ -96,3 +96,30 @@ enum um_status um_model_blame_part(struct um_context *context, struct um_model *
   um_core_message_prefix(context, "%s", model->scenario->at.file);
   return status;
 }
+
+/* Does the recorded message begin with the path of this file? The path ends as the scenario writes
+ * the file. */
+static bool names_file(const struct um_context *context, const char *file)
+{
+  const char *message = um_core_message(context);
+  const char *at = file != NULL ? strstr(message, file) : NULL;
+  return at != NULL && (at == message || at[-1] == '/') && at[strlen(file)] == ':';
+}
+
+enum um_status um_model_blame_table(struct um_context *context, const struct um_model *model,
+                                    enum um_status status)
+{
+  const struct um_scenario *scenario = model->scenario;
+  const struct um_scenario_attitude *law = scenario->attitude.items;
+  const struct um_scenario_observer *observer = scenario->observer;
+  if (status != UM_ERR_INPUT) return status;
+  if (names_file(context, scenario->orbit->table))
+    return um_model_blame(context, &scenario->orbit->at, "table", status);
+  for (size_t i = 0; i < scenario->attitude.count; i++)
+    if (law[i].table != NULL && names_file(context, law[i].table->file))
+      return um_model_blame(context, &law[i].table->at, NULL, status);
+  if (observer != NULL && observer->trajectory != NULL &&
+      names_file(context, observer->trajectory->table))
+    return um_model_blame(context, &observer->trajectory->at, "table", status);
+  return status;
+}
