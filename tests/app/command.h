@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "tests/core/cmocka_all.h"
+#include "tests/support/cmocka_all.h"
 
 /* What a command did; texts end in NUL. */
 struct command {
