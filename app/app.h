@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "core/context.h"
+#include "core/json.h"
 #include "model/model.h"
 
 #define UM_APP_VERSION "0.1.0"
@@ -42,12 +43,6 @@ struct um_app_verb {
 int um_app_fail(struct um_context *context);
 /* The part of the options that changes a scenario. */
 struct um_model_options um_app_model_options(const struct um_app_options *options);
-/* A JSON string literal. */
-void um_app_json_string(FILE *file, const char *text);
-/* A JSON number with nine digits; null where it is not finite. */
-void um_app_json_number(FILE *file, double value);
-/* before "key": number, on standard output. */
-void um_app_json_field(const char *before, const char *key, double value);
 
 int um_app_run(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);

@@ -60,10 +60,10 @@ static void json_parts(const struct um_geometry *g)
   for (size_t i = 0; i < um_geometry_part_count(g); i++) {
     struct um_geometry_report r = um_geometry_report(g, i);
     printf("%s\n    {\"name\": ", i > 0 ? "," : "");
-    um_app_json_string(stdout, r.part);
+    um_core_json_string(stdout, r.part);
     printf(", \"facets\": %zu, \"vertices\": %zu", r.nfacet, r.nvertex);
-    um_app_json_field(", ", "area_m2", r.area);
-    um_app_json_field(", ", "volume_m3", r.volume);
+    um_core_json_field(stdout, ", ", "area_m2", r.area);
+    um_core_json_field(stdout, ", ", "volume_m3", r.volume);
     printf(", \"closed\": %s, \"degenerate_facets\": %zu}", r.closed ? "true" : "false",
            r.ndegenerate);
   }
@@ -75,11 +75,12 @@ static void json_materials(const struct um_model *model)
   printf(",\n  \"materials\": [");
   for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
     printf("%s\n    {\"name\": ", m > 0 ? "," : "");
-    um_app_json_string(stdout, um_geometry_material_name(model->geometry, m));
-    um_app_json_field(", ", "area_m2", material_area(model, m));
-    um_app_json_field(", ", "solar_absorptance",
-                      um_materials_solar_absorptance(model->material[m], NULL));
-    um_app_json_field(", ", "emittance", um_materials_emittance(model->material[m], NULL, ROOM));
+    um_core_json_string(stdout, um_geometry_material_name(model->geometry, m));
+    um_core_json_field(stdout, ", ", "area_m2", material_area(model, m));
+    um_core_json_field(stdout, ", ", "solar_absorptance",
+                       um_materials_solar_absorptance(model->material[m], NULL));
+    um_core_json_field(stdout, ", ", "emittance",
+                       um_materials_emittance(model->material[m], NULL, ROOM));
     printf("}");
   }
   printf("]");
@@ -89,12 +90,12 @@ static void print_json(const struct um_model *model, const struct um_environment
                        const char *start, const char *stop)
 {
   printf("{\"name\": ");
-  um_app_json_string(stdout, model->scenario->name);
+  um_core_json_string(stdout, model->scenario->name);
   printf(",\n  \"start_utc\": \"%s\", \"stop_utc\": \"%s\"", start, stop);
-  um_app_json_field(", ", "step_s", model->scenario->time->step_s);
-  um_app_json_field(",\n  ", "altitude_km", altitude_km(model, s));
-  um_app_json_field(", ", "sunlit_fraction", s->sunlit_fraction);
-  um_app_json_field(", ", "period_s", um_orbit_trajectory_period(model->trajectory));
+  um_core_json_field(stdout, ", ", "step_s", model->scenario->time->step_s);
+  um_core_json_field(stdout, ",\n  ", "altitude_km", altitude_km(model, s));
+  um_core_json_field(stdout, ", ", "sunlit_fraction", s->sunlit_fraction);
+  um_core_json_field(stdout, ", ", "period_s", um_orbit_trajectory_period(model->trajectory));
   json_parts(model->geometry);
   json_materials(model);
   printf(",\n  \"surfaces\": %zu, \"heat_nodes\": %zu, \"tetrahedra\": %zu,\n  \"bands\": [",
@@ -102,7 +103,7 @@ static void print_json(const struct um_model *model, const struct um_environment
          um_thermal_network_nodes(model->body->network), model->body->ntetrahedron);
   for (size_t b = 0; b < model->nband; b++) {
     printf("%s", b > 0 ? ", " : "");
-    um_app_json_string(stdout, model->band[b].name);
+    um_core_json_string(stdout, model->band[b].name);
   }
   printf("]}\n");
 }

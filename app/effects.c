@@ -18,32 +18,32 @@ static void print_one(const struct um_effect *e)
 static void json_parameter(const struct um_effect_parameter *p)
 {
   printf("{\"name\": ");
-  um_app_json_string(stdout, p->name);
+  um_core_json_string(stdout, p->name);
   printf(", \"unit\": ");
-  um_app_json_string(stdout, p->unit);
+  um_core_json_string(stdout, p->unit);
   printf(", \"default\": ");
-  um_app_json_number(stdout, p->fallback);
+  um_core_json_number(stdout, p->fallback);
   printf(", \"minimum\": ");
-  um_app_json_number(stdout, p->minimum);
+  um_core_json_number(stdout, p->minimum);
   printf(", \"maximum\": ");
-  um_app_json_number(stdout, p->maximum);
+  um_core_json_number(stdout, p->maximum);
   printf(", \"null_value\": ");
-  um_app_json_number(stdout, p->null_value);
+  um_core_json_number(stdout, p->null_value);
   printf(", \"help\": ");
-  um_app_json_string(stdout, p->help);
+  um_core_json_string(stdout, p->help);
   printf("}");
 }
 
 static void json_effect(const struct um_effect *e)
 {
   printf("{\"name\": ");
-  um_app_json_string(stdout, e->name);
+  um_core_json_string(stdout, e->name);
   printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
-  um_app_json_string(stdout, e->summary);
+  um_core_json_string(stdout, e->summary);
   printf(", \"validity\": ");
-  um_app_json_string(stdout, e->validity);
+  um_core_json_string(stdout, e->validity);
   printf(", \"reference\": ");
-  um_app_json_string(stdout, e->reference);
+  um_core_json_string(stdout, e->reference);
   printf(", \"parameters\": [");
   for (size_t i = 0; i < e->nparameter; i++) {
     if (i > 0) printf(", ");

@@ -62,35 +62,6 @@ struct um_model_options um_app_model_options(const struct um_app_options *option
                                    options->nwith, options->without, options->nwithout};
 }
 
-void um_app_json_string(FILE *file, const char *text)
-{
-  fputc('"', file);
-  for (; *text != '\0'; text++) {
-    unsigned char c = (unsigned char)*text;
-    if (c == '"' || c == '\\')
-      fprintf(file, "\\%c", c);
-    else if (c < 0x20)
-      fprintf(file, "\\u%04x", c);
-    else
-      fputc(c, file);
-  }
-  fputc('"', file);
-}
-
-void um_app_json_number(FILE *file, double value)
-{
-  if (isfinite(value))
-    fprintf(file, "%.9g", value);
-  else
-    fputs("null", file);
-}
-
-void um_app_json_field(const char *before, const char *key, double value)
-{
-  printf("%s\"%s\": ", before, key);
-  um_app_json_number(stdout, value);
-}
-
 static void print_help(FILE *file)
 {
   fputs("umbra " UM_APP_VERSION

@@ -63,21 +63,21 @@ static void print_one(const struct um_materials_record *r)
 static void json_record(const struct um_materials_record *r)
 {
   printf("{\"name\": ");
-  um_app_json_string(stdout, um_materials_name(r));
+  um_core_json_string(stdout, um_materials_name(r));
   printf(", \"summary\": ");
-  um_app_json_string(stdout, um_materials_summary(r));
+  um_core_json_string(stdout, um_materials_summary(r));
   printf(", \"source\": ");
-  um_app_json_string(stdout, um_materials_citation(r));
+  um_core_json_string(stdout, um_materials_citation(r));
   printf(", \"solar_absorptance\": ");
-  um_app_json_number(stdout, um_materials_solar_absorptance(r, NULL));
+  um_core_json_number(stdout, um_materials_solar_absorptance(r, NULL));
   printf(", \"emittance\": ");
-  um_app_json_number(stdout, um_materials_emittance(r, NULL, ROOM));
+  um_core_json_number(stdout, um_materials_emittance(r, NULL, ROOM));
   printf(", \"normal_emittance\": ");
-  um_app_json_number(stdout, um_materials_normal_emittance(r, NULL, ROOM));
+  um_core_json_number(stdout, um_materials_normal_emittance(r, NULL, ROOM));
   printf(", \"catalogue_solar_absorptance\": ");
-  um_app_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
+  um_core_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
   printf(", \"catalogue_emittance\": ");
-  um_app_json_number(stdout, um_materials_catalogue(r).emittance);
+  um_core_json_number(stdout, um_materials_catalogue(r).emittance);
   printf(", \"grey\": %s}", um_materials_is_grey(r) ? "true" : "false");
 }
 

@@ -80,21 +80,21 @@ static void json_band(const struct um_output_run *run, size_t band, double *ener
   struct band_summary s = band_summary(run->trace, r, band);
   double sum = 0.0;
   printf("{\"name\": ");
-  um_app_json_string(stdout, run->model->band[band].name);
-  um_app_json_field(", ", "lowest_W_sr", s.low);
-  um_app_json_field(", ", "highest_W_sr", s.high);
-  um_app_json_field(", ", "relative_error", s.error);
+  um_core_json_string(stdout, run->model->band[band].name);
+  um_core_json_field(stdout, ", ", "lowest_W_sr", s.low);
+  um_core_json_field(stdout, ", ", "highest_W_sr", s.high);
+  um_core_json_field(stdout, ", ", "relative_error", s.error);
   printf(", \"umbra_instants\": %zu", s.umbra);
-  um_app_json_field(", ", "umbra_sun_W_sr", s.umbra > 0 ? s.umbra_sun : (double)NAN);
-  um_app_json_field(", ", "umbra_lowest_W_sr", s.umbra_low);
+  um_core_json_field(stdout, ", ", "umbra_sun_W_sr", s.umbra > 0 ? s.umbra_sun : (double)NAN);
+  um_core_json_field(stdout, ", ", "umbra_lowest_W_sr", s.umbra_low);
   printf(", \"share_by_material\": {");
   material_energy(r, band, energy);
   for (size_t m = 0; m < r->nmaterial; m++) sum += energy[m];
   for (size_t m = 0; m < r->nmaterial; m++) {
     printf("%s", m > 0 ? ", " : "");
-    um_app_json_string(stdout, um_geometry_material_name(run->model->geometry, m));
+    um_core_json_string(stdout, um_geometry_material_name(run->model->geometry, m));
     printf(": ");
-    um_app_json_number(stdout, sum > 0.0 ? energy[m] / sum : 0.0);
+    um_core_json_number(stdout, sum > 0.0 ? energy[m] / sum : 0.0);
   }
   printf("}}");
 }
@@ -145,15 +145,15 @@ static void json_heat(const struct um_model_result *r)
     double t[3];
     place_summary(r, p, t);
     printf("%s\n    {\"name\": ", p > 0 ? "," : "");
-    um_app_json_string(stdout, r->place[p].name);
-    um_app_json_field(", ", "mean_K", t[0]);
-    um_app_json_field(", ", "lowest_K", t[1]);
-    um_app_json_field(", ", "highest_K", t[2]);
-    um_app_json_field(", ", "drift_K_per_orbit", r->place[p].drift);
+    um_core_json_string(stdout, r->place[p].name);
+    um_core_json_field(stdout, ", ", "mean_K", t[0]);
+    um_core_json_field(stdout, ", ", "lowest_K", t[1]);
+    um_core_json_field(stdout, ", ", "highest_K", t[2]);
+    um_core_json_field(stdout, ", ", "drift_K_per_orbit", r->place[p].drift);
     printf("}");
   }
   printf("],\n  ");
-  um_app_json_field("", "energy_audit_error", r->audit_error);
+  um_core_json_field(stdout, "", "energy_audit_error", r->audit_error);
 }
 
 /* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
@@ -236,9 +236,9 @@ static void json_run(const struct um_output_run *run, const char *folder, double
 {
   const struct um_model_result *r = run->result;
   printf("{\"name\": ");
-  um_app_json_string(stdout, run->model->scenario->name);
+  um_core_json_string(stdout, run->model->scenario->name);
   printf(", \"folder\": ");
-  um_app_json_string(stdout, folder);
+  um_core_json_string(stdout, folder);
   printf(",\n  \"observations\": %zu, \"surfaces\": %zu, \"heat_nodes\": %zu, "
          "\"integrator_steps\": %zu",
          r->nobs, r->nsurface, r->nnode, r->steps);

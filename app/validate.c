@@ -58,9 +58,9 @@ static void print_json(const struct um_app_report *report)
   for (size_t i = 0; i < report->count; i++) {
     const struct row *r = &report->row[i];
     printf("  {\"group\": \"%s\", \"name\": ", r->group);
-    um_app_json_string(stdout, r->name);
+    um_core_json_string(stdout, r->name);
     printf(", \"unit\": ");
-    um_app_json_string(stdout, r->unit);
+    um_core_json_string(stdout, r->unit);
     printf(", \"expected\": %.17g, ", r->expected);
     if (isfinite(r->computed))
       printf("\"computed\": %.17g", r->computed);
@@ -68,7 +68,7 @@ static void print_json(const struct um_app_report *report)
       printf("\"computed\": null");
     printf(", \"tolerance\": %.17g, \"met\": %s, \"source\": ", r->tolerance,
            is_met(r) ? "true" : "false");
-    um_app_json_string(stdout, r->source);
+    um_core_json_string(stdout, r->source);
     printf("}%s\n", i + 1 < report->count ? "," : "");
   }
   puts("]");

@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 #include "compare/compare_impl.h"
-#include "compare/json_impl.h"
 #include "compare/set_impl.h"
+#include "core/json.h"
 
 #define ALL_LABEL "all"
 
@@ -55,7 +55,7 @@ static void json_metrics(FILE *file, const char *before, const char *name,
   struct figure all[FIGURES];
   figures(m, all);
   fprintf(file, "%s\"%s\": {\"count\": %zu", before, name, m->count);
-  for (size_t i = 0; i < FIGURES; i++) um_compare_json_field(file, ", ", all[i].name, all[i].value);
+  for (size_t i = 0; i < FIGURES; i++) um_core_json_field(file, ", ", all[i].name, all[i].value);
   fputc('}', file);
 }
 
@@ -64,9 +64,9 @@ static void json_shares(FILE *file, const char *key, const struct um_compare_sha
   fprintf(file, ", \"%s\": {", key);
   for (size_t i = 0; i < n; i++) {
     fputs(i > 0 ? ", " : "", file);
-    um_compare_json_string(file, share[i].name);
+    um_core_json_string(file, share[i].name);
     fputs(": ", file);
-    um_compare_json_number(file, share[i].value);
+    um_core_json_number(file, share[i].value);
   }
   fputc('}', file);
 }
@@ -77,10 +77,10 @@ static void json_interval(FILE *file, const struct um_compare_interval *w, bool 
   um_compare_time_text(w->from, from);
   um_compare_time_text(w->to, to);
   fprintf(file, "{\"from_utc\": \"%s\", \"to_utc\": \"%s\", \"count\": %zu", from, to, w->count);
-  um_compare_json_field(file, ", ", "chi2", w->chi2);
-  um_compare_json_field(file, ", ", "bias", w->bias);
-  um_compare_json_field(file, ", ", "mean_measured", w->mean_measured);
-  um_compare_json_field(file, ", ", "sunlit_fraction", w->sunlit);
+  um_core_json_field(file, ", ", "chi2", w->chi2);
+  um_core_json_field(file, ", ", "bias", w->bias);
+  um_core_json_field(file, ", ", "mean_measured", w->mean_measured);
+  um_core_json_field(file, ", ", "sunlit_fraction", w->sunlit);
   json_shares(file, heat ? "heat_W" : "mechanism_W_sr", w->mechanism, w->nmechanism);
   if (!heat) json_shares(file, "material_W_sr", w->material, w->nmaterial);
   fputc('}', file);
@@ -92,10 +92,10 @@ static void json_correlations(FILE *file, const struct um_compare_channel_compar
   for (size_t j = 0; j < channel->ncorrelation; j++) {
     const struct um_compare_correlation *r = &channel->correlation[j];
     fprintf(file, "%s\n       {\"coordinate\": ", j > 0 ? "," : "");
-    um_compare_json_string(file, r->name);
+    um_core_json_string(file, r->name);
     fprintf(file, ", \"count\": %zu", r->count);
-    um_compare_json_field(file, ", ", "correlation", r->value);
-    um_compare_json_field(file, ", ", "p", r->p);
+    um_core_json_field(file, ", ", "correlation", r->value);
+    um_core_json_field(file, ", ", "p", r->p);
     fputc('}', file);
   }
   fputc(']', file);
@@ -107,7 +107,7 @@ static void json_channel(FILE *file, const struct um_compare_comparison *c, size
   enum um_compare_quantity quantity = channel_of(c, i)->quantity;
   fprintf(file, "%s\n    {\"quantity\": \"%s\", \"of\": ", i > 0 ? "," : "",
           um_compare_quantity_name(quantity));
-  um_compare_json_string(file, channel_of(c, i)->of);
+  um_core_json_string(file, channel_of(c, i)->of);
   fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\", \"left_out\": %zu,\n",
           um_compare_quantity_unit(quantity), residual_unit(quantity), channel->left_out);
   json_metrics(file, "     \"metrics\": {\n       ", ALL_LABEL, &channel->all);
@@ -130,16 +130,16 @@ void um_compare_write_json(const struct um_compare_comparison *comparison, const
 {
   const struct um_compare_comparison *c = comparison;
   fputs("{\n  \"scenario\": ", file);
-  um_compare_json_string(file, c->run.model->scenario->name);
+  um_core_json_string(file, c->run.model->scenario->name);
   fputs(",\n  \"measurements\": ", file);
-  um_compare_json_string(file, c->run.plan->measurements->path);
+  um_core_json_string(file, c->run.plan->measurements->path);
   fputs(",\n  \"command\": ", file);
-  um_compare_json_string(file, command);
+  um_core_json_string(file, command);
   fputs(",\n  \"version\": ", file);
-  um_compare_json_string(file, version);
-  um_compare_json_field(file, ",\n  ", "chi2", c->chi2);
-  um_compare_json_field(file, ", ", "dof", c->dof);
-  um_compare_json_field(file, ", ", "chi2_red", c->chi2_reduced);
+  um_core_json_string(file, version);
+  um_core_json_field(file, ",\n  ", "chi2", c->chi2);
+  um_core_json_field(file, ", ", "dof", c->dof);
+  um_core_json_field(file, ", ", "chi2_red", c->chi2_reduced);
   fputs(",\n  \"channels\": [", file);
   for (size_t i = 0; i < c->nchannel; i++) json_channel(file, c, i);
   fputs("]\n}\n", file);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/json.h"
 #include "core/schema_impl.h"
 
 #define DEPTH_MAX 24
@@ -9,25 +10,10 @@
 static bool write_object(FILE *file, const struct um_schema_object *object, const char *help,
                          int depth);
 
-static void write_string(FILE *file, const char *text)
-{
-  fputc('"', file);
-  for (const char *p = text; *p != '\0'; p++) {
-    unsigned char c = (unsigned char)*p;
-    if (c == '"' || c == '\\')
-      fprintf(file, "\\%c", c);
-    else if (c < 0x20)
-      fprintf(file, "\\u%04x", c);
-    else
-      fputc(c, file);
-  }
-  fputc('"', file);
-}
-
 static void write_member(FILE *file, const char *key, const char *text)
 {
   fprintf(file, ", \"%s\": ", key);
-  write_string(file, text);
+  um_core_json_string(file, text);
 }
 
 /* {"type": "number", "minimum": ..., "maximum": ...} without the closing brace */
@@ -86,7 +72,7 @@ static bool write_field(FILE *file, const struct um_schema_field *field, int dep
     fputs("{\"enum\": [", file);
     for (size_t i = 0; field->choices[i] != NULL; i++) {
       if (i > 0) fputs(", ", file);
-      write_string(file, field->choices[i]);
+      um_core_json_string(file, field->choices[i]);
     }
     fputs("]", file);
     break;
@@ -203,7 +189,7 @@ static bool write_members(FILE *file, const struct um_schema_object *object, con
       continue;
     }
     fprintf(file, "%s\n%*s", first ? "" : ",", 2 * depth, "");
-    write_string(file, object->fields[i].key);
+    um_core_json_string(file, object->fields[i].key);
     fputs(": ", file);
     if (!write_field(file, &object->fields[i], depth)) return false;
     first = false;
@@ -217,7 +203,7 @@ static bool write_members(FILE *file, const struct um_schema_object *object, con
   for (size_t i = 0; i < object->nfield; i++) {
     if (!object->fields[i].required) continue;
     fputs(any ? ", " : ", \"required\": [", file);
-    write_string(file, object->fields[i].key);
+    um_core_json_string(file, object->fields[i].key);
     any = true;
   }
   if (any) fputs("]", file);
