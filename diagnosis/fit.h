@@ -1,0 +1,64 @@
+/* Nonlinear least squares with priors and bounds, by GSL's trust region; what its result says of
+ * the model: uncertainty, BIC, rows held out. Knows rows and parameters, not what they are. */
+#ifndef UMBRA_DIAGNOSIS_FIT_H
+#define UMBRA_DIAGNOSIS_FIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/context.h"
+
+struct um_diagnosis_fit_parameter {
+  double start, minimum, maximum;
+  double prior_mean, prior_sigma; /* sigma INFINITY: none */
+  double step;                    /* of differences, > 0, and scale of the parameter */
+};
+
+struct um_diagnosis_fit_problem {
+  size_t nrow, nparameter;                            /* nparameter may be 0: the model as it is */
+  const double *measured;                             /* [nrow] */
+  const double *sigma;                                /* [nrow] > 0 */
+  const struct um_diagnosis_fit_parameter *parameter; /* [nparameter] */
+  /* model values [nrow] at x [nparameter], always within the bounds */
+  enum um_status (*evaluate)(struct um_context *context, void *user, const double *x,
+                             double *value);
+  void *user;
+  /* [nparameter][nrow] d(value)/d(parameter) at the start, or NULL: differences. A Jacobian that is
+   * handed in is used until it no longer serves, then made anew by differences. */
+  const double *jacobian;
+  /* [nrow] model values at the start, or NULL */
+  const double *value;
+  size_t iterations_max; /* 0: 20 */
+};
+
+struct um_diagnosis_fit {
+  size_t nrow, nparameter, iterations, evaluations;
+  bool converged;
+  double *x, *sigma;  /* [nparameter]; sigma from the curvature with priors; NaN at a bound */
+  double *covariance; /* [nparameter][nparameter] */
+  bool *at_bound;     /* [nparameter] */
+  double *value;      /* [nrow] model at x */
+  double *residual;   /* [nrow] (measured - value) / sigma */
+  double *jacobian;   /* [nparameter][nrow] d(value)/d(x) / sigma, at or near x */
+  double chi2;        /* of the rows */
+  double chi2_prior;  /* of the priors */
+  double bic;         /* chi2 + chi2_prior + nparameter ln nrow */
+};
+
+/* UM_ERR_INPUT: more parameters without prior than rows, or a start outside its bounds. Errors of
+ * evaluate are passed on. The caller destroys. */
+enum um_status um_diagnosis_fit_create(struct um_context *context,
+                                       const struct um_diagnosis_fit_problem *problem,
+                                       struct um_diagnosis_fit **out);
+void um_diagnosis_fit_destroy(struct um_context *context, struct um_diagnosis_fit **fit);
+
+/* Chi-square of rows that were not used: for every fold the parameters are fitted anew without it
+ * (one Gauss-Newton step from the solution by its Jacobian, no model is computed) and its rows
+ * predicted. fold: [nrow] below nfold; out: sum over the folds. Compare with the same of a rival
+ * or of the model without parameters (its chi2). UM_ERR_MEMORY. */
+enum um_status um_diagnosis_fit_held_out(struct um_context *context,
+                                         const struct um_diagnosis_fit_problem *problem,
+                                         const struct um_diagnosis_fit *fit, const size_t *fold,
+                                         size_t nfold, double *out);
+
+#endif
