@@ -48,6 +48,7 @@ struct um_diagnosis_step {
   double delta_bic; /* below 0: better */
   double held_out_before, held_out;
   double chi2, dof, chi2_reduced;
+  double *value; /* [nrow] model values as of this step, linear unit; NULL: not kept */
   size_t nrival;
   struct um_diagnosis_rival *rival; /* by BIC, then by score; [0] is the winner */
   bool by_prior;                    /* only the priors tell the winner from its rivals */
@@ -76,6 +77,7 @@ struct um_diagnosis_next {
 struct um_diagnosis {
   enum um_diagnosis_verdict verdict;
   char *sentence;                             /* the verdict in words, for a person */
+  double level;                               /* family-wise false-alarm rate that was used */
   struct um_diagnosis_forward *forward;       /* borrowed */
   struct um_diagnosis_candidates *candidates; /* borrowed */
   double chi2, dof, chi2_reduced;             /* of the baseline, nuisances at their values */
@@ -117,8 +119,10 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
 enum um_status um_diagnosis_write(struct um_context *context, const struct um_diagnosis *diagnosis,
                                   const char *command, const char *version,
                                   struct um_core_folder *folder);
-void um_diagnosis_write_json(const struct um_diagnosis *diagnosis, const char *command,
-                             const char *version, FILE *file);
+/* diagnosis.json to a stream; the caller looks for its errors. UM_ERR_MEMORY. */
+enum um_status um_diagnosis_write_json(struct um_context *context,
+                                       const struct um_diagnosis *diagnosis, const char *command,
+                                       const char *version, FILE *file);
 /* Pictures by gnuplot: per channel data with model before and after and residuals of both below;
  * the ranking; heat where reconstructed. */
 enum um_status um_diagnosis_plot(struct um_context *context, const struct um_diagnosis *diagnosis,
