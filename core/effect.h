@@ -3,6 +3,7 @@
 #ifndef UMBRA_CORE_EFFECT_H
 #define UMBRA_CORE_EFFECT_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -29,8 +30,25 @@ struct um_effect_parameter {
   double null_value; /* the effect vanishes here */
   double fallback;   /* when the scenario does not say */
   double minimum, maximum;
-  double prior_sigma; /* width of a weak prior about null_value; INFINITY: none */
+  /* Width of a weak prior about null_value; INFINITY: none. Of a logarithmic parameter (a positive
+   * factor that may be off either way): of ln(value / null_value). */
+  double prior_sigma;
+  bool logarithmic;
+  const char *prior; /* where the width comes from, a few words; NULL: not said */
 };
+
+/* How many prior widths a value stands from its null value; 0 without a prior. Its derivative with
+ * respect to the value is the second. */
+static inline double um_effect_prior_deviation(const struct um_effect_parameter *p, double value)
+{
+  if (isinf(p->prior_sigma)) return 0.0;
+  return (p->logarithmic ? log(value / p->null_value) : value - p->null_value) / p->prior_sigma;
+}
+static inline double um_effect_prior_slope(const struct um_effect_parameter *p, double value)
+{
+  if (isinf(p->prior_sigma)) return 0.0;
+  return 1.0 / (p->logarithmic ? value * p->prior_sigma : p->prior_sigma);
+}
 
 /* The values of one use of an effect in a scenario. */
 struct um_effect_use {
@@ -65,13 +83,17 @@ struct um_thermal_contact;
 struct um_geometry_part_spec;
 struct um_orbit_attitude_law;
 
-/* One observation while it is transformed. */
+/* One observation while it is transformed: once as it comes to the aperture, and once as it would
+ * be without an atmosphere, which magnitudes are made of. A hook that stands for the atmosphere
+ * leaves the latter alone; one that stands for the instrument or its reduction does the same to
+ * both. */
 struct um_effect_observation {
   double t_tai;     /* [s] mid-exposure, as tagged */
   double elevation; /* [rad], NaN without a station */
   double airmass;   /* [1], NaN without a station or below the horizon */
   const char *band;
-  double value; /* band irradiance [W/m^2]; the hook changes it */
+  double value;         /* band irradiance [W/m^2]; the hook changes it */
+  bool exo_atmospheric; /* value is the one without an atmosphere */
 };
 
 /* Each hook may be NULL. A hook adds to or scales what is there, never sets it, and does nothing at
@@ -117,6 +139,9 @@ struct um_effect {
   const char *summary;
   const char *reference;
   const char *validity;
+  /* Reads behind "told apart from": its rivals, a colon, the measurement that does it; NULL: not
+   * said. */
+  const char *separated_by;
   uint32_t targets;  /* or-ed um_effect_target */
   int on_by_default; /* a core switch: present unless a scenario turns it off */
   const struct um_effect_parameter *parameters;
@@ -124,6 +149,11 @@ struct um_effect {
   struct um_effect_hooks hooks;
   /* For a core switch: called when the scenario turns it off. */
   enum um_status (*switch_off)(struct um_context *, struct um_environment *);
+  /* For a core switch that keys of `environment` may hold off (shadow: sphere): whether they do,
+   * and what turns it on all the same; it does nothing where it is on. NULL: only `effects` and
+   * the command line turn it off. */
+  bool (*is_off)(const struct um_environment *);
+  enum um_status (*switch_on)(struct um_context *, struct um_environment *);
 };
 
 #endif

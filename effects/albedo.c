@@ -18,6 +18,8 @@ const struct um_effect um_effects_albedo = {
     .reference = "Knocke, Ries & Tapley 1988, AIAA 88-4292",
     .validity =
         "uniform Lambert Earth of the scenario's albedo; acts on both sides of the terminator",
+    .separated_by = "solar_absorptance, which heats in the Sun alone: temperatures of a side that "
+                    "faces the Earth, followed past the terminator of the ground below",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

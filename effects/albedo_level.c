@@ -22,7 +22,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 1.3,
      .minimum = 0.0,
      .maximum = 3.0,
-     .prior_sigma = 0.5}, /* 0.1 to 0.8 at a place, 0.3 in the mean */
+     .prior_sigma = 0.5,
+     .prior = "0.1 to 0.8 at a place, 0.3 in the mean"},
 };
 
 const struct um_effect um_effects_albedo_level = {
@@ -32,6 +33,9 @@ const struct um_effect um_effects_albedo_level = {
     .summary = "The Earth below reflects more or less sunlight than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
     .validity = "uniform Lambert Earth; the albedo after the factor up to 1",
+    .separated_by =
+        "solar_absorptance: what it does follows the Sun over the ground below and vanishes on the "
+        "night side, so a whole orbit of temperatures, or visible light at large phase angles",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

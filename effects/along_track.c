@@ -3,8 +3,15 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"shift_s", "s", "time by which the satellite is ahead of its orbit", 0.0, 1.0, -100.0, 100.0,
-     5.0},
+    {.name = "shift_s",
+     .unit = "s",
+     .help = "time by which the satellite is ahead of its orbit",
+     .null_value = 0.0,
+     .fallback = 1.0,
+     .minimum = -100.0,
+     .maximum = 100.0,
+     .prior_sigma = 5.0,
+     .prior = "0.1 to 10 s with elements two weeks old"},
 };
 
 static double shift(const struct um_effect_use *use) { return use->value[0]; }
@@ -17,6 +24,8 @@ const struct um_effect um_effects_along_track = {
     .reference = "Levit & Marshall 2011, Adv. Space Res. 47:1107",
     .validity = "a constant time; of no effect on a fixed point; laws that follow the orbital "
                 "frame follow the satellite",
+    .separated_by = "time_tag: positions against stars in the same frames, with frames timed by "
+                    "GNSS; the orbit moves range, direction and the shadow, not attitude and stars",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

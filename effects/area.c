@@ -4,8 +4,15 @@
 #include "geometry/geometry.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"area_factor", "1", "factor of the area of every surface of the part", 1.0, 1.1, 0.1, 10.0,
-     0.2},
+    {.name = "area_factor",
+     .unit = "1",
+     .help = "factor of the area of every surface of the part",
+     .null_value = 1.0,
+     .fallback = 1.1,
+     .minimum = 0.1,
+     .maximum = 10.0,
+     .prior_sigma = 0.2,
+     .prior = "0.7 to 1.3 of the area of a drawing"},
 };
 
 static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,
@@ -30,6 +37,8 @@ const struct um_effect um_effects_area = {
     .reference = "Wetterer & Jah 2009, J. Guid. Control Dyn. 32:1648",
     .validity = "the part grows about its own origin, parts that hang on it stay where they are; "
                 "heat capacity and conductance per area, interior nodes and contacts stay",
+    .separated_by = "zero_point and band_emissivity: visible and thermal infrared change by one "
+                    "factor, and only at phases that show the part",
     .targets = UM_TARGET_PART,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

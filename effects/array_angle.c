@@ -4,7 +4,15 @@
 #include "geometry/geometry.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"angle_deg", "deg", "added to the angle of the joint", 0.0, 10.0, -180.0, 180.0, 10.0},
+    {.name = "angle_deg",
+     .unit = "deg",
+     .help = "added to the angle of the joint",
+     .null_value = 0.0,
+     .fallback = 10.0,
+     .minimum = -180.0,
+     .maximum = 180.0,
+     .prior_sigma = 10.0,
+     .prior = "offsets of 10 deg and more are flown on purpose"},
 };
 
 static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,
@@ -26,6 +34,8 @@ const struct um_effect um_effects_array_angle = {
     .summary = "A solar array stands at another angle than its joint was told",
     .reference = "Payne, Gregory & Luu 2006, AMOS Conference (solar panel offsets)",
     .validity = "a constant offset about the axis of the joint",
+    .separated_by = "attitude_offset: the time of the array's glint against that of the body's; "
+                    "only the array's light and heat move",
     .targets = UM_TARGET_PART,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -4,9 +4,33 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"x_deg", "deg", "turn about the body axis x", 0.0, 0.0, -180.0, 180.0, 5.0},
-    {"y_deg", "deg", "turn about the body axis y", 0.0, 0.0, -180.0, 180.0, 5.0},
-    {"z_deg", "deg", "turn about the body axis z", 0.0, 0.0, -180.0, 180.0, 5.0},
+    {.name = "x_deg",
+     .unit = "deg",
+     .help = "turn about the body axis x",
+     .null_value = 0.0,
+     .fallback = 0.0,
+     .minimum = -180.0,
+     .maximum = 180.0,
+     .prior_sigma = 5.0,
+     .prior = "0.1 to 10 deg"},
+    {.name = "y_deg",
+     .unit = "deg",
+     .help = "turn about the body axis y",
+     .null_value = 0.0,
+     .fallback = 0.0,
+     .minimum = -180.0,
+     .maximum = 180.0,
+     .prior_sigma = 5.0,
+     .prior = "0.1 to 10 deg"},
+    {.name = "z_deg",
+     .unit = "deg",
+     .help = "turn about the body axis z",
+     .null_value = 0.0,
+     .fallback = 0.0,
+     .minimum = -180.0,
+     .maximum = 180.0,
+     .prior_sigma = 5.0,
+     .prior = "0.1 to 10 deg"},
 };
 
 static struct um_quat attitude(const struct um_effect_use *use, double t_tai, struct um_quat q)
@@ -26,6 +50,8 @@ const struct um_effect um_effects_attitude_offset = {
     .summary = "The body stands at a constant angle from its attitude law",
     .reference = "Shuster 1993, J. Astronaut. Sci. 41:439",
     .validity = "constant in the body frame; it turns with a spinning body",
+    .separated_by = "time_tag, spin_period and array_angle: glints of several sides in different "
+                    "directions; one turn must move them all, and temperatures with them",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

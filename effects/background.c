@@ -2,7 +2,15 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"irradiance_W_m2", "W/m^2", "added to the irradiance", 0.0, 1e-12, -1e-3, 1e-3, INFINITY},
+    {.name = "irradiance_W_m2",
+     .unit = "W/m^2",
+     .help = "added to the irradiance",
+     .null_value = 0.0,
+     .fallback = 1e-12,
+     .minimum = -1e-3,
+     .maximum = 1e-3,
+     .prior_sigma = INFINITY,
+     .prior = "depends on the instrument: none"},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
@@ -21,6 +29,8 @@ const struct um_effect um_effects_background = {
     .reference = "Howell 2006, Handbook of CCD Astronomy, chapter 5",
     .validity =
         "constant over all observations; acts on irradiance in the order of the list of effects",
+    .separated_by = "earthshine and zero_point: frames beside the satellite; it does not fall with "
+                    "range, and counts most where the satellite is faint",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

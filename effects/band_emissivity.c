@@ -5,7 +5,15 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"emissivity_factor", "1", "factor of the emissivity above 2.5 um", 1.0, 0.9, 0.1, 3.0, 0.15},
+    {.name = "emissivity_factor",
+     .unit = "1",
+     .help = "factor of the emissivity above 2.5 um",
+     .null_value = 1.0,
+     .fallback = 0.9,
+     .minimum = 0.1,
+     .maximum = 3.0,
+     .prior_sigma = 0.15,
+     .prior = "0.75 to 1.1 of the total emittance"},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,
@@ -25,6 +33,9 @@ const struct um_effect um_effects_band_emissivity = {
     .reference = "Kitamura, Pilon & Jonasz 2007, Appl. Opt. 46:8118",
     .validity =
         "above 2.5 um, one factor for all wavelengths; an emissivity ends at 1; temperatures stay",
+    .separated_by =
+        "emittance, zero_point and area: a temperature of that side measured beside the thermal "
+        "infrared stays when only the band differs; a second band tells it from area",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -27,7 +27,9 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 3.0,
      .minimum = 0.001,
      .maximum = 1000.0,
-     .prior_sigma = 2.0}, /* 0.05 to 5 W/K: a factor of 10 either way */
+     .prior_sigma = 2.0,
+     .logarithmic = true,
+     .prior = "0.05 to 5 W/K for one joint, a factor of 10 either way"},
 };
 
 const struct um_effect um_effects_contact_conductance = {
@@ -37,6 +39,8 @@ const struct um_effect um_effects_contact_conductance = {
     .summary = "Contacts, hinges or brackets conduct better or worse than stated",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 8",
     .validity = "contacts of the scenario: all, or those with an end on the part or place named",
+    .separated_by = "internal_power and through_conductance: temperatures of both ends over hours "
+                    "draw together, in sunlight and in the dark alike",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,

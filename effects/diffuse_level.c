@@ -4,7 +4,15 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"diffuse_factor", "1", "factor of the diffuse reflectance", 1.0, 0.8, 0.0, 5.0, 0.3},
+    {.name = "diffuse_factor",
+     .unit = "1",
+     .help = "factor of the diffuse reflectance",
+     .null_value = 1.0,
+     .fallback = 0.8,
+     .minimum = 0.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.3,
+     .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface"},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,
@@ -22,6 +30,8 @@ const struct um_effect um_effects_diffuse_level = {
     .summary = "The diffuse part of the reflected sunlight is stronger or weaker",
     .reference = "Nicodemus et al. 1977, NBS Monograph 160",
     .validity = "below 2.5 um; reflectance never passes what energy allows; absorptance stays",
+    .separated_by = "zero_point and area: the light between glints changes while glints and the "
+                    "thermal infrared stay",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -6,8 +6,15 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"tilt", "1", "1: a dielectric, dark at grazing; negative: a metal, bright at grazing", 0.0,
-     1.0, -2.0, 1.0, 0.5},
+    {.name = "tilt",
+     .unit = "1",
+     .help = "1: a dielectric, dark at grazing; negative: a metal, bright at grazing",
+     .null_value = 0.0,
+     .fallback = 1.0,
+     .minimum = -2.0,
+     .maximum = 1.0,
+     .prior_sigma = 0.5,
+     .prior = "dielectrics fall and metals rise toward grazing by up to 30 %"},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,
@@ -26,6 +33,9 @@ const struct um_effect um_effects_directional_emissivity = {
     .reference = "Schlick 1994, Computer Graphics Forum 13:233",
     .validity =
         "above 2.5 um; added to what the record already has; an emissivity stays within 0 and 1",
+    .separated_by =
+        "band_emissivity: thermal infrared of one side over a range of angles, best over a turn of "
+        "the spin and in eclipse, where it changes at twice the spin rate",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

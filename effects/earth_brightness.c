@@ -22,7 +22,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = -20.0,
      .minimum = -120.0,
      .maximum = 80.0,
-     .prior_sigma = 20.0}, /* 220 K over cloud to 290 K */
+     .prior_sigma = 20.0,
+     .prior = "220 K over cloud to 290 K over desert"},
 };
 
 const struct um_effect um_effects_earth_brightness = {
@@ -33,6 +34,9 @@ const struct um_effect um_effects_earth_brightness = {
     .reference = "Catsamas et al. 2025, arXiv 2511.13030",
     .validity = "one brightness temperature for all of the Earth; optics only, while "
                 "reflected_earth_ir is on",
+    .separated_by = "earth_ir_level and internal_power, which change temperatures: thermal "
+                    "infrared of bare metal that faces the Earth changes while its temperature "
+                    "stays; earth_reflection_level is the same thing in one band",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -17,6 +17,8 @@ const struct um_effect um_effects_earth_ir = {
     .summary = "Thermal radiation of the Earth heats the satellite",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
     .validity = "uniform outgoing longwave radiation of the scenario",
+    .separated_by = "internal_power and mli_emittance: temperatures in the umbra of a side that "
+                    "faces the Earth beside one that faces space",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

@@ -19,7 +19,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 0.9,
      .minimum = 0.0,
      .maximum = 3.0,
-     .prior_sigma = 0.15}, /* 150 to 300 W/m2 about 237 */
+     .prior_sigma = 0.15,
+     .prior = "150 to 300 W/m^2 about 237"},
 };
 
 const struct um_effect um_effects_earth_ir_level = {
@@ -30,6 +31,8 @@ const struct um_effect um_effects_earth_ir_level = {
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
     .validity = "uniform outgoing longwave radiation; heat load only, the brightness temperature "
                 "in the band stays",
+    .separated_by = "internal_power and mli_emittance: temperatures of a side that faces the Earth "
+                    "beside one that faces space, day and night",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -4,7 +4,15 @@
 #include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "factor of the reflected radiation of the Earth", 1.0, 0.9, 0.0, 5.0, 0.3},
+    {.name = "factor",
+     .unit = "1",
+     .help = "factor of the reflected radiation of the Earth",
+     .null_value = 1.0,
+     .fallback = 0.9,
+     .minimum = 0.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.3,
+     .prior = "220 to 290 K of brightness temperature"},
 };
 
 static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
@@ -22,6 +30,9 @@ const struct um_effect um_effects_earth_reflection_level = {
     .summary = "The Earth seen in the satellite is warmer or colder than modelled",
     .reference = "Catsamas et al. 2025, arXiv 2511.13030",
     .validity = "optics only, heat loads stay; of no effect where reflected_earth_ir is off",
+    .separated_by = "internal_power and emittance: thermal infrared of sides that face the Earth "
+                    "changes at once with the ground below while their temperature stays; "
+                    "earth_brightness is the same thing in one band",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

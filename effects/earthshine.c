@@ -17,6 +17,9 @@ const struct um_effect um_effects_earthshine = {
     .summary = "Sunlight reflected by the Earth and again by the satellite reaches the observer",
     .reference = "Fankhauser et al. 2023, arXiv 2305.11123",
     .validity = "uniform Lambert Earth, grey in wavelength",
+    .separated_by = "background and zero_point: visible light while the satellite is in shadow or "
+                    "at large phase angles follows the height of the Sun over the ground below, "
+                    "and fades when that is in the dark",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

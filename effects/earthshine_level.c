@@ -4,7 +4,15 @@
 #include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "factor of the earthshine", 1.0, 1.3, 0.0, 5.0, 0.5},
+    {.name = "factor",
+     .unit = "1",
+     .help = "factor of the earthshine",
+     .null_value = 1.0,
+     .fallback = 1.3,
+     .minimum = 0.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.5,
+     .prior = "clouds, ice and oceans: 0.1 to 0.8 about 0.3"},
 };
 
 static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
@@ -22,6 +30,8 @@ const struct um_effect um_effects_earthshine_level = {
     .summary = "The sunlit Earth is brighter or darker than modelled",
     .reference = "Fankhauser et al. 2023, arXiv 2305.11123",
     .validity = "optics only, heat loads stay; of no effect where earthshine is off",
+    .separated_by = "background and diffuse_level: visible light of a satellite in shadow over the "
+                    "lit Earth; it follows the height of the Sun over the ground below",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

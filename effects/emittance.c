@@ -19,7 +19,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 0.9,
      .minimum = 0.1,
      .maximum = 10.0,
-     .prior_sigma = 0.12}, /* 0.1 to 0.2 of an emittance of 0.8 */
+     .prior_sigma = 0.12,
+     .prior = "0.1 to 0.2 of an emittance of 0.8"},
 };
 
 const struct um_effect um_effects_emittance = {
@@ -29,6 +30,9 @@ const struct um_effect um_effects_emittance = {
     .summary = "A surface emits and absorbs thermal radiation better or worse than its record",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 4",
     .validity = "one factor for all wavelengths above 2.5 um; the emittance stays within 0 to 1",
+    .separated_by =
+        "heat_capacity, solar_absorptance and internal_power: a temperature followed from sunlight "
+        "to the end of an eclipse, or two thermal-infrared bands, whose ratio is a temperature",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -4,7 +4,15 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"square_s2", "s^2", "added to the square of the exposure", 0.0, 1.0, 0.0, 1e4, 1.0},
+    {.name = "square_s2",
+     .unit = "s^2",
+     .help = "added to the square of the exposure",
+     .null_value = 0.0,
+     .fallback = 1.0,
+     .minimum = 0.0,
+     .maximum = 1e4,
+     .prior_sigma = 1.0,
+     .prior = "exposures of 0.05 to 1 s"},
 };
 
 static double exposure(const struct um_effect_use *use, double known)
@@ -20,6 +28,8 @@ const struct um_effect um_effects_exposure = {
     .reference = "Kipping 2010, MNRAS 408:1758",
     .validity = "mid-exposure is kept; averaged over the scenario's exposure_samples instants; "
                 "exposures must not overlap",
+    .separated_by = "roughness: glints of the same satellite in two exposure times; smear loses "
+                    "height in the longer one, a rough surface in both",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -2,7 +2,15 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"k_mag", "mag", "extinction at airmass 1", 0.0, 0.2, -2.0, 5.0, 0.3},
+    {.name = "k_mag",
+     .unit = "mag",
+     .help = "extinction at airmass 1",
+     .null_value = 0.0,
+     .fallback = 0.2,
+     .minimum = -2.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.3,
+     .prior = "0.12 to 0.35 mag in the visible, 0.1 to 0.4 mag at 10 um"},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
@@ -23,6 +31,8 @@ const struct um_effect um_effects_extinction = {
     .reference = "Kasten & Young 1989, Appl. Opt. 28:4735; Patat et al. 2011, A&A 527:A91",
     .validity = "one coefficient a band, over all its wavelengths; acts on irradiance in the order "
                 "of the list of effects; of no effect without a station",
+    .separated_by = "zero_point: one pass over a range of airmasses of 2 or more, or standard "
+                    "stars at two airmasses in the same night",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -52,7 +52,9 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 1.5,
      .minimum = 0.05,
      .maximum = 20.0,
-     .prior_sigma = 0.6}, /* panels 2000 to 10000, MLI 20 to 100 J/m2/K: a factor of 2.2 */
+     .prior_sigma = 0.6,
+     .logarithmic = true,
+     .prior = "panels 2000 to 10000, MLI 20 to 100 J/m^2/K, a factor of 2 either way"},
 };
 
 const struct um_effect um_effects_heat_capacity = {
@@ -62,6 +64,8 @@ const struct um_effect um_effects_heat_capacity = {
     .summary = "Walls hold more or less heat than stated",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
     .validity = "walls, solids and MLI skins, not the interior; nothing to see in a steady state",
+    .separated_by = "emittance: the slope of a temperature at shadow entry and its lag behind the "
+                    "spin go with 1/C, the value late in the eclipse does not",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,

@@ -30,7 +30,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 10.0,
      .minimum = -1e5,
      .maximum = 1e5,
-     .prior_sigma = INFINITY}, /* watts on a CubeSat, kilowatts on ENVISAT: no common width */
+     .prior_sigma = INFINITY,
+     .prior = "watts on a CubeSat, kilowatts on ENVISAT: no common width"},
 };
 
 const struct um_effect um_effects_internal_power = {
@@ -40,6 +41,8 @@ const struct um_effect um_effects_internal_power = {
     .summary = "Electronics or heaters inside a part release heat",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
     .validity = "a part with an interior node; constant in time, periodic states included",
+    .separated_by = "mli_emittance and emittance: temperatures or thermal infrared late in a long "
+                    "eclipse, of a radiator beside a side behind MLI; the visible does not change",
     .targets = UM_TARGET_PART,
     .parameters = parameters,
     .nparameter = 1,

@@ -38,18 +38,18 @@ static void write_targets(FILE *file, const struct um_effect *effect)
 static void write_parameters(FILE *file, const struct um_effect *effect)
 {
   if (effect->nparameter == 0) return;
-  fputs("\n| parameter | unit | vanishes at | default | range | prior sigma | meaning |\n"
-        "|---|---|---|---|---|---|---|\n",
+  fputs("\n| parameter | unit | vanishes at | default | range | prior sigma | from | meaning |\n"
+        "|---|---|---|---|---|---|---|---|\n",
         file);
   for (size_t i = 0; i < effect->nparameter; i++) {
     const struct um_effect_parameter *p = &effect->parameters[i];
     fprintf(file, "| `%s` | %s | %g | %g | %g to %g | ", p->name, p->unit, p->null_value,
             p->fallback, p->minimum, p->maximum);
     if (isfinite(p->prior_sigma))
-      fprintf(file, "%g", p->prior_sigma);
+      fprintf(file, "%g%s", p->prior_sigma, p->logarithmic ? " of ln" : "");
     else
       fputs("none", file);
-    fprintf(file, " | %s |\n", p->help);
+    fprintf(file, " | %s | %s |\n", p->prior != NULL ? p->prior : "", p->help);
   }
 }
 
@@ -76,6 +76,7 @@ void um_effects_write_markdown(FILE *file, const struct um_effect *effect)
   write_targets(file, effect);
   fprintf(file, "\n- %s by default\n- valid: %s\n- reference: %s\n",
           effect->on_by_default ? "on" : "off", effect->validity, effect->reference);
+  if (effect->separated_by != NULL) fprintf(file, "- told apart from %s\n", effect->separated_by);
   write_parameters(file, effect);
   write_example(file, effect);
 }
@@ -85,8 +86,13 @@ void um_effects_write_manual(FILE *file)
   fputs("# Effects\n\n"
         "Made from the descriptors in `effects/` by the test `unit_effects_manual` with\n"
         "`UMBRA_WRITE_DOCS=1`; not edited by hand. An effect at the value at which it vanishes "
-        "leaves the result\nbit-identical to a run without it. A prior sigma is the width of a "
-        "weak prior about that value.\n\n"
+        "leaves the result\n"
+        "bit-identical to a run without it. A prior sigma is the width of a weak Gaussian prior "
+        "about "
+        "that value, which\ndiagnosis and fit use; `of ln` is that of the "
+        "logarithm of the\nparameter over it. Behind it stands what the width is taken from. A "
+        "fitted value more than three widths\naway is called not credible. `none`: every value "
+        "within the range is as good as another before the data.\n\n"
         "| effect | by default | what it is |\n|---|---|---|\n",
         file);
   for (size_t i = 0; i < um_effects_count(); i++) {

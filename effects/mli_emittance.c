@@ -46,7 +46,9 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 2.0,
      .minimum = 0.01,
      .maximum = 100.0,
-     .prior_sigma = 1.0}, /* e* 0.005 to 0.05 about 0.016: a factor of 3 either way */
+     .prior_sigma = 1.0,
+     .logarithmic = true,
+     .prior = "0.005 to 0.05 about 0.016, a factor of 3 either way"},
 };
 
 const struct um_effect um_effects_mli_emittance = {
@@ -56,6 +58,9 @@ const struct um_effect um_effects_mli_emittance = {
     .summary = "MLI leaks more or less heat than stated: seams, compression, damage",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 5",
     .validity = "parts or groups with MLI; e* after the factor up to 1",
+    .separated_by =
+        "internal_power and emittance: in the umbra, blankets that face space warm more than those "
+        "that face the Earth, and the temperature inside falls while theirs rises",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,

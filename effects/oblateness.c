@@ -18,6 +18,8 @@ const struct um_effect um_effects_oblateness = {
     .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",
     .validity =
         "off: a sphere of the scenario's shadow_radius_km; a cylinder or no shadow stays as it is",
+    .separated_by = "shadow_radius and time_tag: both edges of one eclipse, sampled every second "
+                    "or faster, move by amounts that depend on the latitude of the limb",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

@@ -38,7 +38,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 0.18,
      .minimum = 0.0,
      .maximum = 0.4,
-     .prior_sigma = 0.15}, /* 0 to 0.3 */
+     .prior_sigma = 0.15,
+     .prior = "0 on a dead satellite, up to 0.3"},
 };
 
 const struct um_effect um_effects_panel_extraction = {
@@ -49,6 +50,8 @@ const struct um_effect um_effects_panel_extraction = {
     .reference = "Rauschenbach 1980, Solar Cell Array Design Handbook",
     .validity = "direct sunlight on fronts; power follows the Sun, no shunting; extraction in all "
                 "up to the absorptance; where the power is spent is for internal_power to say",
+    .separated_by = "solar_absorptance: visible light of the panel stays when electricity is drawn "
+                    "and changes with the absorptance",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,

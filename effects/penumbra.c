@@ -17,6 +17,8 @@ const struct um_effect um_effects_penumbra = {
     .summary = "The Sun is a disc: sunlight fades over seconds at the edge of the shadow",
     .reference = "Montenbruck & Gill 2000, section 3.4.2",
     .validity = "off: the Sun is a point and the shadow has an edge",
+    .separated_by = "shadow_radius and time_tag: light sampled every second or faster through an "
+                    "edge of the shadow shows whether it fades or is cut off",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

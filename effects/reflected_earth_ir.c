@@ -18,6 +18,9 @@ const struct um_effect um_effects_reflected_earth_ir = {
     .reference = "Kirchhoff's law; Catsamas et al. 2025, arXiv 2511.13030",
     .validity =
         "Earth of one brightness temperature in the band; the satellite reflects it diffusely",
+    .separated_by =
+        "earth_ir and internal_power: thermal infrared of bare metal follows the share of the "
+        "Earth in the sky of the side that is seen, at once, while temperatures stay",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

@@ -28,7 +28,9 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 10.0,
      .minimum = -60.0,
      .maximum = 60.0,
-     .prior_sigma = 10.0}, /* 21 km between sphere and ellipsoid, 7 km between radii in use */
+     .prior_sigma = 10.0,
+     .prior =
+         "21 km between sphere and ellipsoid, 7 km between radii in use, some 10 km of atmosphere"},
 };
 
 const struct um_effect um_effects_shadow_radius = {
@@ -38,6 +40,8 @@ const struct um_effect um_effects_shadow_radius = {
     .summary = "The Earth casts a larger or smaller shadow than stated",
     .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",
     .validity = "cylinder, sphere or ellipsoid; acts within seconds of the edges only",
+    .separated_by = "time_tag and along_track: both edges of one eclipse; a larger shadow moves "
+                    "entry and exit apart, a clock or the orbit moves both the same way",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -23,7 +23,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 0.1,
      .minimum = -0.5,
      .maximum = 0.5,
-     .prior_sigma = 0.15}, /* 0 to 0.3 by ageing */
+     .prior_sigma = 0.15,
+     .prior = "ageing gives 0 to 0.3"},
 };
 
 const struct um_effect um_effects_solar_absorptance = {
@@ -34,6 +35,8 @@ const struct um_effect um_effects_solar_absorptance = {
     .reference = "Silverman 1995, NASA CR-4661",
     .validity = "grey in wavelength below 2.5 um; absorptance stays within 0 to 1, and what the "
                 "diffuse reflectance cannot give is taken from the specular",
+    .separated_by = "panel_extraction and emittance: visible light beside a temperature; ageing "
+                    "darkens what it warms, and the end of an eclipse does not know of it",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = 1,

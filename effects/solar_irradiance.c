@@ -19,7 +19,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 1.034,
      .minimum = 0.8,
      .maximum = 1.2,
-     .prior_sigma = 0.017}, /* 3.4 % where the distance was left out */
+     .prior_sigma = 0.017,
+     .prior = "3.4 % where the distance of the Sun was left out"},
 };
 
 const struct um_effect um_effects_solar_irradiance = {
@@ -29,6 +30,9 @@ const struct um_effect um_effects_solar_irradiance = {
     .summary = "Sunlight is stronger or weaker than stated",
     .reference = "Kopp & Lean 2011, Geophys. Res. Lett. 38:L01706",
     .validity = "one factor for the whole spectrum, constant in time",
+    .separated_by = "zero_point, and solar_absorptance of all materials: temperatures in sunlight "
+                    "beside visible light of the same factor; the irradiance itself is measured "
+                    "from satellites to 0.1 %",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -3,7 +3,15 @@
 #include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"F_factor", "1", "factor of the specular reflectance", 1.0, 1.2, 0.0, 5.0, 0.2},
+    {.name = "F_factor",
+     .unit = "1",
+     .help = "factor of the specular reflectance",
+     .null_value = 1.0,
+     .fallback = 1.2,
+     .minimum = 0.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.2,
+     .prior = "20 % of a reflectance measured at one angle"},
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,
@@ -22,6 +30,8 @@ const struct um_effect um_effects_specular_level = {
     .reference = "Cook & Torrance 1982, ACM Trans. Graphics 1:7",
     .validity = "materials with a lobe; reflectance never passes what energy allows; absorptance "
                 "and emittance stay",
+    .separated_by = "zero_point and roughness: height and area of a glint change together and the "
+                    "light between glints stays",
     .targets = UM_TARGET_MATERIAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

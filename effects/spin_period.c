@@ -4,7 +4,15 @@
 #include "orbit/attitude.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"relative", "1", "relative error of the period", 0.0, 0.01, -0.5, 0.5, 0.05},
+    {.name = "relative",
+     .unit = "1",
+     .help = "relative error of the period",
+     .null_value = 0.0,
+     .fallback = 0.01,
+     .minimum = -0.5,
+     .maximum = 0.5,
+     .prior_sigma = 0.05,
+     .prior = "1e-4 to 0.1; 175 and 213 s are both printed for ENVISAT"},
 };
 
 static enum um_status law(struct um_context *context, const struct um_effect_use *use,
@@ -23,6 +31,8 @@ const struct um_effect um_effects_spin_period = {
     .reference = "Kucharski et al. 2014, IEEE Trans. Geosci. Remote Sens. 52:7651",
     .validity =
         "laws of the kind spin; others stay; the phase is kept at at_utc, by default the start",
+    .separated_by =
+        "time_tag and attitude_offset: many revolutions; its lag grows with time, theirs stays",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

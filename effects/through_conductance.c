@@ -48,7 +48,9 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 2.0,
      .minimum = 0.01,
      .maximum = 100.0,
-     .prior_sigma = 1.0}, /* 20 to 200 W/m2/K about 63: a factor of 3 either way */
+     .prior_sigma = 1.0,
+     .logarithmic = true,
+     .prior = "honeycomb 20 to 200 W/m^2/K about 63, a factor of 3 either way"},
 };
 
 const struct um_effect um_effects_through_conductance = {
@@ -58,6 +60,8 @@ const struct um_effect um_effects_through_conductance = {
     .summary = "A panel conducts better or worse from front to back than stated",
     .reference = "Swann & Pittman 1961, NASA TN D-714",
     .validity = "walls of two layers, with a back and a finite conductance through the wall",
+    .separated_by = "heat_capacity: temperatures of front and back at once, or passes that show "
+                    "front and back at equal phase, in sunlight and in steady darkness",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,

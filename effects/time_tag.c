@@ -3,7 +3,15 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"bias_s", "s", "tag minus true time", 0.0, 0.1, -100.0, 100.0, 1.0},
+    {.name = "bias_s",
+     .unit = "s",
+     .help = "tag minus true time",
+     .null_value = 0.0,
+     .fallback = 0.1,
+     .minimum = -100.0,
+     .maximum = 100.0,
+     .prior_sigma = 1.0,
+     .prior = "1 ms to 1 s without a disciplined clock"},
 };
 
 static double true_time(const struct um_effect_use *use, double t_tai)
@@ -18,6 +26,9 @@ const struct um_effect um_effects_time_tag = {
     .summary = "The clock of the observations is wrong by a constant",
     .reference = "Montenbruck & Gill 2000, Satellite Orbits, chapter 6",
     .validity = "constant over all observations",
+    .separated_by =
+        "along_track: stars in the same frames, or the edges of an eclipse beside glints; a clock "
+        "moves everything alike, an orbit does not move attitude and stars",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],

@@ -2,7 +2,16 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {"factor", "1", "measured by true irradiance", 1.0, 0.9, 0.01, 100.0, 0.5},
+    {.name = "factor",
+     .unit = "1",
+     .help = "measured by true irradiance",
+     .null_value = 1.0,
+     .fallback = 0.9,
+     .minimum = 0.01,
+     .maximum = 100.0,
+     .prior_sigma = 0.7,
+     .logarithmic = true,
+     .prior = "throughput of a new setup, known to a factor of 2"},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
@@ -21,6 +30,8 @@ const struct um_effect um_effects_zero_point = {
     .reference = "Bessell 2005, Annu. Rev. Astron. Astrophys. 43:293",
     .validity =
         "constant over all observations; acts on irradiance in the order of the list of effects",
+    .separated_by = "area, diffuse_level and extinction: standard stars in the same night, or a "
+                    "second band of the same part that the factor does not touch",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
     .parameters = parameters,
     .nparameter = sizeof parameters / sizeof parameters[0],
