@@ -42,5 +42,7 @@ enum um_status um_core_csv_fail(struct um_context *context, const struct um_core
 
 /* Strict number: the whole text, finite, decimal point; false otherwise. Locale-independent. */
 bool um_core_number_parse(const char *text, double *out);
+/* The shortest text that is read back as the same finite number. Does not fail. */
+void um_core_number_text(double value, char out[32]);
 
 #endif

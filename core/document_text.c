@@ -2,7 +2,8 @@
  *
  * The text as read is edited where the overrides changed it, so that comments and layout stay. When
  * an edit is not possible (a collection was replaced) or does not read back as the same tree, the
- * whole tree is written anew, without comments. */
+ * whole tree is written anew, without comments. Where a new element goes is guessed from the text
+ * around its last neighbour: the reading back tells whether that was right. */
 #include <stdint.h>
 #include <string.h>
 
@@ -21,7 +22,10 @@ struct edit {
 };
 
 struct edits {
-  struct builder pool; /* replacements */
+  const char *source;
+  size_t length;              /* of the source */
+  const struct um_node *root; /* of the tree as read */
+  struct builder pool;        /* replacements */
   struct edit *list;
   size_t count, capacity;
   bool possible;
@@ -195,6 +199,65 @@ static enum um_status insert_key(struct edits *e, const struct um_node *last,
   return add_edit(e, last->key_place.from, last->key_place.from, at);
 }
 
+/* A list as a new last key of the whole document, an element a line. */
+static enum um_status append_list(struct edits *e, const struct um_node *node)
+{
+  size_t at = e->pool.length;
+  if (e->length > 0 && e->source[e->length - 1] != '\n') UM_TRY(put(&e->pool, "\n"));
+  UM_TRY(put_key(&e->pool, node->key));
+  UM_TRY(put(&e->pool, ":"));
+  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
+    UM_TRY(put(&e->pool, "\n  - "));
+    UM_TRY(put_flow(&e->pool, n, false));
+  }
+  UM_TRY(put(&e->pool, "\n"));
+  return add_edit(e, e->length, e->length, at);
+}
+
+/* Behind the last character of a node that stands in the file; 0 when that cannot be told. */
+static size_t end_of(const struct edits *e, const struct um_node *node)
+{
+  if (node->kind == UM_NODE_SCALAR) return node->place.to;
+  if (node->last == NULL) return 0;
+  size_t end = end_of(e, node->last);
+  if (!node->flow || end == 0) return end;
+  while (end < e->length && strchr(" ,\n", e->source[end]) != NULL) end++;
+  return end < e->length && strchr("]}", e->source[end]) != NULL ? end + 1 : 0;
+}
+
+/* Column of the dash before a node of a list in block layout; SIZE_MAX when there is none. */
+static size_t dash_column(const struct edits *e, const struct um_node *node)
+{
+  while (node->kind != UM_NODE_SCALAR && node->key == NULL && node->first != NULL &&
+         node->first->key == NULL)
+    node = node->first;
+  size_t at = node->kind == UM_NODE_SCALAR || node->first == NULL ? node->place.from
+                                                                  : node->first->key_place.from;
+  while (at > 0 && strchr(" {[\"'", e->source[at - 1]) != NULL) at--;
+  if (at == 0 || e->source[at - 1] != '-') return SIZE_MAX;
+  size_t dash = at - 1, line = dash;
+  while (line > 0 && e->source[line - 1] != '\n') line--;
+  return dash - line;
+}
+
+/* New last elements of a list that has some. */
+static enum um_status append_elements(struct edits *e, const struct um_node *list,
+                                      const struct um_node *node, bool flow)
+{
+  size_t at = e->pool.length, end = end_of(e, list->last);
+  size_t column = flow ? 0 : dash_column(e, list->last);
+  e->possible = e->possible && end > 0 && column != SIZE_MAX;
+  while (e->possible && !flow && end < e->length && e->source[end - 1] != '\n') end++;
+  if (!flow && end > 0 && e->source[end - 1] != '\n') UM_TRY(put(&e->pool, "\n"));
+  for (; e->possible && node != NULL; node = node->next) {
+    if (!flow) UM_TRY(put_indent(&e->pool, column));
+    UM_TRY(put(&e->pool, flow ? ", " : "- "));
+    UM_TRY(put_flow(&e->pool, node, flow));
+    if (!flow) UM_TRY(put(&e->pool, "\n"));
+  }
+  return e->possible ? add_edit(e, end, end, at) : UM_OK;
+}
+
 /* Edits that turn the tree `old` (as read) into `node`. */
 static enum um_status collect_edits(struct edits *e, const struct um_node *old,
                                     const struct um_node *node, bool flow)
@@ -214,9 +277,14 @@ static enum um_status collect_edits(struct edits *e, const struct um_node *old,
     if (p->key != NULL && strcmp(p->key, q->key) != 0) break;
     UM_TRY(collect_edits(e, p, q, flow));
   }
-  /* overrides put new keys behind the old ones */
-  if (p != NULL || (q != NULL && q->key == NULL)) e->possible = false;
-  for (; e->possible && q != NULL; q = q->next) UM_TRY(insert_key(e, last, q, flow));
+  /* overrides put new keys and elements behind the old ones */
+  e->possible = e->possible && p == NULL;
+  if (e->possible && q != NULL && q->key == NULL) return append_elements(e, old, q, flow);
+  for (; e->possible && q != NULL; q = q->next)
+    if (old == e->root && !flow && q->kind == UM_NODE_LIST && q->count > 0)
+      UM_TRY(append_list(e, q));
+    else
+      UM_TRY(insert_key(e, last, q, flow));
   return UM_OK;
 }
 
@@ -252,7 +320,10 @@ static enum um_status edit_source(const struct um_document *document, struct bui
 {
   struct um_context *context = document->context;
   struct um_document *scratch;
-  struct edits e = {.pool = {.context = context}, .possible = true};
+  struct edits e = {.source = document->source,
+                    .length = document->source_length,
+                    .pool = {.context = context},
+                    .possible = true};
   struct um_node *old, *again;
   *good = false;
   UM_TRY(um_core_allocate(context, 1, sizeof *scratch, &scratch));
@@ -260,6 +331,7 @@ static enum um_status edit_source(const struct um_document *document, struct bui
   enum um_status status;
   UM_CHECK(um_core_yaml_load(scratch, document->path, true, document->source,
                              document->source_length, &old));
+  e.root = old;
   UM_CHECK(collect_edits(&e, old, document->root, false));
   for (size_t i = 0; e.possible && i < e.count; i++)
     e.possible = e.list[i].to <= document->source_length && e.list[i].from <= e.list[i].to &&

@@ -63,3 +63,14 @@ bool um_core_number_parse(const char *text, double *out)
   *out = value;
   return true;
 }
+
+void um_core_number_text(double value, char out[32])
+{
+  double again = NAN;
+  for (int digits = 15; digits <= 17 && again != value; digits++) {
+    snprintf(out, 32, "%.*g", digits, value == 0.0 ? 0.0 : value); /* no "-0" */
+    again = strtod(out, NULL);
+  }
+  for (char *c = out; *c != '\0'; c++) /* the point of the current locale */
+    if (strchr("+-0123456789e", *c) == NULL) *c = '.';
+}

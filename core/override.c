@@ -2,12 +2,15 @@
  *
  * A path is walked from the root. In a mapping the longest key that fits is taken, in a list the
  * longest label (name, effect:target, effect) that fits, or a position counted from 0; so names
- * with dots in them are still reached. Missing mappings are made, list elements are not. */
+ * with dots in them are still reached. Missing mappings are made; a list grows by one element at a
+ * path that ends in "+". */
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/document_impl.h"
 #include "core/words.h"
+
+#define NEXT "+" /* the element behind the last one of a list */
 
 struct walk {
   struct um_document *document;
@@ -33,6 +36,27 @@ static enum um_status fail_walk(const struct walk *w, const char *problem, const
                       accepted[0] != '\0' ? "; accepted: " : "", accepted);
 }
 
+/* A new last child; key NULL in a list. */
+static enum um_status add_child(struct walk *w, struct um_node *parent, const char *key,
+                                struct um_node **out)
+{
+  struct um_node *made;
+  UM_TRY(um_core_document_allocate(w->document->context, w->document, 1, sizeof *made, &made));
+  made->key = key;
+  made->kind = UM_NODE_NULL;
+  made->at.file = "--set";
+  made->set = true;
+  made->text = "";
+  if (parent->last == NULL)
+    parent->first = made;
+  else
+    parent->last->next = made;
+  parent->last = made;
+  parent->count++;
+  *out = made;
+  return UM_OK;
+}
+
 /* The child of a mapping, made when missing. */
 static enum um_status step_map(struct walk *w, struct um_node *map, struct um_node **out)
 {
@@ -46,22 +70,10 @@ static enum um_status step_map(struct walk *w, struct um_node *map, struct um_no
   }
   size_t length = strcspn(w->rest, ".");
   if (length == 0) return fail_walk(w, "an empty part between dots", "names joined by single dots");
-  struct um_node *made;
-  UM_TRY(um_core_document_allocate(w->document->context, w->document, 1, sizeof *made, &made));
-  UM_TRY(um_core_document_copy_text(w->document, w->rest, length, &made->key));
-  made->kind = UM_NODE_NULL;
-  made->at.file = "--set";
-  made->set = true;
-  made->text = "";
-  if (map->last == NULL)
-    map->first = made;
-  else
-    map->last->next = made;
-  map->last = made;
-  map->count++;
+  const char *key;
+  UM_TRY(um_core_document_copy_text(w->document, w->rest, length, &key));
   w->rest = behind(w->rest, length);
-  *out = made;
-  return UM_OK;
+  return add_child(w, map, key, out);
 }
 
 /* Longest label that fits; counts how many elements share it. */
@@ -109,6 +121,10 @@ static enum um_status fail_element(const struct walk *w, const struct um_node *l
 static enum um_status step_list(struct walk *w, struct um_node *list, struct um_node **out)
 {
   size_t length, matches;
+  if (strcmp(w->rest, NEXT) == 0) {
+    w->rest = behind(w->rest, strlen(NEXT));
+    return add_child(w, list, NULL, out);
+  }
   UM_TRY(find_label(w, list, false, out, &length, &matches));
   if (matches == 0) UM_TRY(find_label(w, list, true, out, &length, &matches));
   if (matches > 1) return fail_element(w, list, matches);
@@ -141,7 +157,7 @@ static enum um_status find_target(struct walk *w, struct um_node **out)
   for (int depth = 0; w->rest[0] != '\0'; depth++) {
     if (depth == UM_NODE_DEPTH_MAX) return fail_walk(w, "nested too deep", "");
     if (node->kind == UM_NODE_NULL) {
-      node->kind = UM_NODE_MAP;
+      node->kind = strcmp(w->rest, NEXT) == 0 ? UM_NODE_LIST : UM_NODE_MAP;
       node->flow = true;
     }
     if (node->kind == UM_NODE_MAP)

@@ -65,6 +65,7 @@ struct um_schema_field {
                         PARSED whose target is a double; NaN: no default, which leaves NaN, an
                         INTEGER INT_MIN, a CHOICE -1, a BOOL false */
   size_t length;     /* of VECTOR; of the inline target of PARSED [bytes] */
+  bool file;         /* TEXT or TEXTS: names files, relative ones from the document's folder */
   bool always;       /* MAP: an absent mapping is read as an empty one, so that its defaults hold */
   const char *const *choices;            /* NULL-terminated, for CHOICE */
   const struct um_schema_object *object; /* for MAP, LIST, DICT */
@@ -102,9 +103,10 @@ struct um_document;
 /* Parse `path` (aliases, anchors, duplicate keys, tags are refused; UTF-8; at most 8 MiB), apply
  * `noverride` texts "key.path=yaml value" in order (names address lists of mappings that have a
  * `name`, or an `effect` with optional ":target"; integers address by position; the value is YAML;
- * missing mappings on the way are made, list elements are not), check against `schema` and bind.
- * root: the bound struct, owned by the document. Errors: one line "file:line: key: problem;
- * accepted: ...", unknown keys with the nearest known one. UM_ERR_IO, UM_ERR_INPUT, UM_ERR_MEMORY.
+ * missing mappings on the way are made; a path that ends in "+" adds an element to a list), check
+ * against `schema` and bind. root: the bound struct, owned by the document. Errors: one line
+ * "file:line: key: problem; accepted: ...", unknown keys with the nearest known one. UM_ERR_IO,
+ * UM_ERR_INPUT, UM_ERR_MEMORY.
  */
 enum um_status um_core_document_read(struct um_context *context, const char *path,
                                      const struct um_schema_object *schema,
@@ -120,6 +122,12 @@ void um_core_document_destroy(struct um_document **document);
  * caller frees. Used for the copy in results and for improved scenarios. */
 enum um_status um_core_document_text(struct um_context *context, const struct um_document *document,
                                      char **out);
+/* Relative names of files (fields with `file`) are written anew so that they lead to the same files
+ * from a document in `folder`, which exists: relative, or absolute where the two folders have only
+ * the root in common. For um_core_document_text: what is bound stays. UM_ERR_IO "name: reason" for
+ * a name whose folder does not exist. */
+enum um_status um_core_document_move(struct um_context *context, struct um_document *document,
+                                     const struct um_schema_object *schema, const char *folder);
 /* Memory owned by the document, zeroed; for things derived while binding. */
 enum um_status um_core_document_allocate(struct um_context *context, struct um_document *document,
                                          size_t count, size_t size, void *out);

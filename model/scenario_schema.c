@@ -12,6 +12,7 @@
 #define DEFAULT(v)         .fallback = (v)
 #define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_hook
 #define HELP(text)         .help = (text)
+#define NAMES_FILE         .file = true
 #define FIELDS(array)      .fields = (array), .nfield = UM_FIELD_COUNT(array)
 #define OBJECT(identifier, structure, name_, help_, ...)                                           \
   static const struct um_schema_object identifier = {                                              \
@@ -86,23 +87,53 @@ static const struct um_schema_field orientation_fields[] = {
     F(ut1_utc_s, "ut1_utc_s", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1, 1), HELP("UT1-UTC")),
     F(xp_arcsec, "xp_arcsec", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-2, 2), HELP("pole, x")),
     F(yp_arcsec, "yp_arcsec", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-2, 2), HELP("pole, y")),
-    F(finals, "finals", UM_SCHEMA_TEXT, HELP("IERS finals2000A file instead of the numbers")),
+    F(finals, "finals", UM_SCHEMA_TEXT, NAMES_FILE,
+      HELP("IERS finals2000A file instead of the numbers")),
 };
 #undef F
 OBJECT(orientation_object, struct um_scenario_orientation, "earth_orientation",
        "Earth orientation parameters; zero when not given, and the log states what that costs.",
        FIELDS(orientation_fields));
 
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_station, member, key, type, __VA_ARGS__)
+static const struct um_schema_field station_fields[] = {
+    F(name, "name", UM_SCHEMA_TEXT, HELP("for the log")),
+    F(latitude_deg, "latitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-90, 90),
+      HELP("geodetic, WGS-84, north positive")),
+    F(longitude_deg, "longitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-180, 360),
+      HELP("east positive")),
+    F(height_m, "height_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-500, 1e5),
+      HELP("above the ellipsoid")),
+};
+#undef F
+OBJECT(station_object, struct um_scenario_station, "station", "A telescope on the ground.",
+       FIELDS(station_fields));
+
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_points, member, key, type, __VA_ARGS__)
+static const struct um_schema_field points_fields[] = {
+    F(stations, "stations", UM_SCHEMA_LIST, .object = &station_object,
+      HELP("that rows may name beside observer.station; each with a name")),
+};
+#undef F
+OBJECT(points_object, struct um_scenario_points, "points",
+       "No track: every row of the measurements says where the satellite is, by "
+       "satellite_height_km above the WGS-84 ellipsoid, azimuth_deg and elevation_deg; heat is not "
+       "followed.",
+       FIELDS(points_fields));
+
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_orbit, member, key, type, __VA_ARGS__)
 static const struct um_schema_field orbit_fields[] = {
     F(tle, "tle", UM_SCHEMA_TEXT, .alternative = 1, HELP("two-line elements, for SGP4")),
-    F(tle_file, "tle_file", UM_SCHEMA_TEXT, .alternative = 1,
+    F(tle_file, "tle_file", UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,
       HELP("file whose first two-line set is used")),
     F(kepler, "kepler", UM_SCHEMA_MAP, .object = &kepler_object, .alternative = 1),
     F(circular, "circular", UM_SCHEMA_MAP, .object = &circular_object, .alternative = 1),
-    F(table, "table", UM_SCHEMA_TEXT, .alternative = 1,
+    F(table, "table", UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,
       HELP("CSV time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s] in GCRS")),
     F(fixed, "fixed", UM_SCHEMA_MAP, .object = &fixed_point_object, .alternative = 1),
+    F(points, "points", UM_SCHEMA_MAP, .object = &points_object, .alternative = 1),
     F(earth_orientation, "earth_orientation", UM_SCHEMA_MAP, .object = &orientation_object),
 };
 #undef F
@@ -144,6 +175,19 @@ static const struct um_schema_field pointing_fields[] = {
 OBJECT(pointing_object, struct um_scenario_pointing, "pointing", "A body axis follows a direction.",
        FIELDS(pointing_fields));
 
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_pointing, member, key, type, __VA_ARGS__)
+static const struct um_schema_field yaw_steering_fields[] = {
+    F(axis_body, "axis_body", UM_SCHEMA_VECTOR, REQUIRED, .length = 3,
+      HELP("body axis toward the geocentre")),
+    F(clock_body, "clock_body", UM_SCHEMA_VECTOR, REQUIRED, .length = 3,
+      HELP("body axis kept as near the Sun as possible")),
+};
+#undef F
+OBJECT(yaw_steering_object, struct um_scenario_pointing, "yaw steering",
+       "A body axis looks at the geocentre, another stays in the plane of nadir and Sun.",
+       FIELDS(yaw_steering_fields));
+
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_spin, member, key, type, __VA_ARGS__)
 static const struct um_schema_field spin_fields[] = {
     F(axis_gcrs, "axis_gcrs", UM_SCHEMA_NUMBERS, .alternative = 1, HELP("spin axis, inertial")),
@@ -167,7 +211,8 @@ OBJECT(spin_object, struct um_scenario_spin, "spin", "Steady rotation about one 
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_attitude_table, member, key, type, __VA_ARGS__)
 static const struct um_schema_field attitude_table_fields[] = {
-    F(file, "file", UM_SCHEMA_TEXT, REQUIRED, HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body")),
+    F(file, "file", UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
+      HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body")),
     F(max_gap_s, "max_gap_s", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e7),
       HELP("longest step that is interpolated; 0: ten times the median")),
 };
@@ -185,6 +230,8 @@ static const struct um_schema_field attitude_fields[] = {
     F(sun, "sun", UM_SCHEMA_MAP, .object = &pointing_object, .alternative = 1),
     F(target, "target", UM_SCHEMA_MAP, .object = &pointing_object, .alternative = 1,
       HELP("like sun, toward the observer")),
+    F(yaw_steering, "yaw_steering", UM_SCHEMA_MAP, .object = &yaw_steering_object,
+      .alternative = 1),
     F(spin, "spin", UM_SCHEMA_MAP, .object = &spin_object, .alternative = 1),
     F(table, "table", UM_SCHEMA_MAP, .object = &attitude_table_object, .alternative = 1),
 };
@@ -193,21 +240,6 @@ OBJECT(attitude_object, struct um_scenario_attitude, "attitude law", "How the sa
        FIELDS(attitude_fields), .exactly_one = one);
 
 /* --- observer ------------------------------------------------------------------------------- */
-#define F(member, key, type, ...)                                                                  \
-  UM_FIELD(struct um_scenario_station, member, key, type, __VA_ARGS__)
-static const struct um_schema_field station_fields[] = {
-    F(name, "name", UM_SCHEMA_TEXT, HELP("for the log")),
-    F(latitude_deg, "latitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-90, 90),
-      HELP("geodetic, WGS-84, north positive")),
-    F(longitude_deg, "longitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-180, 360),
-      HELP("east positive")),
-    F(height_m, "height_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-500, 1e5),
-      HELP("above the ellipsoid")),
-};
-#undef F
-OBJECT(station_object, struct um_scenario_station, "station", "A telescope on the ground.",
-       FIELDS(station_fields));
-
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_direction, member, key, type, __VA_ARGS__)
 static const struct um_schema_field direction_fields[] = {
@@ -223,7 +255,7 @@ OBJECT(direction_object, struct um_scenario_direction, "direction",
   UM_FIELD(struct um_scenario_moving_observer, member, key, type, __VA_ARGS__)
 static const struct um_schema_field moving_observer_fields[] = {
     F(tle, "tle", UM_SCHEMA_TEXT, .alternative = 1, HELP("two-line elements of the observer")),
-    F(table, "table", UM_SCHEMA_TEXT, .alternative = 1, HELP("CSV as for orbit.table")),
+    F(table, "table", UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1, HELP("CSV as for orbit.table")),
 };
 #undef F
 OBJECT(moving_observer_object, struct um_scenario_moving_observer, "trajectory",
@@ -321,7 +353,8 @@ OBJECT(paraboloid_object, struct um_scenario_round, "paraboloid",
 
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_mesh, member, key, type, __VA_ARGS__)
 static const struct um_schema_field mesh_fields[] = {
-    F(file, "file", UM_SCHEMA_TEXT, REQUIRED, HELP("Wavefront OBJ; its groups are the groups")),
+    F(file, "file", UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
+      HELP("Wavefront OBJ; its groups are the groups")),
     F(scale, "scale", UM_SCHEMA_NUMBER, DEFAULT(1.0), POSITIVE(1e6), HELP("metres per unit")),
 };
 #undef F
@@ -557,7 +590,7 @@ static const struct um_schema_field scenario_fields[] = {
       HELP("laws in order of time")),
     F(observer, "observer", UM_SCHEMA_MAP, .object = &observer_object),
     F(environment, "environment", UM_SCHEMA_MAP, .always = true, .object = &environment_object),
-    F(material_files, "material_files", UM_SCHEMA_TEXTS,
+    F(material_files, "material_files", UM_SCHEMA_TEXTS, NAMES_FILE,
       HELP("files of material records that add to the library or replace its names")),
     F(parts, "parts", UM_SCHEMA_LIST, REQUIRED, .object = &part_object),
     F(contacts, "contacts", UM_SCHEMA_LIST, .object = &contact_object),

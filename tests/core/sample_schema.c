@@ -119,7 +119,7 @@ static const struct um_schema_field fields[] = {
     UM_FIELD(struct sample, materials, "materials", UM_SCHEMA_DICT, .object = &material_object),
     UM_FIELD(struct sample, effects, "effects", UM_SCHEMA_LIST, .object = &effect_object),
     UM_FIELD(struct sample, levels, "levels", UM_SCHEMA_NUMBERS),
-    UM_FIELD(struct sample, tags, "tags", UM_SCHEMA_TEXTS),
+    UM_FIELD(struct sample, tags, "tags", UM_SCHEMA_TEXTS, .file = true),
     UM_FIELD(struct sample, atmosphere, "atmosphere", UM_SCHEMA_MAP, .object = &atmosphere_object),
     UM_FIELD(struct sample, orbits, "orbits", UM_SCHEMA_INTEGER, .minimum = 1.0, .maximum = 99.0,
              .fallback = 4.0),
