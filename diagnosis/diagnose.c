@@ -1,0 +1,340 @@
+/* The method: fit what is uncertain anyway, then test, fit and add effects one after another until
+ * nothing significant is left; check backward; say what is found and what cannot be known. */
+#include "diagnosis/diagnose.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/nuisance_impl.h"
+
+#define LEVEL     0.01 /* family-wise false-alarm rate, when not asked for another */
+#define STEPS_MAX 4
+#define RIVALS    8
+#define FOLDS     5    /* blocks of time that are held out in turn */
+#define NOT_NOISE 1e-3 /* p below which a residual is not white noise of the stated sigma */
+#define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice */
+#define MOVED     5.0  /* sigmas by which a free nuisance has taken up something */
+
+static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
+{
+  for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) values[p] = NAN;
+}
+
+/* Blocks of equal numbers of rows in order of time of the whole set. */
+static enum um_status make_folds(struct um_context *context, struct um_diagnosis_work *work)
+{
+  const struct um_diagnosis_forward *f = work->forward;
+  double first = INFINITY, last = -INFINITY;
+  UM_TRY(um_core_allocate(context, f->nrow, sizeof *work->fold, &work->fold));
+  for (size_t j = 0; j < f->nrow; j++) {
+    first = fmin(first, f->t[j]);
+    last = fmax(last, f->t[j]);
+  }
+  work->nfold = FOLDS;
+  for (size_t j = 0; j < f->nrow && last > first; j++) {
+    size_t fold = (size_t)(FOLDS * (f->t[j] - first) / (last - first));
+    work->fold[j] = fold < FOLDS ? fold : FOLDS - 1;
+  }
+  return UM_OK;
+}
+
+/* Rows of each channel in order of time, as the whiteness test wants them. */
+static enum um_status whiteness(struct um_context *context, const struct um_diagnosis_work *work,
+                                const double *residual, double fitted,
+                                struct um_diagnosis_whiteness *out)
+{
+  enum um_status status;
+  const struct um_diagnosis_forward *f = work->forward;
+  size_t *order = NULL, *channel = NULL;
+  double *sorted = NULL;
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *order, &order));
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *channel, &channel));
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *sorted, &sorted));
+  /* rows are in order of time within a track; insertion is quick where they nearly are */
+  for (size_t j = 0; j < f->nrow; j++) {
+    size_t at = j;
+    for (; at > 0 && f->t[order[at - 1]] > f->t[j]; at--) order[at] = order[at - 1];
+    order[at] = j;
+  }
+  for (size_t j = 0; j < f->nrow; j++) {
+    sorted[j] = residual[order[j]];
+    channel[j] = f->channel[order[j]];
+  }
+  UM_CHECK(um_diagnosis_whiteness_test(context, f->nrow, sorted, channel, f->measurements->nchannel,
+                                       fitted, out));
+done:
+  um_core_free(context, sorted);
+  um_core_free(context, channel);
+  um_core_free(context, order);
+  return status;
+}
+
+static double free_parameters(const struct um_diagnosis_state *state)
+{
+  double n = 0.0;
+  for (size_t b = 0; b < state->nblock; b++)
+    for (size_t p = 0; p < state->block[b].nfree; p++) n += isinf(state->block[b].prior_sigma[p]);
+  return n;
+}
+
+/* The scenario as it stands, its nuisances fitted. */
+static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
+                               struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  size_t n = work->forward->nrow;
+  UM_TRY(um_diagnosis_nuisances(context, work, state));
+  if (!(free_parameters(state) < (double)n))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
+        work->forward->measurements->path, n, free_parameters(state));
+  UM_TRY(um_diagnosis_state_fit(context, work, state,
+                                state->nnuisance == 0 ? work->candidates->base : NULL, NULL));
+  UM_TRY(um_core_allocate(context, n, sizeof *d->value_before, &d->value_before));
+  memcpy(d->value_before, state->fit->value, n * sizeof *d->value_before);
+  d->chi2 = state->fit->chi2;
+  d->dof = (double)n - free_parameters(state);
+  d->chi2_reduced = d->chi2 / d->dof;
+  return whiteness(context, work, state->fit->residual, free_parameters(state),
+                   &d->baseline_whiteness);
+}
+
+static enum um_status keep_ranking(struct um_context *context, const struct um_diagnosis_work *work,
+                                   const struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  UM_TRY(um_core_allocate(context, work->candidates->count, sizeof *d->ranking, &d->ranking));
+  return um_diagnosis_rank(context, work, state, d->ranking, &d->nranking);
+}
+
+static enum um_status go_forward(struct um_context *context, const struct um_diagnosis_work *work,
+                                 struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  size_t n = work->forward->nrow;
+  UM_TRY(um_core_allocate(context, work->steps_max, sizeof *d->step, &d->step));
+  for (bool added = true; added && d->nstep < work->steps_max;) {
+    struct um_diagnosis_step *step = &d->step[d->nstep];
+    nothing(step->sigma);
+    enum um_status status = um_diagnosis_select(context, work, state, step, &added);
+    if (status != UM_OK || !added) {
+      um_core_free(context, step->rival);
+      step->rival = NULL;
+      UM_TRY(status);
+      break;
+    }
+    d->nstep++;
+    UM_TRY(um_core_allocate(context, n, sizeof *step->value, &step->value));
+    memcpy(step->value, state->fit->value, n * sizeof *step->value);
+    UM_TRY(um_diagnosis_backward(context, work, state, d));
+  }
+  return UM_OK;
+}
+
+static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
+                               const struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  size_t n = work->forward->nrow, added = state->nblock - state->nnuisance;
+  UM_TRY(um_core_allocate(context, added, sizeof *d->addition, &d->addition));
+  UM_TRY(um_core_allocate(context, added, sizeof *d->addition_sigma, &d->addition_sigma));
+  UM_TRY(um_core_allocate(context, state->nnuisance, sizeof *d->nuisance, &d->nuisance));
+  UM_TRY(
+      um_core_allocate(context, state->nnuisance, sizeof *d->nuisance_sigma, &d->nuisance_sigma));
+  for (size_t b = 0; b < state->nblock; b++) {
+    bool nuisance = b < state->nnuisance;
+    size_t i = nuisance ? d->nnuisance++ : d->naddition++;
+    *(nuisance ? &d->nuisance[i] : &d->addition[i]) = state->block[b].addition;
+    um_diagnosis_state_sigma(state, b, nuisance ? d->nuisance_sigma[i] : d->addition_sigma[i]);
+    for (size_t s = 0; s < d->nstep && !nuisance; s++) { /* values as fitted together */
+      if (d->step[s].removed || d->step[s].candidate != state->block[b].candidate) continue;
+      d->step[s].addition = d->addition[i];
+      memcpy(d->step[s].sigma, d->addition_sigma[i], sizeof d->step[s].sigma);
+    }
+  }
+  UM_TRY(um_core_allocate(context, n, sizeof *d->value_after, &d->value_after));
+  memcpy(d->value_after, state->fit->value, n * sizeof *d->value_after);
+  d->chi2_after = state->fit->chi2;
+  d->dof_after = (double)n - (double)state->nparameter;
+  d->chi2_reduced_after = d->chi2_after / d->dof_after;
+  return whiteness(context, work, state->fit->residual, free_parameters(state),
+                   &d->final_whiteness);
+}
+
+/* --- verdict ---------------------------------------------------------------------------------- */
+
+/* A free nuisance that moved far took up something, perhaps one of the candidates it absorbs. */
+static bool nuisance_took_it(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
+{
+  bool absorbed = false;
+  for (size_t i = 0; i < d->nranking; i++) absorbed |= d->ranking[i].score.absorbed;
+  for (size_t b = 0, k = 0; b < state->nnuisance; b++)
+    for (size_t p = 0; p < state->block[b].nfree; p++, k++)
+      if (isinf(state->block[b].prior_sigma[p]) &&
+          fabs(state->fit->x[k] - state->block[b].prior_mean[p]) > MOVED * state->fit->sigma[k])
+        return absorbed;
+  return false;
+}
+
+static bool is_noise(const struct um_diagnosis_whiteness *w)
+{
+  return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE);
+}
+
+static bool has_group(const struct um_diagnosis_step *step)
+{
+  if (step->removed || step->by_prior) return false;
+  for (size_t i = 1; i < step->nrival; i++)
+    if (step->rival[i].indistinguishable) return true;
+  return false;
+}
+
+static enum um_diagnosis_verdict judge(const struct um_diagnosis_state *state,
+                                       const struct um_diagnosis *d)
+{
+  bool noise = is_noise(&d->final_whiteness);
+  if (d->naddition == 0) {
+    if (!noise) return UM_VERDICT_UNEXPLAINED;
+    return nuisance_took_it(state, d) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
+  }
+  if (!noise && d->chi2_reduced_after > BAD_FIT) return UM_VERDICT_UNEXPLAINED;
+  for (size_t s = 0; s < d->nstep; s++)
+    if (has_group(&d->step[s])) return UM_VERDICT_NOT_IDENTIFIABLE;
+  return UM_VERDICT_FOUND;
+}
+
+/* --- what follows ----------------------------------------------------------------------------- */
+
+static enum um_status look_further(struct um_context *context, const struct um_diagnosis_work *work,
+                                   const struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  for (size_t s = d->nstep; s-- > 0 && d->next == NULL && !work->options->no_next;)
+    if (has_group(&d->step[s]))
+      UM_TRY(um_diagnosis_next_find(context, work, state, &d->step[s], &d->next));
+  if (d->verdict != UM_VERDICT_UNEXPLAINED || work->options->no_heat) return UM_OK;
+  enum um_status status;
+  struct um_diagnosis_addition *addition = NULL;
+  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
+  um_diagnosis_state_additions(state, addition);
+  UM_CHECK(um_diagnosis_unexplained_create(context, work->forward, addition, state->nblock,
+                                           state->fit->value, state->fit->jacobian,
+                                           state->nparameter, &d->unexplained));
+done:
+  um_core_free(context, addition);
+  return status;
+}
+
+static enum um_status diagnose(struct um_context *context, const struct um_diagnosis_work *work,
+                               struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  UM_TRY(baseline(context, work, state, d));
+  UM_TRY(keep_ranking(context, work, state, d));
+  UM_TRY(go_forward(context, work, state, d));
+  UM_TRY(keep_end(context, work, state, d));
+  d->verdict = judge(state, d);
+  UM_TRY(look_further(context, work, state, d));
+  return um_diagnosis_sentence(context, d, &d->sentence);
+}
+
+static enum um_status begin(struct um_context *context, struct um_diagnosis_forward *forward,
+                            const struct um_diagnosis_candidates *candidates,
+                            const struct um_diagnosis_options *options,
+                            struct um_diagnosis_work *work, struct um_diagnosis **d)
+{
+  UM_TRY(um_core_allocate(context, 1, sizeof **d, d));
+  *work = (struct um_diagnosis_work){
+      .forward = forward,
+      .candidates = candidates,
+      .options = options,
+      .level = options->level > 0.0 ? options->level : LEVEL,
+      .steps_max = options->steps_max > 0 ? options->steps_max : STEPS_MAX,
+      .rivals = options->rivals > 0 ? options->rivals : RIVALS,
+  };
+  (*d)->forward = forward;
+  (*d)->level = work->level;
+  return make_folds(context, work);
+}
+
+enum um_status um_diagnose(struct um_context *context, struct um_diagnosis_forward *forward,
+                           struct um_diagnosis_candidates *candidates,
+                           const struct um_diagnosis_options *options, struct um_diagnosis **out)
+{
+  enum um_status status;
+  struct um_diagnosis_work work = {0};
+  struct um_diagnosis_state state = {0};
+  struct um_diagnosis *d = NULL;
+  *out = NULL;
+  UM_CHECK(begin(context, forward, candidates, options, &work, &d));
+  d->candidates = candidates;
+  UM_CHECK(diagnose(context, &work, &state, d));
+  *out = d;
+  d = NULL;
+done:
+  um_core_free(context, work.fold);
+  um_diagnosis_state_release(context, &state);
+  um_diagnosis_destroy(context, &d);
+  return status;
+}
+
+enum um_status um_diagnosis_fit_effects(struct um_context *context,
+                                        struct um_diagnosis_forward *forward,
+                                        const struct um_diagnosis_addition *wanted, size_t nwanted,
+                                        const struct um_diagnosis_options *options,
+                                        struct um_diagnosis **out)
+{
+  enum um_status status;
+  struct um_diagnosis_candidates none = {.nrow = forward->nrow};
+  struct um_diagnosis_work work = {0};
+  struct um_diagnosis_state state = {0};
+  struct um_diagnosis *d = NULL;
+  *out = NULL;
+  UM_CHECK(begin(context, forward, &none, options, &work, &d));
+  UM_CHECK(um_core_allocate(context, forward->nrow, sizeof *none.base, &none.base));
+  UM_CHECK(um_diagnosis_forward_evaluate(context, forward, NULL, 0, none.base));
+  UM_CHECK(baseline(context, &work, &state, d));
+  for (size_t i = 0; i < nwanted; i++) {
+    struct um_diagnosis_block block;
+    UM_CHECK(um_diagnosis_block_wanted(context, &work, &wanted[i], INFINITY, &block));
+    UM_CHECK(um_diagnosis_state_append(context, &state, &block));
+  }
+  if (!(free_parameters(&state) < (double)forward->nrow)) {
+    status =
+        um_core_fail(context, UM_ERR_INPUT,
+                     "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
+                     forward->measurements->path, forward->nrow, free_parameters(&state));
+    goto done;
+  }
+  UM_CHECK(um_diagnosis_state_fit(context, &work, &state, NULL, NULL));
+  UM_CHECK(keep_end(context, &work, &state, d));
+  d->verdict = is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
+  UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
+  *out = d;
+  d = NULL;
+done:
+  um_core_free(context, none.base);
+  um_core_free(context, work.fold);
+  um_diagnosis_state_release(context, &state);
+  um_diagnosis_destroy(context, &d);
+  return status;
+}
+
+void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis)
+{
+  if (diagnosis == NULL || *diagnosis == NULL) return;
+  struct um_diagnosis *d = *diagnosis;
+  for (size_t s = 0; s < d->nstep; s++) {
+    um_core_free(context, d->step[s].rival);
+    um_core_free(context, d->step[s].value);
+  }
+  um_core_free(context, d->sentence);
+  um_core_free(context, d->step);
+  um_core_free(context, d->addition);
+  um_core_free(context, d->addition_sigma);
+  um_core_free(context, d->nuisance);
+  um_core_free(context, d->nuisance_sigma);
+  um_core_free(context, d->value_before);
+  um_core_free(context, d->value_after);
+  um_core_free(context, d->ranking);
+  um_diagnosis_next_destroy(context, &d->next);
+  um_diagnosis_unexplained_destroy(context, &d->unexplained);
+  um_core_free(context, d);
+  *diagnosis = NULL;
+}

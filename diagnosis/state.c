@@ -1,0 +1,174 @@
+/* Effects that are fitted together, as one vector of parameters. */
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/diagnose_impl.h"
+
+struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
+                                                size_t candidate)
+{
+  const struct um_diagnosis_candidate *c = &work->candidates->candidate[candidate];
+  struct um_diagnosis_block block = {.addition = {.effect = c->effect, .target = c->target},
+                                     .candidate = candidate,
+                                     .nfree = c->is_switch ? 0 : c->ncolumn};
+  for (size_t p = 0; p < c->effect->nparameter; p++) block.addition.value[p] = c->null_value[p];
+  for (size_t k = 0; k < block.nfree; k++) {
+    block.parameter[k] = c->parameter[k];
+    const struct um_effect_parameter *of = &c->effect->parameters[c->parameter[k]];
+    double null_value = c->null_value[c->parameter[k]];
+    block.prior_mean[k] = um_diagnosis_inner(of, null_value);
+    block.prior_sigma[k] = of->prior_sigma;
+    block.step[k] = fabs(c->step[k]) / um_diagnosis_slope(of, null_value);
+  }
+  return block;
+}
+
+enum um_status um_diagnosis_state_append(struct um_context *context,
+                                         struct um_diagnosis_state *state,
+                                         const struct um_diagnosis_block *block)
+{
+  UM_TRY(
+      um_core_reallocate(context, state->nblock + 1, sizeof *state->block, (void **)&state->block));
+  state->block[state->nblock++] = *block;
+  state->nparameter += block->nfree;
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_state_copy(struct um_context *context,
+                                       const struct um_diagnosis_state *state, size_t omit,
+                                       struct um_diagnosis_state *out)
+{
+  *out = (struct um_diagnosis_state){.nnuisance = state->nnuisance};
+  for (size_t b = 0; b < state->nblock; b++) {
+    if (b == omit) continue;
+    enum um_status status = um_diagnosis_state_append(context, out, &state->block[b]);
+    if (status == UM_OK) continue;
+    um_diagnosis_state_release(context, out);
+    return status;
+  }
+  return UM_OK;
+}
+
+void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_state *state)
+{
+  um_diagnosis_fit_destroy(context, &state->fit);
+  um_core_free(context, state->block);
+  *state = (struct um_diagnosis_state){0};
+}
+
+/* --- fit -------------------------------------------------------------------------------------- */
+
+struct evaluation {
+  const struct um_diagnosis_work *work;
+  const struct um_diagnosis_state *state;
+  struct um_diagnosis_addition *addition; /* [nblock] */
+};
+
+static void take(const struct um_diagnosis_state *state, const double *x,
+                 struct um_diagnosis_addition *addition)
+{
+  for (size_t b = 0, k = 0; b < state->nblock; b++) {
+    addition[b] = state->block[b].addition;
+    for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
+      size_t of = state->block[b].parameter[p];
+      addition[b].value[of] = um_diagnosis_outer(&addition[b].effect->parameters[of], x[k]);
+    }
+  }
+}
+
+static enum um_status evaluate(struct um_context *context, void *user, const double *x,
+                               double *value)
+{
+  struct evaluation *e = user;
+  take(e->state, x, e->addition);
+  return um_diagnosis_forward_evaluate(context, e->work->forward, e->addition, e->state->nblock,
+                                       value);
+}
+
+static void parameters_of(const struct um_diagnosis_state *state,
+                          struct um_diagnosis_fit_parameter *out)
+{
+  for (size_t b = 0, k = 0; b < state->nblock; b++) {
+    const struct um_diagnosis_block *block = &state->block[b];
+    for (size_t p = 0; p < block->nfree; p++, k++) {
+      const struct um_effect_parameter *of =
+          &block->addition.effect->parameters[block->parameter[p]];
+      out[k] =
+          (struct um_diagnosis_fit_parameter){.start = block->addition.value[block->parameter[p]],
+                                              .minimum = of->minimum,
+                                              .maximum = of->maximum,
+                                              .prior_mean = block->prior_mean[p],
+                                              .prior_sigma = block->prior_sigma[p],
+                                              .step = block->step[p]};
+    }
+  }
+}
+
+enum um_status um_diagnosis_state_fit(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      struct um_diagnosis_state *state, const double *value,
+                                      const double *jacobian)
+{
+  enum um_status status;
+  struct evaluation e = {work, state, NULL};
+  struct um_diagnosis_fit_parameter *parameter = NULL;
+  struct um_diagnosis_fit *fit = NULL;
+  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *e.addition, &e.addition));
+  UM_CHECK(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
+  parameters_of(state, parameter);
+  struct um_diagnosis_fit_problem problem = {.nrow = work->forward->nrow,
+                                             .nparameter = state->nparameter,
+                                             .measured = work->forward->measured,
+                                             .sigma = work->forward->sigma,
+                                             .parameter = parameter,
+                                             .evaluate = evaluate,
+                                             .user = &e,
+                                             .jacobian = jacobian,
+                                             .value = value};
+  UM_CHECK(um_diagnosis_fit_create(context, &problem, &fit));
+  take(state, fit->x, e.addition);
+  for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
+  um_diagnosis_fit_destroy(context, &state->fit);
+  state->fit = fit;
+done:
+  um_core_free(context, parameter);
+  um_core_free(context, e.addition);
+  return status;
+}
+
+void um_diagnosis_state_additions(const struct um_diagnosis_state *state,
+                                  struct um_diagnosis_addition *out)
+{
+  for (size_t b = 0; b < state->nblock; b++) out[b] = state->block[b].addition;
+}
+
+void um_diagnosis_state_sigma(const struct um_diagnosis_state *state, size_t block, double *sigma)
+{
+  size_t k = 0;
+  for (size_t b = 0; b < block; b++) k += state->block[b].nfree;
+  for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) sigma[p] = NAN;
+  for (size_t p = 0; p < state->block[block].nfree; p++) {
+    const struct um_diagnosis_addition *a = &state->block[block].addition;
+    size_t of = state->block[block].parameter[p];
+    sigma[of] =
+        state->fit->sigma[k + p] * um_diagnosis_slope(&a->effect->parameters[of], a->value[of]);
+  }
+}
+
+enum um_status um_diagnosis_state_held_out(struct um_context *context,
+                                           const struct um_diagnosis_work *work,
+                                           const struct um_diagnosis_state *state, double *out)
+{
+  enum um_status status;
+  struct um_diagnosis_fit_parameter *parameter = NULL;
+  UM_TRY(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
+  parameters_of(state, parameter);
+  struct um_diagnosis_fit_problem problem = {.nrow = work->forward->nrow,
+                                             .nparameter = state->nparameter,
+                                             .measured = work->forward->measured,
+                                             .sigma = work->forward->sigma,
+                                             .parameter = parameter};
+  status = um_diagnosis_fit_held_out(context, &problem, state->fit, work->fold, work->nfold, out);
+  um_core_free(context, parameter);
+  return status;
+}
