@@ -10,8 +10,5 @@ double um_compare_normalised(const struct um_compare_comparison *comparison, siz
 enum um_status um_compare_intervals_find(struct um_context *context,
                                          const struct um_compare_comparison *comparison,
                                          struct um_compare_channel_comparison *channel);
-/* The names of a channel as a file name: "band_irradiance_lwir"; the caller frees. */
-enum um_status um_compare_channel_file(struct um_context *context,
-                                       const struct um_compare_channel *channel, char **out);
 
 #endif

@@ -3,61 +3,17 @@
 #include <stdio.h>
 
 #include "compare/compare_impl.h"
-#include "compare/set_impl.h"
+#include "compare/figures.h"
 #include "core/json.h"
 
 #define ALL_LABEL "all"
-
-/* Name, as in both files, and value of every figure of a segment. */
-struct figure {
-  const char *name;
-  double value;
-};
-#define FIGURES 15
-static void figures(const struct um_compare_metrics *m, struct figure out[FIGURES])
-{
-  const struct figure all[FIGURES] = {{"mean_measured", m->mean_measured},
-                                      {"mean_model", m->mean_model},
-                                      {"bias", m->bias},
-                                      {"sd", m->sd},
-                                      {"rms", m->rms},
-                                      {"rms_over_mean", m->rms_over_mean},
-                                      {"median_ratio", m->median_ratio},
-                                      {"scale", m->scale},
-                                      {"rms_scaled", m->rms_scaled},
-                                      {"chi2", m->chi2},
-                                      {"dof", m->dof},
-                                      {"chi2_red", m->chi2_reduced},
-                                      {"chi2_p", m->chi2_p},
-                                      {"durbin_watson", m->durbin_watson},
-                                      {"white_p", m->white_p}};
-  for (size_t i = 0; i < FIGURES; i++) out[i] = all[i];
-}
 
 static const struct um_compare_channel *channel_of(const struct um_compare_comparison *c, size_t i)
 {
   return &c->run.plan->measurements->channel[c->channel[i].channel];
 }
 
-/* Unit of residuals: magnitudes are compared as flux. */
-static const char *residual_unit(enum um_compare_quantity quantity)
-{
-  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA
-             ? "flux of magnitude 0"
-             : um_compare_quantity_unit(quantity);
-}
-
 /* --- compare.json ---------------------------------------------------------------------------- */
-
-static void json_metrics(FILE *file, const char *before, const char *name,
-                         const struct um_compare_metrics *m)
-{
-  struct figure all[FIGURES];
-  figures(m, all);
-  fprintf(file, "%s\"%s\": {\"count\": %zu", before, name, m->count);
-  for (size_t i = 0; i < FIGURES; i++) um_core_json_field(file, ", ", all[i].name, all[i].value);
-  fputc('}', file);
-}
 
 static void json_shares(FILE *file, const char *key, const struct um_compare_share *share, size_t n)
 {
@@ -105,16 +61,15 @@ static void json_channel(FILE *file, const struct um_compare_comparison *c, size
 {
   const struct um_compare_channel_comparison *channel = &c->channel[i];
   enum um_compare_quantity quantity = channel_of(c, i)->quantity;
-  fprintf(file, "%s\n    {\"quantity\": \"%s\", \"of\": ", i > 0 ? "," : "",
-          um_compare_quantity_name(quantity));
-  um_core_json_string(file, channel_of(c, i)->of);
-  fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\", \"left_out\": %zu,\n",
-          um_compare_quantity_unit(quantity), residual_unit(quantity), channel->left_out);
-  json_metrics(file, "     \"metrics\": {\n       ", ALL_LABEL, &channel->all);
+  fprintf(file, "%s\n    {", i > 0 ? "," : "");
+  um_compare_json_channel(file, channel_of(c, i));
+  fprintf(file, ", \"left_out\": %zu,\n", channel->left_out);
+  um_compare_json_metrics(file, "     \"metrics\": {\n       ", ALL_LABEL, &channel->all);
   for (int s = 0; s < UM_SEGMENT_COUNT; s++)
     if (channel->segment[s].count > 0)
-      json_metrics(file, ",\n       ", um_compare_segment_name((enum um_compare_segment)s),
-                   &channel->segment[s]);
+      um_compare_json_metrics(file, ",\n       ",
+                              um_compare_segment_name((enum um_compare_segment)s),
+                              &channel->segment[s]);
   fputs("},\n     \"worst\": [", file);
   for (size_t w = 0; w < channel->nworst; w++) {
     fputs(w > 0 ? ",\n       " : "\n       ", file);
@@ -147,31 +102,23 @@ void um_compare_write_json(const struct um_compare_comparison *comparison, const
 
 /* --- tables ---------------------------------------------------------------------------------- */
 
-static void csv_number(FILE *file, double value)
-{
-  if (isnan(value))
-    fputc(',', file);
-  else
-    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
-}
-
 static void csv_metrics(FILE *file, const struct um_compare_channel *channel, const char *segment,
                         const struct um_compare_metrics *m)
 {
-  struct figure all[FIGURES];
-  figures(m, all);
+  struct um_compare_figure all[UM_COMPARE_FIGURES];
+  um_compare_figures(m, all);
   fprintf(file, "%s,%s,%s,%s,%zu", um_compare_quantity_name(channel->quantity), channel->of,
-          segment, residual_unit(channel->quantity), m->count);
-  for (size_t i = 0; i < FIGURES; i++) csv_number(file, all[i].value);
+          segment, um_compare_residual_unit(channel->quantity), m->count);
+  for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) um_compare_csv_number(file, all[i].value);
   fputc('\n', file);
 }
 
 static void write_metrics(const struct um_compare_comparison *c, FILE *file)
 {
-  struct figure all[FIGURES];
-  figures(&(struct um_compare_metrics){0}, all);
+  struct um_compare_figure all[UM_COMPARE_FIGURES];
+  um_compare_figures(&(struct um_compare_metrics){0}, all);
   fputs("quantity,of,segment,unit,count", file);
-  for (size_t i = 0; i < FIGURES; i++) fprintf(file, ",%s", all[i].name);
+  for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) fprintf(file, ",%s", all[i].name);
   fputc('\n', file);
   for (size_t i = 0; i < c->nchannel; i++) {
     csv_metrics(file, channel_of(c, i), ALL_LABEL, &c->channel[i].all);
@@ -191,15 +138,15 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   um_compare_time_text(r->t_tai, time);
   fprintf(file, "%s,%s,%s", time, um_compare_quantity_name(m->channel[r->channel].quantity),
           m->channel[r->channel].of);
-  csv_number(file, r->value);
-  csv_number(file, c->model[row]);
-  csv_number(file, r->sigma);
-  csv_number(file, c->residual[row]);
-  csv_number(file, isnan(c->sigma[row]) ? (double)NAN : um_compare_normalised(c, row));
+  um_compare_csv_number(file, r->value);
+  um_compare_csv_number(file, c->model[row]);
+  um_compare_csv_number(file, r->sigma);
+  um_compare_csv_number(file, c->residual[row]);
+  um_compare_csv_number(file, isnan(c->sigma[row]) ? (double)NAN : um_compare_normalised(c, row));
   fprintf(file, ",%s,%s", um_compare_segment_name(c->light[k]),
           um_compare_segment_name(c->motion[k]));
   for (size_t j = 0; j < c->coordinates->count; j++)
-    csv_number(file, c->coordinates->coordinate[j].value[k]);
+    um_compare_csv_number(file, c->coordinates->coordinate[j].value[k]);
   fputc('\n', file);
 }
 

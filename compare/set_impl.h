@@ -3,6 +3,7 @@
 #ifndef UMBRA_COMPARE_SET_IMPL_H
 #define UMBRA_COMPARE_SET_IMPL_H
 
+#include "compare/figures.h"
 #include "compare/measurements.h"
 #include "compare/names_impl.h"
 
@@ -33,9 +34,5 @@ enum um_status um_compare_set_finish(struct um_context *context, struct um_compa
                                      struct um_compare_measurements **out);
 /* Free what was not handed over. */
 void um_compare_set_abandon(struct um_context *context, struct um_compare_set *set);
-
-/* UTC of a time as messages and files show it: milliseconds, or microseconds where it is not a
- * whole millisecond. */
-void um_compare_time_text(double t_tai, char out[40]);
 
 #endif

@@ -1,0 +1,90 @@
+/* How channels and their figures stand in result files. */
+#include "compare/figures.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/json.h"
+
+void um_compare_figures(const struct um_compare_metrics *m,
+                        struct um_compare_figure out[UM_COMPARE_FIGURES])
+{
+  const struct um_compare_figure all[UM_COMPARE_FIGURES] = {{"mean_measured", m->mean_measured},
+                                                            {"mean_model", m->mean_model},
+                                                            {"bias", m->bias},
+                                                            {"sd", m->sd},
+                                                            {"rms", m->rms},
+                                                            {"rms_over_mean", m->rms_over_mean},
+                                                            {"median_ratio", m->median_ratio},
+                                                            {"scale", m->scale},
+                                                            {"rms_scaled", m->rms_scaled},
+                                                            {"chi2", m->chi2},
+                                                            {"dof", m->dof},
+                                                            {"chi2_red", m->chi2_reduced},
+                                                            {"chi2_p", m->chi2_p},
+                                                            {"durbin_watson", m->durbin_watson},
+                                                            {"white_p", m->white_p}};
+  memcpy(out, all, sizeof all);
+}
+
+void um_compare_json_metrics(FILE *file, const char *before, const char *name,
+                             const struct um_compare_metrics *metrics)
+{
+  struct um_compare_figure all[UM_COMPARE_FIGURES];
+  um_compare_figures(metrics, all);
+  fprintf(file, "%s\"%s\": {\"count\": %zu", before, name, metrics->count);
+  for (size_t i = 0; i < UM_COMPARE_FIGURES; i++)
+    um_core_json_field(file, ", ", all[i].name, all[i].value);
+  fputc('}', file);
+}
+
+void um_compare_json_channel(FILE *file, const struct um_compare_channel *channel)
+{
+  fprintf(file, "\"quantity\": \"%s\", \"of\": ", um_compare_quantity_name(channel->quantity));
+  um_core_json_string(file, channel->of);
+  fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\"",
+          um_compare_quantity_unit(channel->quantity), um_compare_residual_unit(channel->quantity));
+}
+
+void um_compare_csv_number(FILE *file, double value)
+{
+  if (isnan(value))
+    fputc(',', file);
+  else
+    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
+}
+
+void um_compare_csv_text(FILE *file, const char *text)
+{
+  if (strpbrk(text, ",\"\r\n") == NULL && text[0] != '#' && text[0] != ' ') {
+    fputs(text, file);
+    return;
+  }
+  fputc('"', file);
+  for (; *text != '\0'; text++) {
+    if (*text == '"') fputc('"', file);
+    fputc(*text, file);
+  }
+  fputc('"', file);
+}
+
+bool um_compare_is_magnitude(enum um_compare_quantity quantity)
+{
+  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
+}
+
+const char *um_compare_residual_unit(enum um_compare_quantity quantity)
+{
+  return um_compare_is_magnitude(quantity) ? "flux of magnitude 0"
+                                           : um_compare_quantity_unit(quantity);
+}
+
+enum um_status um_compare_channel_file(struct um_context *context,
+                                       const struct um_compare_channel *channel, char **out)
+{
+  UM_TRY(um_core_asprintf(context, out, "%s_%s", um_compare_quantity_name(channel->quantity),
+                          channel->of));
+  for (char *c = *out; *c != '\0'; c++)
+    if (strchr("/\\:'\" ", *c) != NULL) *c = '_';
+  return UM_OK;
+}

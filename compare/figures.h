@@ -1,0 +1,38 @@
+/* How channels and their figures stand in result files, once for comparisons and diagnoses. Errors
+ * of writing are the stream's. */
+#ifndef UMBRA_COMPARE_FIGURES_H
+#define UMBRA_COMPARE_FIGURES_H
+
+#include <stdio.h>
+
+#include "compare/metrics.h"
+
+/* Name, as in JSON and in headers of tables, and value of every figure but the count. */
+struct um_compare_figure {
+  const char *name;
+  double value;
+};
+#define UM_COMPARE_FIGURES 15
+void um_compare_figures(const struct um_compare_metrics *metrics,
+                        struct um_compare_figure out[UM_COMPARE_FIGURES]);
+/* before "name": {"count": 3, "mean_measured": ...} */
+void um_compare_json_metrics(FILE *file, const char *before, const char *name,
+                             const struct um_compare_metrics *metrics);
+/* "quantity": ..., "of": ..., "unit": ..., "residual_unit": ... without braces. */
+void um_compare_json_channel(FILE *file, const struct um_compare_channel *channel);
+/* ",value" with nine digits, "," for NaN. */
+void um_compare_csv_number(FILE *file, double value);
+/* A field by RFC 4180, in quotes where it needs them. */
+void um_compare_csv_text(FILE *file, const char *text);
+
+bool um_compare_is_magnitude(enum um_compare_quantity quantity);
+/* Unit of residuals: magnitudes are compared as flux. Borrowed. */
+const char *um_compare_residual_unit(enum um_compare_quantity quantity);
+/* UTC of a time as messages and files show it: milliseconds, or microseconds where it is not a
+ * whole millisecond. */
+void um_compare_time_text(double t_tai, char out[40]);
+/* The names of a channel as a file name: "band_irradiance_lwir"; the caller frees. */
+enum um_status um_compare_channel_file(struct um_context *context,
+                                       const struct um_compare_channel *channel, char **out);
+
+#endif
