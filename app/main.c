@@ -37,6 +37,12 @@ static const struct um_app_verb verbs[] = {
      " [--force]",
      "measurements made from a scenario, with noise", 1, 1,
      "out set with without noise seed temperatures temperature-sigma force", um_app_synth},
+    {"period", "umbra period MEASURED [--band B] [--out DIR] [--force] [--no-plots] [--json]",
+     "the period of measured light curves by Lomb-Scargle, and the curves folded at it", 1, 1,
+     "out band force no-plots json", um_app_period},
+    {"import", "umbra import TRACK.txt -o measured.csv [--noise REL[,FLOOR]] [--force]",
+     "tracks of Mini-MegaTORTORA as a measurement file; noise of the flux, floor in magnitudes", 1,
+     1, "out noise force", um_app_import},
     {"materials", "umbra materials [NAME] [--json]", "materials with their integrated properties",
      0, 1, "json", um_app_materials},
     {"effects", "umbra effects [NAME] [--json]", "physical effects and their parameters", 0, 1,
@@ -58,8 +64,12 @@ int um_app_fail(struct um_context *context)
 
 struct um_model_options um_app_model_options(const struct um_app_options *options)
 {
-  return (struct um_model_options){options->set,   options->nset,    options->with,
-                                   options->nwith, options->without, options->nwithout};
+  return (struct um_model_options){.overrides = options->set,
+                                   .noverride = options->nset,
+                                   .with = options->with,
+                                   .nwith = options->nwith,
+                                   .without = options->without,
+                                   .nwithout = options->nwithout};
 }
 
 static void print_help(FILE *file)
@@ -245,7 +255,7 @@ static int parse(struct um_context *context, const struct um_app_verb *verb, int
       return misuse(verb, "value of an option not understood: '%s'", optarg);
   }
   if (o->npositional < verb->npositional_min)
-    return misuse(verb, "%s is missing", o->npositional == 0 ? "SCENARIO" : "MEASURED");
+    return misuse(verb, "%s is missing", o->npositional == 0 ? "the first argument" : "MEASURED");
   return UM_APP_DONE;
 }
 

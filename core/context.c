@@ -21,6 +21,7 @@ struct um_context {
   void *progress_self;
   const char *task;
   size_t done, total;
+  int quiet; /* um_core_quiet_begin less um_core_quiet_end */
 };
 
 static void *default_allocate(void *self, size_t bytes)
@@ -198,6 +199,7 @@ void um_core_log(struct um_context *context, enum um_core_log_level level, const
   static const char *const prefix[] = {"debug: ", "", "warning: ", "error: "};
   char text[2 * MESSAGE_SIZE];
   va_list arguments;
+  if (context->quiet > 0 && level < UM_LOG_ERROR) return;
   va_start(arguments, format);
   int n = snprintf(text, sizeof text, "%s", prefix[level]);
   vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
@@ -212,6 +214,9 @@ const char *um_core_log_text(const struct um_context *context)
   return context->log == NULL ? "" : context->log;
 }
 
+void um_core_quiet_begin(struct um_context *context) { context->quiet++; }
+void um_core_quiet_end(struct um_context *context) { context->quiet--; }
+
 void um_core_progress_set_sink(struct um_context *context, um_core_progress_sink sink, void *self)
 {
   context->progress_sink = sink;
@@ -220,6 +225,7 @@ void um_core_progress_set_sink(struct um_context *context, um_core_progress_sink
 
 void um_core_progress_begin(struct um_context *context, const char *task, size_t total)
 {
+  if (context->quiet > 0) return;
   context->task = task;
   context->done = 0;
   context->total = total;
@@ -229,8 +235,9 @@ void um_core_progress_begin(struct um_context *context, const char *task, size_t
 
 enum um_status um_core_progress_step(struct um_context *context, size_t steps)
 {
-  context->done += steps;
+  if (context->quiet == 0) context->done += steps;
   if (context->done > context->total) context->done = context->total;
+  if (context->task == NULL) return UM_OK; /* quiet, and nothing larger reports */
   if (context->progress_sink == NULL ||
       context->progress_sink(context->progress_self, context->task, context->done, context->total))
     return UM_OK;
@@ -239,7 +246,7 @@ enum um_status um_core_progress_step(struct um_context *context, size_t steps)
 
 void um_core_progress_end(struct um_context *context)
 {
-  if (context->task == NULL) return;
+  if (context->task == NULL || context->quiet > 0) return;
   if (context->progress_sink != NULL)
     (void)context->progress_sink(context->progress_self, context->task, context->total,
                                  context->total);

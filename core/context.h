@@ -77,6 +77,12 @@ void um_core_log(struct um_context *context, enum um_core_log_level level, const
 /* All lines so far of level >= INFO, joined by newlines; borrowed until the next log call. */
 const char *um_core_log_text(const struct um_context *context);
 
+/* Between the two, which nest: log lines below an error are dropped, and inner work does not report
+ * its own progress, though the sink is still asked whether to go on. For work that is done many
+ * times as a step of something larger. */
+void um_core_quiet_begin(struct um_context *context);
+void um_core_quiet_end(struct um_context *context);
+
 /* Progress of long work. begin/step/end around a loop; steps are counted, never timed here. */
 void um_core_progress_set_sink(struct um_context *context, um_core_progress_sink sink, void *self);
 void um_core_progress_begin(struct um_context *context, const char *task, size_t total);

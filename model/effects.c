@@ -197,6 +197,8 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
     UM_TRY(take_option(context, model, "--with", options->with[k], false));
   for (size_t k = 0; options != NULL && k < options->nwithout; k++)
     UM_TRY(take_option(context, model, "--without", options->without[k], true));
+  for (size_t k = 0; options != NULL && k < options->nlast; k++)
+    UM_TRY(take_option(context, model, "--with", options->last[k], false));
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
     if (e->effect->on_by_default ? !e->off : e->off) continue;

@@ -23,6 +23,8 @@ struct um_model_options {
   size_t nwith;
   const char *const *without;
   size_t nwithout;
+  const char *const *last; /* as `with`, but --without does not take them away */
+  size_t nlast;
 };
 
 /* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
@@ -48,6 +50,9 @@ struct um_model {
   bool points_at_observer; /* a law looks at the observer, outside observations too */
   bool has_observer;
   struct um_orbit_observer observer;
+  bool points; /* orbit.points: observations stand alone, the trajectory has no state */
+  struct um_orbit_observer *station; /* [nstation] of points: the observer's, then the others */
+  size_t nstation;
   struct um_vec3 pole; /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */
   bool sun_frozen;
   struct um_vec3 frozen_sun_position; /* geocentric, GCRS [m], when sun_frozen */
@@ -81,6 +86,24 @@ enum um_status um_model_events(struct um_context *context, const struct um_model
                                double from, double to, struct um_environment_event **out,
                                size_t *count);
 
+/* An observation that stands alone (orbit.points): where the satellite was seen. */
+struct um_model_point {
+  double t;                  /* t_tai [s], light received */
+  double height;             /* of the satellite above the WGS-84 ellipsoid [m] */
+  double azimuth, elevation; /* [rad], airless, north over east */
+  size_t station;            /* of the model's stations */
+};
+/* Index of a station of points by name; 0, the observer's own, for "". UM_ERR_INPUT names those
+ * there are. */
+enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *out);
+/* The scene at a point, at the time of emission where the scenario has light time; the place, and
+ * with it the range, is that of emission. v is 0. UM_ERR_INPUT for a scenario with an orbit, or
+ * errors of um_orbit_observer_locate. */
+enum um_status um_model_sample_point(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_point *point,
+                                     struct um_environment_sample *out, struct um_orbit_look *look);
+
 /* Everything geometric about one timeline, traced once; physics runs on it many times. */
 struct um_model_trace {
   size_t nobs;                          /* observations */
@@ -98,6 +121,9 @@ struct um_model_trace {
   struct um_optics_view *view;          /* [nobs * nsub]; NULL without an observer */
   struct um_environment_event *event;   /* [nevent], eclipse edges from t_start to the end */
   size_t nevent;
+  bool points; /* observations stand alone: one instant and one row of loads each, in their order;
+                  the rows are numbered, their t is t_start plus the number [s]; no events; heat is
+                  not followed */
 };
 enum um_status um_model_trace_create(struct um_context *context, const struct um_model *model,
                                      struct um_model_trace **out);
@@ -107,6 +133,13 @@ enum um_status um_model_trace_create(struct um_context *context, const struct um
 enum um_status um_model_trace_create_at(struct um_context *context, const struct um_model *model,
                                         const double *times, const double *exposures, size_t ntime,
                                         struct um_model_trace **out);
+/* Of a scenario with orbit.points, at points [npoint] in order of time (times may be equal). The
+ * satellite's motion is not known, so an exposure is its middle. UM_ERR_INPUT: no points, out of
+ * order, or a scenario with an orbit; the two above refuse orbit.points. */
+enum um_status um_model_trace_create_points(struct um_context *context,
+                                            const struct um_model *model,
+                                            const struct um_model_point *points, size_t npoint,
+                                            struct um_model_trace **out);
 void um_model_trace_destroy(struct um_context *context, struct um_model_trace **trace);
 
 /* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */
@@ -119,10 +152,10 @@ struct um_model_place_history {
 struct um_model_result {
   size_t nobs, nband, nmaterial, nsurface, nnode, nplace;
   double
-      *irradiance; /* [nobs][nband] at the aperture, no atmosphere [W/m^2]; NaN below the horizon */
-  double
-      *magnitude_ab; /* [nobs][nband] exo-atmospheric; NaN where the irradiance is not positive */
-  double *intensity; /* [nobs][nband][nmaterial][UM_MECHANISM_COUNT] [W/sr] */
+      *irradiance; /* [nobs][nband] at the aperture, after effects [W/m^2]; NaN below the horizon */
+  double *magnitude_ab;   /* [nobs][nband] after effects other than the atmosphere's; INFINITY where
+                             the irradiance is 0, NaN where it is negative */
+  double *intensity;      /* [nobs][nband][nmaterial][UM_MECHANISM_COUNT] [W/sr] */
   double *standard_error; /* [nobs][nband] of the total [W/sr] */
   double *spectral;       /* [nobs][nbin][UM_MECHANISM_COUNT] [W/sr/m] */
   size_t nbin;
@@ -140,6 +173,27 @@ struct um_model_result {
 /* Run on a trace made from the same model. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
                             const struct um_model_trace *trace, struct um_model_result **out);
+
+/* The heat half of a run, kept: models that differ in what heat does not feel (calibration,
+ * roughness, emissivity in a band) share it. Model and trace outlive it. */
+struct um_model_heat;
+/* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from there,
+ * which takes an orbit or two in place of many; the state found differs within the tolerance of
+ * the search (0.01 K). It does not touch an isothermal start. loosened: factor >= 1 on the
+ * tolerances of the integration. Errors of the thermal solvers. The caller destroys. */
+enum um_status um_model_heat_create(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_trace *trace,
+                                    const struct um_model_heat *warm, double loosened,
+                                    struct um_model_heat **out);
+void um_model_heat_destroy(struct um_context *context, struct um_model_heat **heat);
+/* True when the model has the same temperatures on this trace: network, loads, times and settings
+ * are equal, number for number. */
+bool um_model_heat_matches(const struct um_model_heat *heat, const struct um_model *model,
+                           const struct um_model_trace *trace);
+/* Run with heat that matches. um_model_run is this with heat of its own, not loosened. */
+enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_trace *trace,
+                                 const struct um_model_heat *heat, struct um_model_result **out);
 /* Radiant intensity of one observation and band, all materials together [W/sr]; mechanism < 0: all.
  */
 double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,

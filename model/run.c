@@ -29,18 +29,34 @@ static enum um_status keep_temperatures(struct um_context *context, const struct
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
                             const struct um_model_trace *trace, struct um_model_result **out)
 {
+  struct um_model_heat *heat = NULL;
+  *out = NULL;
+  UM_TRY(um_model_heat_create(context, model, trace, NULL, 1.0, &heat));
+  enum um_status status = um_model_run_with(context, model, trace, heat, out);
+  um_model_heat_destroy(context, &heat);
+  return status;
+}
+
+enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_trace *trace,
+                                 const struct um_model_heat *heat, struct um_model_result **out)
+{
   enum um_status status;
-  struct um_model_heat_run run = {0};
+  const struct um_model_heat_run *run = &heat->run;
   struct um_model_result *result = NULL;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *result, &result));
   result->nobs = trace->nobs;
-  UM_CHECK(um_model_run_thermal(context, model, trace, &run, result));
-  UM_CHECK(keep_temperatures(context, model, trace, &run, result));
-  UM_CHECK(um_model_run_places(context, model, trace, &run, result));
-  UM_CHECK(um_model_run_optics(context, model, trace, &run, result));
+  result->audit = run->history->audit;
+  result->audit_error = run->history->audit_error;
+  result->periodic_drift = heat->periodic_drift;
+  result->steps = run->history->steps;
+  result->rhs_evaluations = run->history->rhs_evaluations;
+  result->jacobians = run->history->jacobians;
+  UM_CHECK(keep_temperatures(context, model, trace, run, result));
+  UM_CHECK(um_model_run_places(context, model, trace, run, result));
+  UM_CHECK(um_model_run_optics(context, model, trace, run, result));
 done:
-  um_model_heat_run_release(context, &run);
   if (status != UM_OK) um_model_result_destroy(context, &result);
   *out = result;
   return status;

@@ -11,10 +11,14 @@ struct um_model_heat_run {
   bool before;
   double *surface; /* [ninstant][nsurface] [K] */
 };
-enum um_status um_model_run_thermal(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_trace *trace,
-                                    struct um_model_heat_run *run, struct um_model_result *result);
-void um_model_heat_run_release(struct um_context *context, struct um_model_heat_run *run);
+struct um_model_heat {
+  const struct um_model *model;       /* borrowed */
+  const struct um_model_trace *trace; /* borrowed */
+  struct um_thermal_solve_options options;
+  double *start;         /* [nnode] start temperatures [K] */
+  double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
+  struct um_model_heat_run run;
+};
 /* Histories of places and their heat (run_places.c). */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_trace *trace,

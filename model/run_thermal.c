@@ -19,28 +19,26 @@ static struct um_thermal_solve_options options_of(const struct um_model *model)
   return options;
 }
 
-/* Start temperatures into the network, as the scenario wants them. */
-static enum um_status start(struct um_context *context, const struct um_model *model,
-                            const struct um_model_trace *trace,
-                            const struct um_thermal_solve_options *options,
-                            struct um_model_result *result)
+/* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
+ * as built. */
+static enum um_status start(struct um_context *context, struct um_model_heat *heat,
+                            const struct um_model_heat *warm)
 {
-  enum um_status status;
-  struct um_thermal_network *network = model->body->network;
-  double *t0 = NULL;
-  result->periodic_drift = NAN;
-  if (model->scenario->thermal->start != UM_START_PERIODIC) return UM_OK;
-  UM_TRY(um_core_allocate(context, um_thermal_network_nodes(network), sizeof *t0, &t0));
+  const struct um_model_trace *trace = heat->trace;
+  struct um_thermal_network *network = heat->model->body->network;
+  heat->periodic_drift = NAN;
+  if (trace->points || heat->model->scenario->thermal->start != UM_START_PERIODIC) return UM_OK;
+  size_t n = um_thermal_network_nodes(network);
+  if (warm != NULL && um_thermal_network_nodes(warm->model->body->network) == n)
+    for (size_t i = 0; i < n; i++)
+      if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
+        heat->start[i] = warm->start[i];
+  um_thermal_network_temperatures_set(network, heat->start);
   if (isnan(trace->period))
-    UM_CHECK(um_thermal_solve_steady(context, network, trace->loads, 0, options, t0));
-  else
-    UM_CHECK(um_thermal_solve_periodic(context, network, trace->loads, options, trace->t_start,
-                                       trace->period, PERIODIC_TOLERANCE, t0,
-                                       &result->periodic_drift));
-  um_thermal_network_temperatures_set(network, t0);
-done:
-  um_core_free(context, t0);
-  return status;
+    return um_thermal_solve_steady(context, network, trace->loads, 0, &heat->options, heat->start);
+  return um_thermal_solve_periodic(context, network, trace->loads, &heat->options, trace->t_start,
+                                   trace->period, PERIODIC_TOLERANCE, heat->start,
+                                   &heat->periodic_drift);
 }
 
 /* The paper's reduction: every surface of a material at the material's mean temperature. */
@@ -69,45 +67,152 @@ static enum um_status to_material_means(struct um_context *context, const struct
   return UM_OK;
 }
 
-enum um_status um_model_run_thermal(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_trace *trace,
-                                    struct um_model_heat_run *run, struct um_model_result *result)
+/* Without a track every node stays at its start temperature. */
+static enum um_status hold_start(struct um_context *context, struct um_model_heat *heat)
+{
+  const struct um_model_trace *trace = heat->trace;
+  struct um_thermal_history *h = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
+  heat->run.history = h;
+  h->ntime = trace->nobs;
+  h->nnode = um_thermal_network_nodes(heat->model->body->network);
+  UM_TRY(um_core_allocate(context, h->ntime, sizeof *h->t, &h->t));
+  UM_TRY(um_core_allocate(context, h->ntime * h->nnode, sizeof(double), &h->temperature));
+  for (size_t k = 0; k < h->ntime; k++) {
+    h->t[k] = trace->sample[k].t_tai;
+    memcpy(h->temperature + k * h->nnode, heat->start, h->nnode * sizeof(double));
+  }
+  return UM_OK;
+}
+
+/* From the start through the observations. */
+static enum um_status follow(struct um_context *context, struct um_model_heat *heat)
 {
   enum um_status status;
-  const struct um_thermal_network *network = model->body->network;
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  struct um_thermal_solve_options options = options_of(model);
+  const struct um_model_trace *trace = heat->trace;
   size_t ninstant = trace->nobs * trace->nsub;
+  struct um_model_heat_run *run = &heat->run;
   double *times = NULL;
-  UM_TRY(start(context, model, trace, &options, result));
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
   double before = trace->t_first - trace->period;
   run->before = before >= trace->t_start - 1e-6;
   if (run->before) times[0] = fmax(before, trace->t_start);
   for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = trace->sample[i].t_tai;
-  UM_CHECK(um_thermal_solve(context, network, trace->loads, &options, trace->t_start, times,
-                            ninstant + (run->before ? 1 : 0), &run->history));
-  result->audit = run->history->audit;
-  result->audit_error = run->history->audit_error;
-  result->steps = run->history->steps;
-  result->rhs_evaluations = run->history->rhs_evaluations;
-  result->jacobians = run->history->jacobians;
-  UM_CHECK(um_core_allocate(context, ninstant * mesh->nsurface, sizeof(double), &run->surface));
-  size_t nnode = run->history->nnode;
-  for (size_t i = 0; i < ninstant; i++)
-    um_thermal_surface_temperatures(network,
-                                    run->history->temperature + (i + (run->before ? 1 : 0)) * nnode,
-                                    run->surface + i * mesh->nsurface);
-  if (model->scenario->thermal->temperature_in_optics == 1)
-    UM_CHECK(to_material_means(context, model, ninstant, run->surface));
+  UM_CHECK(um_thermal_solve(context, heat->model->body->network, trace->loads, &heat->options,
+                            trace->t_start, times, ninstant + (run->before ? 1 : 0),
+                            &run->history));
 done:
   um_core_free(context, times);
   return status;
 }
 
-void um_model_heat_run_release(struct um_context *context, struct um_model_heat_run *run)
+/* Temperatures of the surfaces at every instant, as the optics want them. */
+static enum um_status keep_surfaces(struct um_context *context, struct um_model_heat *heat)
 {
-  um_thermal_history_destroy(context, &run->history);
-  um_core_free(context, run->surface);
-  run->surface = NULL;
+  const struct um_model *model = heat->model;
+  size_t nsurface = um_geometry_mesh(model->geometry)->nsurface;
+  size_t ninstant = heat->trace->nobs * heat->trace->nsub;
+  struct um_model_heat_run *run = &heat->run;
+  size_t nnode = run->history->nnode;
+  UM_TRY(um_core_allocate(context, ninstant * nsurface, sizeof(double), &run->surface));
+  for (size_t i = 0; i < ninstant; i++)
+    um_thermal_surface_temperatures(model->body->network,
+                                    run->history->temperature + (i + (run->before ? 1 : 0)) * nnode,
+                                    run->surface + i * nsurface);
+  if (model->scenario->thermal->temperature_in_optics == 1)
+    return to_material_means(context, model, ninstant, run->surface);
+  return UM_OK;
+}
+
+enum um_status um_model_heat_create(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_trace *trace,
+                                    const struct um_model_heat *warm, double loosened,
+                                    struct um_model_heat **out)
+{
+  enum um_status status;
+  struct um_thermal_network *network = model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  struct um_model_heat *heat = NULL;
+  double *built = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
+  *heat = (struct um_model_heat){.model = model, .trace = trace, .options = options_of(model)};
+  heat->options.loosened = loosened;
+  UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
+  for (size_t i = 0; i < n; i++)
+    heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
+  status = start(context, heat, warm);
+  if (status == UM_OK) {
+    um_thermal_network_temperatures_set(network, heat->start);
+    status = trace->points ? hold_start(context, heat) : follow(context, heat);
+  }
+  if (status == UM_OK) status = keep_surfaces(context, heat);
+  /* a run leaves the model as it was */
+  um_thermal_network_temperatures_set(network, built);
+  if (status != UM_OK) goto done;
+  *out = heat;
+  heat = NULL;
+done:
+  um_core_free(context, built);
+  um_model_heat_destroy(context, &heat);
+  return status;
+}
+
+void um_model_heat_destroy(struct um_context *context, struct um_model_heat **heat)
+{
+  if (heat == NULL || *heat == NULL) return;
+  um_thermal_history_destroy(context, &(*heat)->run.history);
+  um_core_free(context, (*heat)->run.surface);
+  um_core_free(context, (*heat)->start);
+  um_core_free(context, *heat);
+  *heat = NULL;
+}
+
+static bool same(const void *a, const void *b, size_t count, size_t size)
+{
+  return a == b || count == 0 || memcmp(a, b, count * size) == 0;
+}
+
+static bool loads_equal(const struct um_thermal_loads *a, const struct um_thermal_loads *b)
+{
+  if (a == b) return true;
+  if (a->ntime != b->ntime || a->nsurface != b->nsurface || a->nedge != b->nedge) return false;
+  size_t n = a->ntime * a->nsurface;
+  return same(a->t, b->t, a->ntime, sizeof *a->t) &&
+         same(a->sunlit, b->sunlit, a->ntime, sizeof *a->sunlit) &&
+         same(a->irradiance, b->irradiance, a->ntime, sizeof *a->irradiance) &&
+         same(a->edge, b->edge, a->nedge, sizeof *a->edge) &&
+         same(a->sun, b->sun, n, sizeof *a->sun) &&
+         same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
+         same(a->planet, b->planet, n, sizeof *a->planet);
+}
+
+static bool times_equal(const struct um_model_trace *a, const struct um_model_trace *b)
+{
+  if (a == b) return true;
+  if (a->nobs != b->nobs || a->nsub != b->nsub || a->t_start != b->t_start ||
+      a->t_first != b->t_first || !(a->period == b->period || isnan(a->period + b->period)))
+    return false;
+  for (size_t i = 0; i < a->nobs * a->nsub; i++)
+    if (a->sample[i].t_tai != b->sample[i].t_tai) return false;
+  return true;
+}
+
+bool um_model_heat_matches(const struct um_model_heat *heat, const struct um_model *model,
+                           const struct um_model_trace *trace)
+{
+  struct um_thermal_solve_options options = options_of(model);
+  const struct um_scenario_thermal *a = heat->model->scenario->thermal,
+                                   *b = model->scenario->thermal;
+  return options.relative_tolerance == heat->options.relative_tolerance &&
+         options.absolute_tolerance == heat->options.absolute_tolerance &&
+         options.space_temperature == heat->options.space_temperature &&
+         options.albedo_on == heat->options.albedo_on &&
+         options.planet_on == heat->options.planet_on && a->start == b->start &&
+         a->temperature_in_optics == b->temperature_in_optics &&
+         um_geometry_mesh(heat->model->geometry)->nsurface ==
+             um_geometry_mesh(model->geometry)->nsurface &&
+         times_equal(heat->trace, trace) && loads_equal(heat->trace->loads, trace->loads) &&
+         um_thermal_network_equal(heat->model->body->network, model->body->network);
 }

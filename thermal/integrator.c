@@ -200,7 +200,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
 static enum um_status tolerances_set(struct um_thermal_integrator *integrator)
 {
   const struct um_thermal_solve_options *options = &integrator->system->options;
-  double factor = integrator->loosened;
+  double factor = integrator->loosened * options->loosened;
   SUN_CHECK(CVodeSStolerances(integrator->cvodes, factor * options->relative_tolerance,
                               factor * options->absolute_tolerance));
   SUN_CHECK(CVodeSetNonlinConvCoef(integrator->cvodes, factor > 1.0 ? 0.1 : NEWTON_SHARE));

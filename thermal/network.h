@@ -4,7 +4,8 @@
  *                 - sigma R_i,space (T_i^4 - T_space^4)
  *
  * Q_i: loads on the surfaces attached to node i. C > 0: diffusive; C = 0: arithmetic (balances at
- * every instant, eliminated before integration); boundary: T given. */
+ * every instant, eliminated before integration); boundary: T given. Timed sources and thermostats
+ * add to P_i; see below. */
 #ifndef UMBRA_THERMAL_NETWORK_H
 #define UMBRA_THERMAL_NETWORK_H
 
@@ -33,6 +34,46 @@ enum um_status um_thermal_network_node_add(struct um_thermal_network *network, c
 void um_thermal_network_capacity_add(struct um_thermal_network *network, uint32_t node,
                                      double capacity);
 void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t node, double power);
+/* Add to what is there. power [W]. */
+void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power);
+
+/* A power history spread over nodes: node i gets weight[i] P(t), weights of sum 1. Rows in ascending
+ * t_tai [s]; equal times are a jump. P is linear between rows or, stepwise, that of the last row
+ * passed. Outside the rows it is 0: nothing is held, so the last row of a stepwise history only says
+ * when it ends. It acts at the times it states in a periodic solution too: in that one orbit. */
+struct um_thermal_source {
+  const uint32_t *node; /* [nnode] */
+  const double *weight; /* [nnode], 0 or more */
+  size_t nnode;
+  const double *t, *power; /* [nrow] [s], [W] */
+  size_t nrow;
+  bool stepwise;
+};
+/* Copies. UM_ERR_INPUT: unknown nodes, weights that do not add to 1, times that descend, values that
+ * are not finite. */
+enum um_status um_thermal_network_source_add(struct um_thermal_network *network,
+                                             const struct um_thermal_source *source);
+
+/* A heater with hysteresis: releases `power` over nodes, is switched on when the mean over its sensor
+ * nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on whose
+ * sensor is below the middle of the two. Steady and periodic solutions take its mean power, which
+ * falls from full to nothing around the middle (see system_heat.c); where a heater of that power
+ * cannot hold the middle it is simply on. */
+struct um_thermal_thermostat {
+  const uint32_t *node; /* [nnode] diffusive */
+  const double *weight; /* [nnode], sum 1 */
+  size_t nnode;
+  const uint32_t *sensor;      /* [nsensor] diffusive; NULL: the heated nodes */
+  const double *sensor_weight; /* [nsensor], sum 1 */
+  size_t nsensor;
+  double power;   /* [W] */
+  double on, off; /* [K] */
+};
+/* Copies. UM_ERR_INPUT as above, nodes that are not diffusive, and thresholds out of order. */
+enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *network,
+                                                 const struct um_thermal_thermostat *thermostat);
+size_t um_thermal_network_thermostats(const struct um_thermal_network *network);
+
 /* Linear conductance K [W/K]; finite elements may add negative ones. */
 enum um_status um_thermal_network_conductor_add(struct um_thermal_network *network, uint32_t a,
                                                 uint32_t b, double conductance);
@@ -81,6 +122,11 @@ um_thermal_network_surface(const struct um_thermal_network *network, uint32_t su
 /* Set all start temperatures [nnode] [K]. */
 void um_thermal_network_temperatures_set(struct um_thermal_network *network,
                                          const double *temperature);
+/* True when both say the same, number for number: nodes with their start temperatures, conductors,
+ * radiators and surfaces in the same order. Names do not count. The same loads then give the same
+ * temperatures, bit by bit. */
+bool um_thermal_network_equal(const struct um_thermal_network *a,
+                              const struct um_thermal_network *b);
 /* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */
 enum um_status um_thermal_network_read(struct um_context *context, const char *nodes_csv,
                                        const char *conductors_csv, struct um_thermal_network **out);

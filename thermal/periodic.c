@@ -39,6 +39,7 @@
 #define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
 #define ROUGH_ORBITS   8   /* after so many the rough stage has done what it can */
 #define LOOSENED       30.0 /* a third of the steps */
+#define WORTH_A_STAGE  5.0  /* a rough stage with less loosening saves nothing */
 #define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
@@ -260,7 +261,9 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
   if (code < 0) return not_converged(periodic, tolerance, code);
-  if (tolerance < ROUGH) UM_TRY(approach(periodic, ROUGH, LOOSENED, ROUGH_ORBITS, &code));
+  double rough = LOOSENED / system->options.loosened;
+  if (tolerance < ROUGH && rough >= WORTH_A_STAGE)
+    UM_TRY(approach(periodic, ROUGH, rough, ROUGH_ORBITS, &code));
   UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));
   return periodic->distance <= tolerance ? UM_OK : not_converged(periodic, tolerance, code);
 }

@@ -16,7 +16,8 @@ void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
                                                .absolute_tolerance = 2e-5,
                                                .space_temperature = UM_SPACE_TEMPERATURE,
                                                .albedo_on = true,
-                                               .planet_on = true};
+                                               .planet_on = true,
+                                               .loosened = 1.0};
 }
 
 static enum um_status times_check(struct um_context *context, const struct um_thermal_loads *loads,

@@ -11,6 +11,9 @@ struct um_thermal_solve_options {
   double absolute_tolerance; /* [K], default 2e-5 */
   double space_temperature;  /* [K], default UM_SPACE_TEMPERATURE */
   bool albedo_on, planet_on; /* heat loads switched */
+  /* Factor on both tolerances, default 1; above 1 without the care for the audit (Newton's
+   * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
+  double loosened;
 };
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 

@@ -84,6 +84,9 @@ static enum um_status options_check(struct um_context *context,
   if (!(options->absolute_tolerance > 0.0) || !isfinite(options->absolute_tolerance))
     return um_core_fail(context, UM_ERR_INPUT, "absolute tolerance %g K; accepted: more than 0",
                         options->absolute_tolerance);
+  if (!(options->loosened >= 1.0) || !isfinite(options->loosened))
+    return um_core_fail(context, UM_ERR_INPUT, "tolerances loosened by %g; accepted: 1 or more",
+                        options->loosened);
   if (!(options->space_temperature >= 0.0) || !isfinite(options->space_temperature))
     return um_core_fail(context, UM_ERR_INPUT, "space temperature %g K; accepted: 0 or more",
                         options->space_temperature);
@@ -94,7 +97,8 @@ enum um_status um_thermal_system_create(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_thermal_loads *loads,
                                         const struct um_thermal_solve_options *options, double from,
-                                        bool steady, struct um_thermal_system **out)
+                                        enum um_thermal_system_kind kind,
+                                        struct um_thermal_system **out)
 {
   enum um_status status;
   struct um_thermal_system *system = NULL;
@@ -109,10 +113,12 @@ enum um_status um_thermal_system_create(struct um_context *context,
   system->from = from;
   system->space4 = pow(options->space_temperature, 4);
   system->n = network->nnode;
-  UM_CHECK(nodes_sort(system, steady));
+  system->kind = kind;
+  UM_CHECK(nodes_sort(system, kind == UM_SYSTEM_STEADY));
   UM_CHECK(space_build(system));
   UM_CHECK(um_thermal_system_links_build(system));
   UM_CHECK(um_thermal_system_clusters_build(system));
+  UM_CHECK(um_thermal_system_heat_build(system));
   UM_CHECK(um_thermal_system_pattern_build(system));
   UM_CHECK(um_thermal_system_loads_build(system));
   um_thermal_system_powers(system);
@@ -129,6 +135,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
   struct um_thermal_system *s = *system;
   struct um_context *context = s->context;
   um_thermal_system_clusters_destroy(s);
+  um_thermal_system_heat_destroy(s);
   void *const block[] = {s->node,
                          s->unknown,
                          s->capacity,
