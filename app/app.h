@@ -43,6 +43,11 @@ struct um_app_verb {
 int um_app_fail(struct um_context *context);
 /* The part of the options that changes a scenario. */
 struct um_model_options um_app_model_options(const struct um_app_options *options);
+/* "REL" or "REL,FLOOR"; who takes the numbers checks their range. */
+bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor);
+/* A file that is to be written is not there, or may be replaced; said before the computing begins.
+ */
+enum um_status um_app_check_target(struct um_context *context, const char *out, bool force);
 
 int um_app_run(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);
@@ -51,6 +56,8 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);
 int um_app_compare(struct um_context *context, const struct um_app_options *options);
+int um_app_period(struct um_context *context, const struct um_app_options *options);
+int um_app_import(struct um_context *context, const struct um_app_options *options);
 int um_app_synth(struct um_context *context, const struct um_app_options *options);
 int um_app_validate(struct um_context *context, const struct um_app_options *options);
 int um_app_schema(struct um_context *context, const struct um_app_options *options);

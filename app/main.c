@@ -230,6 +230,16 @@ static int next_option(int argc, char **argv, bool *literal, int *index)
   return *literal ? -1 : getopt_long(argc, argv, "+o:h", long_options, index);
 }
 
+/* The positional argument of that number, as the usage line calls it: behind "umbra verb ". */
+static int missing(const struct um_app_verb *verb, int number)
+{
+  char name[64];
+  const char *at = verb->usage + strlen("umbra ") + strlen(verb->name) + 1;
+  for (int i = 0; i < number; i++) at += strcspn(at, " ") + 1;
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(at, " "), at);
+  return misuse(verb, "%s is missing", name);
+}
+
 static int parse(struct um_context *context, const struct um_app_verb *verb, int argc, char **argv,
                  struct um_app_options *o)
 {
@@ -254,8 +264,7 @@ static int parse(struct um_context *context, const struct um_app_verb *verb, int
     if (!take(context, o, id == 'o' ? OUT : id, optarg))
       return misuse(verb, "value of an option not understood: '%s'", optarg);
   }
-  if (o->npositional < verb->npositional_min)
-    return misuse(verb, "%s is missing", o->npositional == 0 ? "the first argument" : "MEASURED");
+  if (o->npositional < verb->npositional_min) return missing(verb, o->npositional);
   return UM_APP_DONE;
 }
 

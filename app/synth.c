@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "app/app.h"
 #include "app/terminal.h"
@@ -14,20 +13,6 @@
 #define DEFAULT_FLOOR             1e-3               /* of the peak */
 #define DEFAULT_TEMPERATURE_SIGMA 0.5                /* [K] */
 #define SEED_MAX                  9007199254740992.0 /* 2^53: whole numbers that a double holds */
-
-/* "REL" or "REL,FLOOR"; the core checks their range. */
-static bool parse_noise(const char *text, struct um_compare_synth *o)
-{
-  char relative[64];
-  const char *comma = strchr(text, ',');
-  size_t n = comma == NULL ? strlen(text) : (size_t)(comma - text);
-  if (n >= sizeof relative) return false;
-  memcpy(relative, text, n);
-  relative[n] = '\0';
-  o->floor = DEFAULT_FLOOR;
-  return um_core_number_parse(relative, &o->relative) &&
-         (comma == NULL || um_core_number_parse(comma + 1, &o->floor));
-}
 
 /* A list "a,b" cut in place; names borrow from it. */
 static enum um_status split_places(struct um_context *context, char *list, const char ***out,
@@ -55,7 +40,7 @@ static int read_options(const struct um_app_options *options, struct um_compare_
   double seed;
   if (options->out == NULL || options->noise == NULL || options->seed == NULL)
     return misuse("synth needs --noise REL[,FLOOR], --seed N and -o measured.csv");
-  if (!parse_noise(options->noise, o))
+  if (!um_app_noise_parse(options->noise, DEFAULT_FLOOR, &o->relative, &o->floor))
     return misuse("--noise takes one number, or two with a comma between them");
   if (!um_core_number_parse(options->seed, &seed) || !(seed >= 0.0 && seed <= SEED_MAX) ||
       seed != floor(seed))
@@ -66,14 +51,6 @@ static int read_options(const struct um_app_options *options, struct um_compare_
       !um_core_number_parse(options->temperature_sigma, &o->temperature_sigma))
     return misuse("--temperature-sigma takes a number [K]");
   return UM_APP_DONE;
-}
-
-/* Said before the computing begins. */
-static enum um_status check_target(struct um_context *context, const char *out, bool force)
-{
-  struct stat st;
-  if (stat(out, &st) != 0 || !S_ISREG(st.st_mode) || force) return UM_OK;
-  return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
 }
 
 static void print_set(const struct um_compare_measurements *m, const char *out)
@@ -114,7 +91,7 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
   const char **place = NULL;
   int code = read_options(options, &o);
   if (code != UM_APP_DONE) return code;
-  UM_CHECK(check_target(context, options->out, options->force));
+  UM_CHECK(um_app_check_target(context, options->out, options->force));
   if (options->temperatures != NULL) {
     UM_CHECK(um_core_strdup(context, options->temperatures, &list));
     UM_CHECK(split_places(context, list, &place, &o.nplace));

@@ -1,0 +1,76 @@
+/* umbra period: the period of measured light curves, before any model. */
+#include <math.h>
+
+#include "app/app.h"
+#include "app/terminal.h"
+#include "compare/period_report.h"
+#include "core/file.h"
+#include "orbit/time.h"
+
+static void print_report(const struct um_compare_period_report *r, const char *folder)
+{
+  printf("%-28s %14s %12s %8s %12s  %s\n", "light curve", "period [s]", "sigma [s]", "power",
+         "false alarm", "a maximum at");
+  for (size_t i = 0; i < r->count; i++) {
+    const struct um_compare_channel *of = &r->measurements->channel[r->entry[i].channel];
+    const struct um_compare_period *p = r->entry[i].period;
+    char name[80], epoch[32];
+    snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(of->quantity), of->of);
+    um_orbit_time_format(p->epoch, epoch);
+    printf("%-28s %14.6g %12.2g %8.3f %12.2g  %s\n", name, p->period, p->period_sigma,
+           p->best_power, p->false_alarm, epoch);
+  }
+  printf("the light of a tumbling body often repeats twice or more a turn: look at 2 and 4 times "
+         "the period too\n");
+  printf("results in %s\n", folder);
+}
+
+static void print_json(const struct um_compare_period_report *r)
+{
+  printf("[");
+  for (size_t i = 0; i < r->count; i++) {
+    const struct um_compare_channel *of = &r->measurements->channel[r->entry[i].channel];
+    const struct um_compare_period *p = r->entry[i].period;
+    char epoch[32];
+    um_orbit_time_format(p->epoch, epoch);
+    printf("%s{\"quantity\": \"%s\", \"of\": ", i > 0 ? ", " : "",
+           um_compare_quantity_name(of->quantity));
+    um_core_json_string(stdout, of->of);
+    printf(", \"period_s\": ");
+    um_core_json_number(stdout, p->period);
+    printf(", \"sigma_s\": ");
+    um_core_json_number(stdout, p->period_sigma);
+    printf(", \"power\": ");
+    um_core_json_number(stdout, p->best_power);
+    printf(", \"false_alarm\": ");
+    um_core_json_number(stdout, p->false_alarm);
+    printf(", \"maximum_utc\": \"%s\"}", epoch);
+  }
+  printf("]\n");
+}
+
+int um_app_period(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_compare_measurements *measurements = NULL;
+  struct um_compare_period_report *report = NULL;
+  struct um_core_folder *folder = NULL;
+  const struct um_compare_period_options search = {0};
+  const char *out = options->out != NULL ? options->out : "out/period";
+  UM_CHECK(um_compare_measurements_read(context, options->positional[0], &measurements));
+  UM_CHECK(um_compare_period_report_create(context, measurements, options->band, &search, &report));
+  UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
+  UM_CHECK(
+      um_compare_period_write(context, report, !options->no_plots, um_core_folder_path(folder)));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+  um_app_terminal_clear();
+  if (options->json)
+    print_json(report);
+  else
+    print_report(report, out);
+done:
+  um_core_folder_abort(&folder);
+  um_compare_period_report_destroy(context, &report);
+  um_compare_measurements_destroy(context, &measurements);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,62 @@
+/* The period of every light curve of a set. */
+#include "compare/period_report.h"
+
+#include <stdint.h>
+#include <string.h>
+
+static enum um_status search(struct um_context *context, const struct um_compare_measurements *m,
+                             size_t channel, const struct um_compare_period_options *options,
+                             struct um_compare_period_entry *out)
+{
+  enum um_status status;
+  struct um_compare_series *series = NULL;
+  out->channel = channel;
+  UM_CHECK(um_compare_series_create(context, m, channel, SIZE_MAX, &series));
+  UM_CHECK(um_compare_period_search(context, series, options, &out->period));
+  um_compare_fold_bins(series, out->period->period, out->period->epoch, UM_COMPARE_FOLD_BINS,
+                       out->bin);
+done:
+  um_compare_series_destroy(context, &series);
+  return status;
+}
+
+enum um_status um_compare_period_report_create(struct um_context *context,
+                                               const struct um_compare_measurements *measurements,
+                                               const char *of,
+                                               const struct um_compare_period_options *options,
+                                               struct um_compare_period_report **out)
+{
+  enum um_status status;
+  struct um_compare_period_report *r = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *r, &r));
+  r->measurements = measurements;
+  UM_CHECK(um_core_allocate(context, measurements->nchannel, sizeof *r->entry, &r->entry));
+  for (size_t c = 0; c < measurements->nchannel; c++) {
+    const struct um_compare_channel *channel = &measurements->channel[c];
+    if (channel->quantity == UM_QUANTITY_TEMPERATURE) continue;
+    if (of != NULL && strcmp(of, channel->of) != 0) continue;
+    UM_CHECK(search(context, measurements, c, options, &r->entry[r->count++]));
+  }
+  if (r->count == 0) {
+    status = um_core_fail(context, UM_ERR_INPUT, "%s: no light curve%s%s; accepted: a band of it",
+                          measurements->path, of == NULL ? "" : " of ", of == NULL ? "" : of);
+    goto done;
+  }
+  *out = r;
+  r = NULL;
+done:
+  um_compare_period_report_destroy(context, &r);
+  return status;
+}
+
+void um_compare_period_report_destroy(struct um_context *context,
+                                      struct um_compare_period_report **report)
+{
+  if (report == NULL || *report == NULL) return;
+  for (size_t i = 0; i < (*report)->count; i++)
+    um_compare_period_destroy(context, &(*report)->entry[i].period);
+  um_core_free(context, (*report)->entry);
+  um_core_free(context, *report);
+  *report = NULL;
+}
