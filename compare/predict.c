@@ -65,6 +65,13 @@ static enum um_status find_source(struct um_context *context, const struct um_mo
                         "%s:%d: column 'quantity': %s wants an observer, which the scenario has "
                         "not; accepted: temperature",
                         m->path, line, um_compare_quantity_name(quantity));
+  if (quantity == UM_QUANTITY_TEMPERATURE && model->points)
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s:%d: column 'quantity': temperature wants heat that is followed along an "
+        "orbit, orbit.points has none; accepted: band_irradiance, "
+        "radiant_intensity, magnitude_ab",
+        m->path, line);
   if (is_light(quantity) || quantity == UM_QUANTITY_TEMPERATURE) {
     enum um_status status = is_light(quantity) ? find_band(context, model, of, out)
                                                : um_compare_place_find(context, model, of, out);
@@ -85,22 +92,61 @@ static enum um_status find_source(struct um_context *context, const struct um_mo
 struct wanted {
   double t, exposure; /* [s]; NaN: not said */
   size_t row;
+  struct um_model_point point; /* of a scenario of points, else 0 */
 };
 
+static int compare_numbers(double x, double y) { return (x > y) - (x < y); }
+
+/* Of the places alone. */
+static int compare_points(const struct um_model_point *x, const struct um_model_point *y)
+{
+  if (x->station != y->station) return x->station < y->station ? -1 : 1;
+  int by = compare_numbers(x->azimuth, y->azimuth);
+  if (by == 0) by = compare_numbers(x->elevation, y->elevation);
+  return by != 0 ? by : compare_numbers(x->height, y->height);
+}
+
+/* In order of time; at one time, rows of one place stand together. */
 static int compare_wanted(const void *a, const void *b)
 {
   const struct wanted *x = a, *y = b;
-  if (x->t != y->t) return x->t < y->t ? -1 : 1;
-  return x->row < y->row ? -1 : x->row > y->row;
+  int by = compare_numbers(x->t, y->t);
+  if (by == 0) by = compare_points(&x->point, &y->point);
+  return by != 0 ? by : x->row < y->row ? -1 : x->row > y->row;
+}
+
+static enum um_status point_of(struct um_context *context, const struct um_model *model,
+                               const struct um_compare_measurements *m, size_t row,
+                               struct um_model_point *out)
+{
+  const struct um_compare_measurement *r = &m->row[row];
+  *out = (struct um_model_point){.t = r->t_tai,
+                                 .height = r->satellite_height,
+                                 .azimuth = r->azimuth,
+                                 .elevation = r->elevation};
+  const char *name = r->station == SIZE_MAX ? "" : m->station[r->station];
+  enum um_status status = um_model_station_find(context, model, name, &out->station);
+  if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'station'", m->path, r->line);
+  return status;
+}
+
+static enum um_status sample_of(struct um_context *context, const struct um_model *model,
+                                const struct wanted *wanted)
+{
+  struct um_environment_sample sample;
+  struct um_orbit_look look;
+  if (model->points) return um_model_sample_point(context, model, &wanted->point, &sample, &look);
+  if (model->has_observer) return um_model_sample_seen(context, model, wanted->t, &sample, &look);
+  return um_model_sample_at(context, model, wanted->t, &sample);
 }
 
 /* Within the scenario's own time, and where orbit and attitude are known. */
 static enum um_status check_time(struct um_context *context, const struct um_model *model,
-                                 const struct um_compare_measurements *m, size_t row)
+                                 const struct um_compare_measurements *m,
+                                 const struct wanted *wanted)
 {
+  size_t row = wanted->row;
   const struct um_scenario_time *time = model->scenario->time;
-  struct um_environment_sample sample;
-  struct um_orbit_look look;
   double t = m->row[row].t_tai;
   if (!(t >= time->start - time->step_s && t <= time->stop + time->step_s)) {
     char text[40], start[40], stop[40];
@@ -112,9 +158,7 @@ static enum um_status check_time(struct um_context *context, const struct um_mod
                         "(time.start_utc, time.stop_utc)",
                         m->path, m->row[row].line, text, start, stop);
   }
-  enum um_status status = model->has_observer
-                              ? um_model_sample_seen(context, model, t, &sample, &look)
-                              : um_model_sample_at(context, model, t, &sample);
+  enum um_status status = sample_of(context, model, wanted);
   if (status != UM_OK) um_core_message_prefix(context, "%s:%d", m->path, m->row[row].line);
   return status;
 }
@@ -138,8 +182,8 @@ static enum um_status add_observation(struct um_context *context, const struct u
     exposure = wanted[i].exposure;
   }
   if (isnan(exposure)) exposure = model->scenario->time->exposure_s;
-  UM_TRY(check_time(context, model, m, wanted[0].row));
-  if (k > 0 &&
+  UM_TRY(check_time(context, model, m, &wanted[0]));
+  if (!model->points && k > 0 &&
       wanted[0].t - plan->time[k - 1] < 0.5 * (exposure + plan->exposure[k - 1]) - SAME_TIME)
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s:%d: column 'exposure_s': the exposure of %g s begins before the one "
@@ -147,6 +191,7 @@ static enum um_status add_observation(struct um_context *context, const struct u
                         m->path, m->row[wanted[0].row].line, exposure);
   plan->time[k] = wanted[0].t;
   plan->exposure[k] = exposure;
+  if (model->points) plan->point[k] = wanted[0].point;
   for (size_t i = 0; i < n; i++) plan->observation[wanted[i].row] = k;
   plan->ntime++;
   return UM_OK;
@@ -157,9 +202,12 @@ static enum um_status merge(struct um_context *context, const struct um_model *m
 {
   UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
+  if (model->points) UM_TRY(um_core_allocate(context, n, sizeof *plan->point, &plan->point));
   qsort(wanted, n, sizeof *wanted, compare_wanted);
   for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && wanted[end].t - wanted[i].t <= SAME_TIME;) end++;
+    for (end = i + 1; end < n && wanted[end].t - wanted[i].t <= SAME_TIME &&
+                      compare_points(&wanted[end].point, &wanted[i].point) == 0;)
+      end++;
     UM_TRY(add_observation(context, model, wanted + i, end - i, plan));
   }
   return UM_OK;
@@ -171,24 +219,45 @@ static enum um_status plan_times(struct um_context *context, const struct um_mod
   const struct um_compare_measurements *m = plan->measurements;
   struct wanted *wanted = NULL;
   size_t n = 0;
+  enum um_status status;
   UM_TRY(um_core_allocate(context, m->count, sizeof *wanted, &wanted));
   for (size_t i = 0; i < m->count; i++) {
     plan->observation[i] = UM_COMPARE_NOWHERE;
     if (m->row[i].flag != 0) continue;
-    wanted[n++] = (struct wanted){m->row[i].t_tai, m->row[i].exposure, i};
+    wanted[n] = (struct wanted){.t = m->row[i].t_tai, .exposure = m->row[i].exposure, .row = i};
+    if (model->points) UM_CHECK(point_of(context, model, m, i, &wanted[n].point));
+    n++;
   }
-  enum um_status status;
   if (n == 0)
     status =
         um_core_fail(context, UM_ERR_INPUT,
                      "%s: every row is flagged; accepted: at least one row with flag 0", m->path);
   else
     status = merge(context, model, wanted, n, plan);
+done:
   um_core_free(context, wanted);
   return status;
 }
 
 /* --- plan ------------------------------------------------------------------------------------ */
+
+/* Rows say where the satellite is, or the scenario does. */
+static enum um_status check_geometry(struct um_context *context, const struct um_model *model,
+                                     const struct um_compare_measurements *m)
+{
+  if (model->points && !m->independent)
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s: header: columns satellite_height_km, azimuth_deg and elevation_deg are "
+        "missing; accepted: all three, because the scenario's orbit is 'points'",
+        m->path);
+  if (!model->points && m->independent)
+    um_core_log(context, UM_LOG_WARNING,
+                "%s: satellite height, azimuth and elevation are not used: the scenario's orbit "
+                "says where the satellite is (orbit.points takes them)",
+                m->path);
+  return UM_OK;
+}
 
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
@@ -199,17 +268,13 @@ enum um_status um_compare_plan_create(struct um_context *context, const struct u
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *plan, &plan));
   plan->measurements = measurements;
+  UM_CHECK(check_geometry(context, model, measurements));
   UM_CHECK(um_core_allocate(context, measurements->nchannel, sizeof *plan->source, &plan->source));
   UM_CHECK(um_core_allocate(context, measurements->count, sizeof *plan->observation,
                             &plan->observation));
   for (size_t c = 0; c < measurements->nchannel; c++)
     UM_CHECK(find_source(context, model, measurements, c, &plan->source[c]));
   UM_CHECK(plan_times(context, model, plan));
-  if (measurements->independent)
-    um_core_log(context, UM_LOG_WARNING,
-                "%s: satellite height, azimuth and elevation are not used: the scenario's orbit "
-                "says where the satellite is",
-                measurements->path);
   *out = plan;
   plan = NULL;
 done:
@@ -222,6 +287,7 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
   if (plan == NULL || *plan == NULL) return;
   um_core_free(context, (*plan)->time);
   um_core_free(context, (*plan)->exposure);
+  um_core_free(context, (*plan)->point);
   um_core_free(context, (*plan)->observation);
   um_core_free(context, (*plan)->source);
   um_core_free(context, *plan);
@@ -232,6 +298,8 @@ enum um_status um_compare_plan_trace(struct um_context *context, const struct um
                                      const struct um_compare_plan *plan,
                                      struct um_model_trace **out)
 {
+  if (plan->point != NULL)
+    return um_model_trace_create_points(context, model, plan->point, plan->ntime, out);
   return um_model_trace_create_at(context, model, plan->time, plan->exposure, plan->ntime, out);
 }
 

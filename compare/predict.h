@@ -14,8 +14,10 @@
 struct um_compare_plan {
   const struct um_compare_measurements *measurements; /* borrowed */
   size_t ntime;
-  double *time;        /* [ntime] observation times, strictly ascending, t_tai [s] */
-  double *exposure;    /* [ntime] [s] */
+  double *time;     /* [ntime] observation times, t_tai [s]: strictly ascending, of points not
+                       descending */
+  double *exposure; /* [ntime] [s] */
+  struct um_model_point *point; /* [ntime] of a scenario with orbit.points; NULL with an orbit */
   size_t *observation; /* [count] of each row; UM_COMPARE_NOWHERE for a row that is left out */
   size_t *source;      /* [nchannel] band or place; UM_COMPARE_NOWHERE: no row of it is used */
 };
@@ -26,17 +28,23 @@ struct um_compare_plan {
  * place: its full name ("bus.+x", "bus.interior", "material:cfrp"), or the part of it behind the
  * part's name ("+x", "interior", "front") where only one place has it.
  *
+ * With orbit.points every row says where the satellite is; rows are one observation where time,
+ * station and geometry are the same, so that satellites seen at one time stay apart, and exposures
+ * are their middles. With an orbit the geometry of rows is not used, and a warning says so.
+ *
  * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, place or observer
  * that the scenario has not, an ambiguous place, a filter or sensor (this version has none), a time
  * more than one step outside time.start_utc to time.stop_utc, a time that orbit or attitude do not
- * cover, two exposures of one time or exposures that overlap, no row with flag 0. UM_ERR_MEMORY.
- * The caller destroys. */
+ * cover, two exposures of one time or exposures that overlap, no row with flag 0; with orbit.points
+ * a set without geometry, a station that the scenario has not, a satellite not above its station,
+ * a temperature (heat is not followed). UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
                                       struct um_compare_plan **out);
 void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan);
 
-/* The trace of a plan: um_model_trace_create_at at its times and exposures. */
+/* The trace of a plan: um_model_trace_create_at at its times and exposures, of points
+ * um_model_trace_create_points. */
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
                                      struct um_model_trace **out);

@@ -49,7 +49,8 @@ enum um_status um_compare_segments_find(struct um_context *context, const struct
                                         enum um_compare_segment *light,
                                         enum um_compare_segment *motion)
 {
-  bool station = model->has_observer && model->observer.kind == UM_OBSERVER_STATION;
+  bool station =
+      !model->points && model->has_observer && model->observer.kind == UM_OBSERVER_STATION;
   for (size_t k = 0; k < trace->nobs; k++) {
     light[k] = light_of(trace, k);
     motion[k] = UM_SEGMENT_COUNT;

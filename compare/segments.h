@@ -17,8 +17,8 @@ enum um_compare_segment {
 const char *um_compare_segment_name(enum um_compare_segment segment);
 
 /* light: shape [nobs], UM_SEGMENT_SUNLIT to UM_SEGMENT_UMBRA. motion: shape [nobs],
- * UM_SEGMENT_RISING or UM_SEGMENT_SETTING; UM_SEGMENT_COUNT where there is no station. Errors of
- * the orbit. */
+ * UM_SEGMENT_RISING or UM_SEGMENT_SETTING; UM_SEGMENT_COUNT where there is no station or no
+ * track (orbit.points). Errors of the orbit. */
 enum um_status um_compare_segments_find(struct um_context *context, const struct um_model *model,
                                         const struct um_model_trace *trace,
                                         enum um_compare_segment *light,

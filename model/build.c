@@ -54,6 +54,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_orbit_trajectory_destroy(&m->trajectory);
   um_orbit_trajectory_destroy(&m->observer_trajectory);
   um_orbit_finals_destroy(&m->orientation.finals);
+  um_core_free(context, m->station);
   um_core_free(context, m->material);
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);

@@ -47,6 +47,7 @@ enum um_status um_model_build_blocked(struct um_context *context, struct um_mode
   struct um_geometry_pose *pose = NULL;
   struct um_geometry_visibility *visibility = NULL;
   struct um_geometry_sky *sky = NULL;
+  if (model->points) return UM_OK; /* heat is not followed */
   UM_CHECK(pose_at_start(context, model, &pose));
   UM_CHECK(um_geometry_visibility_create(context, mesh, pose, &visibility));
   UM_CHECK(um_geometry_sky_create(context, visibility, SKY_SAMPLES, &sky));

@@ -89,6 +89,7 @@ static const char *orbit_key(const struct um_scenario_orbit *orbit)
   if (orbit->tle_file != NULL) return "tle_file";
   if (orbit->kepler != NULL) return "kepler";
   if (orbit->circular != NULL) return "circular";
+  if (orbit->points != NULL) return "points";
   return orbit->table != NULL ? "table" : "fixed";
 }
 
@@ -112,6 +113,7 @@ static enum um_status build_trajectory(struct um_context *context, struct um_mod
     UM_TRY(um_model_resolve(context, model, &orbit->at, orbit->table, &path));
     return um_orbit_trajectory_create_table(context, path, &model->trajectory);
   }
+  if (orbit->points != NULL) return um_orbit_trajectory_create_none(context, &model->trajectory);
   const double *p = orbit->fixed->position_gcrs_km;
   return um_orbit_trajectory_create_fixed(context, um_vec3(p[0] * 1e3, p[1] * 1e3, p[2] * 1e3),
                                           &model->trajectory);
@@ -175,11 +177,19 @@ static enum um_status law_of(struct um_context *context, struct um_model *model,
     law->yaw = from->lvlh->yaw_deg * UM_DEG;
     return UM_OK;
   }
-  if (from->sun != NULL || from->target != NULL) {
-    const struct um_scenario_pointing *p = from->sun != NULL ? from->sun : from->target;
-    law->kind = from->sun != NULL ? UM_ATTITUDE_SUN : UM_ATTITUDE_TARGET;
-    UM_TRY(um_model_unit(context, &p->at, "axis_body", p->axis_body, &law->axis_body));
-    return um_model_unit(context, &p->at, "clock_body", p->clock_body, &law->clock_body);
+  const struct um_scenario_pointing *pointing = from->sun;
+  law->kind = UM_ATTITUDE_SUN;
+  if (from->target != NULL) {
+    pointing = from->target;
+    law->kind = UM_ATTITUDE_TARGET;
+  } else if (from->yaw_steering != NULL) {
+    pointing = from->yaw_steering;
+    law->kind = UM_ATTITUDE_YAW_STEERING;
+  }
+  if (pointing != NULL) {
+    const struct um_mark *at = &pointing->at;
+    UM_TRY(um_model_unit(context, at, "axis_body", pointing->axis_body, &law->axis_body));
+    return um_model_unit(context, at, "clock_body", pointing->clock_body, &law->clock_body);
   }
   if (from->spin != NULL) return law_of_spin(context, model, from->spin, law);
   law->kind = UM_ATTITUDE_TABLE;
@@ -290,6 +300,7 @@ enum um_status um_model_build_orbit(struct um_context *context, struct um_model 
   um_orbit_trajectory_shift(model->trajectory, shift);
   UM_TRY(build_attitude(context, model));
   UM_TRY(build_observer(context, model));
+  UM_TRY(um_model_build_points(context, model));
   if (model->sun_frozen)
     model->frozen_sun_position = um_orbit_sun_position(model->scenario->time->start);
   return UM_OK;

@@ -44,6 +44,13 @@ enum um_status um_model_blame_part(struct um_context *context, struct um_model *
  * attitude or observer, as those of tables that do not reach an instant do. Returns status. */
 enum um_status um_model_blame_table(struct um_context *context, const struct um_model *model,
                                     enum um_status status);
+/* The time at which an observation of that tag was really made (trace.c). */
+double um_model_true_time(const struct um_model *model, double tag);
+/* stations of orbit.points, and what such a scenario cannot have (points.c). */
+enum um_status um_model_build_points(struct um_context *context, struct um_model *model);
+/* UM_ERR_INPUT for a scenario of points, naming what it wants. */
+enum um_status um_model_check_track(struct um_context *context, const struct um_model *model);
+
 /* Unit vector of three numbers; UM_ERR_INPUT naming `key` when it is zero. */
 enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,
                              const double v[3], struct um_vec3 *out);

@@ -109,7 +109,7 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
   for (size_t i = 0; i < instants(trace); i++) {
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_thermal_heat_of_nodes(context, body->network, trace->loads, &options,
-                                      trace->sample[i].t_tai, t, node));
+                                      trace->loads->t[trace->load_row[i]], t, node));
     for (size_t p = 0; p < body->nplace; p++) {
       struct um_thermal_heat *to = &result->heat[i / trace->nsub * result->nplace + p];
       double w = 1.0 / (double)trace->nsub;

@@ -35,12 +35,17 @@ struct um_scenario_orientation {
   double ut1_utc_s, xp_arcsec, yp_arcsec;
   const char *finals;
 };
+struct um_scenario_points { /* every measurement says where the satellite is */
+  struct um_mark at;
+  struct um_schema_list stations; /* of struct um_scenario_station, beside the observer's */
+};
 struct um_scenario_orbit {
   struct um_mark at;
   const char *tle, *tle_file, *table;
   struct um_scenario_kepler *kepler;
   struct um_scenario_circular *circular;
   struct um_scenario_fixed_point *fixed;
+  struct um_scenario_points *points;
   struct um_scenario_orientation *earth_orientation;
 };
 
@@ -73,7 +78,7 @@ struct um_scenario_attitude {
   double from; /* t_tai [s], NaN: from the beginning */
   struct um_scenario_fixed_attitude *fixed;
   struct um_scenario_lvlh *lvlh;
-  struct um_scenario_pointing *sun, *target;
+  struct um_scenario_pointing *sun, *target, *yaw_steering;
   struct um_scenario_spin *spin;
   struct um_scenario_attitude_table *table;
 };

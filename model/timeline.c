@@ -60,6 +60,20 @@ enum um_status um_model_sample_at(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
+/* The scene at a look of the observer. */
+static enum um_status sample_of_look(struct um_context *context, const struct um_model *model,
+                                     const struct um_orbit_look *look,
+                                     struct um_environment_sample *out)
+{
+  *out = (struct um_environment_sample){.t_tai = look->t_satellite,
+                                        .r = look->r_gcrs,
+                                        .v = look->v_gcrs,
+                                        .to_observer = look->to_observer,
+                                        .range = look->range};
+  light_of(model, out);
+  return attitude_of(context, model, out);
+}
+
 enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
                                     double t_observer, struct um_environment_sample *out,
                                     struct um_orbit_look *look)
@@ -68,13 +82,19 @@ enum um_status um_model_sample_seen(struct um_context *context, const struct um_
     return um_core_fail(context, UM_ERR_INPUT, "%s: the scenario has no observer",
                         model->scenario->at.file);
   UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, t_observer, look));
-  *out = (struct um_environment_sample){.t_tai = look->t_satellite,
-                                        .r = look->r_gcrs,
-                                        .v = look->v_gcrs,
-                                        .to_observer = look->to_observer,
-                                        .range = look->range};
-  light_of(model, out);
-  return attitude_of(context, model, out);
+  return sample_of_look(context, model, look, out);
+}
+
+enum um_status um_model_sample_point(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_point *point,
+                                     struct um_environment_sample *out, struct um_orbit_look *look)
+{
+  if (!model->points)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: the scenario has an orbit, not points",
+                        model->scenario->at.file);
+  UM_TRY(um_orbit_observer_locate(context, &model->station[point->station], point->t,
+                                  point->azimuth, point->elevation, point->height, look));
+  return sample_of_look(context, model, look, out);
 }
 
 struct event_source {

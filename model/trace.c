@@ -31,7 +31,7 @@ static int compare_times(const void *a, const void *b)
 }
 
 /* The time at which an observation was really made. */
-static double true_time(const struct um_model *model, double tag)
+double um_model_true_time(const struct um_model *model, double tag)
 {
   struct um_effect_use use;
   double t = tag;
@@ -81,7 +81,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
     size_t k = i / trace->nsub;
     /* midpoint rule over the exposure */
     double u = ((double)(i % trace->nsub) + 0.5) / (double)trace->nsub - 0.5;
-    double t = true_time(model, trace->t_obs[k] + u * true_exposure(model, exposures, k));
+    double t = um_model_true_time(model, trace->t_obs[k] + u * true_exposure(model, exposures, k));
     if (model->has_observer) {
       UM_TRY(um_model_sample_seen(context, model, t, &trace->sample[i], &trace->look[i]));
     } else {
@@ -239,6 +239,7 @@ enum um_status um_model_trace_create(struct um_context *context, const struct um
   double *times = NULL;
   size_t n = 0;
   *out = NULL;
+  UM_TRY(um_model_check_track(context, model));
   UM_TRY(scenario_times(context, model, &times, &n));
   enum um_status status = um_model_trace_create_at(context, model, times, NULL, n, out);
   um_core_free(context, times);
@@ -254,6 +255,7 @@ enum um_status um_model_trace_create_at(struct um_context *context, const struct
   struct grid_time *grid = NULL;
   size_t ngrid = 0;
   *out = NULL;
+  UM_TRY(um_model_check_track(context, model));
   UM_TRY(check_times(context, times, ntime));
   UM_TRY(um_core_allocate(context, 1, sizeof *trace, &trace));
   UM_CHECK(trace_observations(context, model, times, exposures, ntime, trace));

@@ -3,6 +3,7 @@
  *   LVLH    z = -r/|r|, y = -(r x v)/|r x v|, x = y x z; body = Rx(roll) Ry(pitch) Rz(yaw) LVLH
  *   SUN     axis_body along the Sun, clock_body in the half plane of Sun and orbit normal
  *   TARGET  the same with the observer in place of the Sun
+ *   YAW_STEERING  axis_body along -r, clock_body in the half plane of -r and Sun
  *   SPIN    frame F -> smallest rotation that lays axis_body on the axis -> turn about it by
  *           phase + 2 pi (t - t0) / period; F is GCRS, or LVLH of the instant
  * Reference: Wertz 1978, Spacecraft Attitude Determination and Control, appendix E. */
@@ -14,6 +15,11 @@
 /* Close above a station the direction to it turns faster than the orbit does: v / h against v / r,
  * 17 times at 400 km. */
 static const double TARGET_RATE_FACTOR = 20.0;
+
+/* The yaw turns fastest where the Sun stands nearest to zenith or nadir, at n / tan(beta) for a
+ * solar angle beta to the orbital plane: 19 times the orbit at 3 deg. Nearer to the plane it flips
+ * faster than the grid of the loads follows; what faces nadir does not notice. */
+static const double YAW_RATE_FACTOR = 20.0;
 
 struct law {
   struct um_orbit_attitude_law law; /* axes are unit; table_path is not kept */
@@ -91,6 +97,7 @@ static enum um_status law_check(struct um_context *context, struct law *law)
                         "attitude: roll, pitch and yaw must be finite numbers");
   case UM_ATTITUDE_SUN:
   case UM_ATTITUDE_TARGET:
+  case UM_ATTITUDE_YAW_STEERING:
     return pointing_check(context, &law->law);
   case UM_ATTITUDE_SPIN:
     return spin_check(context, &law->law);
@@ -178,20 +185,38 @@ static struct um_vec3 across(struct um_vec3 v, struct um_vec3 axis, struct um_ve
   return part;
 }
 
-/* Lay axis_body on `aim` and clock_body toward the orbit normal (GCRS z for a point at rest; the
- * satellite's radius when the normal is along the aim). With the triads
+/* Lay axis_body on `aim` and clock_body along n, which is across it. With the triads
  *   B = [a, c, a x c] in body, G = [aim, n, aim x n] in GCRS:  R = B^T G  (rows are axes) */
-static struct um_quat pointing(const struct um_orbit_attitude_law *law,
-                               const struct um_orbit_attitude_input *input, struct um_vec3 aim)
+static struct um_quat two_axes(const struct um_orbit_attitude_law *law, struct um_vec3 aim,
+                               struct um_vec3 n)
 {
-  struct um_vec3 normal = um_vec3_cross(input->r, input->v);
-  double size = um_vec3_norm(normal);
-  normal = size > 0.0 ? um_vec3_scale(normal, 1.0 / size) : um_vec3(0, 0, 1);
-  struct um_vec3 n = across(normal, aim, um_vec3_unit(input->r));
   struct um_vec3 a = law->axis_body, c = across(law->clock_body, a, a);
   struct um_mat3 body = um_mat3_from_axes(a, c, um_vec3_cross(a, c));
   struct um_mat3 gcrs = um_mat3_from_axes(aim, n, um_vec3_cross(aim, n));
   return um_core_quat_from_matrix(um_mat3_multiply(um_mat3_transpose(body), gcrs));
+}
+
+/* Unit normal of the orbit; GCRS z for a point at rest. */
+static struct um_vec3 orbit_normal(const struct um_orbit_attitude_input *input)
+{
+  struct um_vec3 normal = um_vec3_cross(input->r, input->v);
+  double size = um_vec3_norm(normal);
+  return size > 0.0 ? um_vec3_scale(normal, 1.0 / size) : um_vec3(0, 0, 1);
+}
+
+/* clock_body toward the orbit normal (the satellite's radius when that is along the aim). */
+static struct um_quat pointing(const struct um_orbit_attitude_law *law,
+                               const struct um_orbit_attitude_input *input, struct um_vec3 aim)
+{
+  return two_axes(law, aim, across(orbit_normal(input), aim, um_vec3_unit(input->r)));
+}
+
+/* clock_body toward the Sun (the orbit normal when the Sun is at zenith or nadir). */
+static struct um_quat yaw_steering(const struct um_orbit_attitude_law *law,
+                                   const struct um_orbit_attitude_input *input)
+{
+  struct um_vec3 nadir = um_vec3_scale(um_vec3_unit(input->r), -1.0);
+  return two_axes(law, nadir, across(input->sun, nadir, orbit_normal(input)));
 }
 
 /* The smallest rotation of a frame after which `axis_body`, read in the turned frame, is the
@@ -255,6 +280,9 @@ enum um_status um_orbit_attitude_at(struct um_context *context,
                           "attitude: the law 'target' needs an observer in the scenario");
     *q = pointing(law, input, input->observer);
     return UM_OK;
+  case UM_ATTITUDE_YAW_STEERING:
+    *q = yaw_steering(law, input);
+    return UM_OK;
   case UM_ATTITUDE_SPIN:
     return spin(context, law, input, q);
   case UM_ATTITUDE_TABLE:
@@ -274,6 +302,8 @@ static double law_rate(const struct law *now, double orbital_rate)
     return orbital_rate;
   case UM_ATTITUDE_TARGET:
     return TARGET_RATE_FACTOR * orbital_rate;
+  case UM_ATTITUDE_YAW_STEERING:
+    return YAW_RATE_FACTOR * orbital_rate;
   case UM_ATTITUDE_SPIN:
     return 2.0 * UM_PI / fabs(law->period) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
   case UM_ATTITUDE_TABLE:

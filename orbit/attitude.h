@@ -25,8 +25,10 @@ enum um_orbit_attitude_kind {
   UM_ATTITUDE_SUN,    /* axis_body points at the Sun; second axis: the body axis `clock_body` is as
                          near the orbit normal as possible */
   UM_ATTITUDE_TARGET, /* the same toward the observer */
-  UM_ATTITUDE_SPIN,   /* axis_body is along the inertial axis, turning at 2 pi / period */
-  UM_ATTITUDE_TABLE   /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
+  UM_ATTITUDE_YAW_STEERING, /* axis_body points at the geocentre, clock_body is as near the Sun as
+                               possible: it lies in the plane of nadir and Sun */
+  UM_ATTITUDE_SPIN,         /* axis_body is along the inertial axis, turning at 2 pi / period */
+  UM_ATTITUDE_TABLE         /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
 };
 
 enum um_orbit_axis_frame { UM_AXIS_GCRS, UM_AXIS_LVLH, UM_AXIS_BODY };
@@ -37,8 +39,8 @@ struct um_orbit_attitude_law {
   struct um_quat q;          /* FIXED: GCRS to body. SPIN with axis in the BODY frame: GCRS to
                                 body at at_tai */
   double roll, pitch, yaw;   /* LVLH [rad] */
-  struct um_vec3 axis_body;  /* SUN, TARGET, SPIN: unit */
-  struct um_vec3 clock_body; /* SUN, TARGET: unit, not parallel to axis_body */
+  struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN: unit */
+  struct um_vec3 clock_body; /* all but SPIN: unit, not parallel to axis_body */
   enum um_orbit_axis_frame axis_frame; /* SPIN */
   struct um_vec3 axis;    /* SPIN: unit axis in that frame. In GCRS: inertial. In LVLH: the
                              axis co-rotates with the orbital frame at every instant. */

@@ -43,3 +43,16 @@ struct um_vec3 um_orbit_geodesy_enu(double latitude, double longitude, double he
   return {m[0] * dx + m[3] * dy + m[6] * dz, m[1] * dx + m[4] * dy + m[7] * dz,
           m[2] * dx + m[5] * dy + m[8] * dz};
 }
+
+struct um_vec3 um_orbit_geodesy_from_enu(double latitude, double longitude, double height,
+                                         struct um_vec3 enu)
+{
+  double x, y, z;
+  std::vector<double> m(9);
+  GeographicLib::Geocentric::WGS84().Forward(degrees(latitude), degrees(longitude), height, x, y, z,
+                                             m);
+  /* r = r_origin + M enu */
+  return {x + m[0] * enu.x + m[1] * enu.y + m[2] * enu.z,
+          y + m[3] * enu.x + m[4] * enu.y + m[5] * enu.z,
+          z + m[6] * enu.x + m[7] * enu.y + m[8] * enu.z};
+}

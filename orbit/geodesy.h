@@ -18,6 +18,9 @@ void um_orbit_geodesy_reverse(struct um_vec3 r_itrf, double *latitude, double *l
 /* East, north, up of an ITRF point as seen from a geodetic origin [m]. */
 struct um_vec3 um_orbit_geodesy_enu(double latitude, double longitude, double height,
                                     struct um_vec3 r_itrf);
+/* The inverse: ITRF of a point that stands at `enu` [m] from a geodetic origin. */
+struct um_vec3 um_orbit_geodesy_from_enu(double latitude, double longitude, double height,
+                                         struct um_vec3 enu);
 #ifdef __cplusplus
 }
 #endif

@@ -32,6 +32,17 @@ enum um_status um_orbit_observer_look(struct um_context *context,
                                       const struct um_orbit_trajectory *satellite,
                                       double t_observer, struct um_orbit_look *out);
 
+/* A satellite that is seen at a direction, at a height: azimuth and elevation [rad], airless, in
+ * the station's Earth-fixed frame of t_observer; height [m] above the WGS-84 ellipsoid, more than
+ * the station's. Its range is the only one at which the line of sight reaches that height. The same
+ * look as um_orbit_observer_look of an orbit that passes there, the place being that of emission;
+ * v_gcrs, which is not known, is 0. UM_ERR_INPUT: no station, height too low, elevation beyond 90
+ * deg, not finite. The place agrees with the orbit's to 1 mm (tests/orbit/observer.c). */
+enum um_status um_orbit_observer_locate(struct um_context *context,
+                                        const struct um_orbit_observer *observer, double t_observer,
+                                        double azimuth, double elevation, double height,
+                                        struct um_orbit_look *out);
+
 struct um_orbit_pass {
   double rise, culmination, set; /* t_tai [s], to 1 ms; rise/set clipped to the window */
   double rise_azimuth, culmination_azimuth, set_azimuth; /* [rad] */

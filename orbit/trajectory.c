@@ -57,6 +57,12 @@ enum um_status um_orbit_trajectory_create_fixed(struct um_context *context, stru
   return UM_OK;
 }
 
+enum um_status um_orbit_trajectory_create_none(struct um_context *context,
+                                               struct um_orbit_trajectory **out)
+{
+  return um_orbit_trajectory_allocate(context, TRAJECTORY_NONE, out);
+}
+
 /* SGP4 at (t - epoch) in minutes, TEME rotated to GCRS. */
 static enum um_status tle_state(struct um_context *context, const struct um_orbit_trajectory *orbit,
                                 double t_tai, struct um_vec3 *r, struct um_vec3 *v)
@@ -83,6 +89,11 @@ static enum um_status state_of(struct um_context *context, const struct um_orbit
     *r = orbit->fixed;
     *v = um_vec3(0.0, 0.0, 0.0);
     return UM_OK;
+  case TRAJECTORY_NONE:
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "the observations stand alone (orbit.points), between them nothing is "
+                        "known; accepted: an orbit, or measurements with satellite_height_km, "
+                        "azimuth_deg and elevation_deg (umbra compare, diagnose, fit)");
   case TRAJECTORY_KEPLER:
   case TRAJECTORY_CIRCULAR:
     break;

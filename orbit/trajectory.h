@@ -36,6 +36,10 @@ enum um_status um_orbit_trajectory_create_table(struct um_context *context, cons
 /* A point fixed in GCRS [m] (velocity zero). */
 enum um_status um_orbit_trajectory_create_fixed(struct um_context *context, struct um_vec3 r_gcrs,
                                                 struct um_orbit_trajectory **out);
+/* No track at all: observations that stand alone (um_orbit_observer_locate). Its state is
+ * UM_ERR_INPUT, its period NaN. */
+enum um_status um_orbit_trajectory_create_none(struct um_context *context,
+                                               struct um_orbit_trajectory **out);
 void um_orbit_trajectory_destroy(struct um_orbit_trajectory **trajectory);
 
 /* r_gcrs [m], v_gcrs [m/s] (either may be NULL). Errors of the source. */
@@ -45,7 +49,7 @@ enum um_status um_orbit_trajectory_state(struct um_context *context,
 /* From now on the state at t is that of t + seconds: an error along the track. 0 undoes it. */
 void um_orbit_trajectory_shift(struct um_orbit_trajectory *trajectory, double seconds);
 /* Period of one revolution [s]: nodal from the mean motion for TLE, 2 pi sqrt(a^3/mu) otherwise;
- * NaN for a fixed point. */
+ * NaN for a fixed point and without a track. */
 double um_orbit_trajectory_period(const struct um_orbit_trajectory *trajectory);
 /* First and last time covered (-inf, +inf where unlimited); epoch of a TLE, NaN otherwise. */
 void um_orbit_trajectory_span(const struct um_orbit_trajectory *trajectory, double *first,

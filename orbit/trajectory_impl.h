@@ -11,7 +11,8 @@ enum trajectory_kind {
   TRAJECTORY_KEPLER,
   TRAJECTORY_CIRCULAR,
   TRAJECTORY_TABLE,
-  TRAJECTORY_FIXED
+  TRAJECTORY_FIXED,
+  TRAJECTORY_NONE
 };
 
 /* Two-body ellipse, or a circle of any rate. */

@@ -1,0 +1,184 @@
+/* Observations without a track (orbit.points): every measurement says where the satellite is. What
+ * asks for a velocity or for heat that is followed along an orbit is refused; the light of one
+ * instant, with Sun, shadow, attitude and the Earth below, is all that such a scenario has. */
+#include <math.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/words.h"
+#include "model/model_impl.h"
+
+#define ACCEPTED_LAWS "fixed, sun, target, yaw_steering, table, spin with axis_gcrs or q_gcrs"
+
+enum um_status um_model_check_track(struct um_context *context, const struct um_model *model)
+{
+  if (!model->points) return UM_OK;
+  return um_model_fail(context, &model->scenario->orbit->at, "points",
+                       "has no times and places of its own; accepted: measurements with "
+                       "satellite_height_km, azimuth_deg and elevation_deg (umbra compare, "
+                       "diagnose, fit)");
+}
+
+static enum um_status check_attitude(struct um_context *context, const struct um_schema_list *laws)
+{
+  const struct um_scenario_attitude *law = laws->items;
+  for (size_t i = 0; i < laws->count; i++) {
+    if (law[i].lvlh != NULL)
+      return um_model_fail(context, &law[i].at, "lvlh",
+                           "wants a velocity, which orbit.points does not know; "
+                           "accepted: " ACCEPTED_LAWS);
+    if (law[i].spin != NULL && law[i].spin->axis_lvlh.count > 0)
+      return um_model_fail(context, &law[i].spin->at, "axis_lvlh",
+                           "wants a velocity, which orbit.points does not know; "
+                           "accepted: " ACCEPTED_LAWS);
+  }
+  return UM_OK;
+}
+
+static enum um_status add_station(struct um_context *context, struct um_model *model,
+                                  const struct um_scenario_station *from)
+{
+  const char *own = model->scenario->observer->station->name;
+  const struct um_scenario_station *other = model->scenario->orbit->points->stations.items;
+  if (from->name == NULL)
+    return um_model_fail(context, &from->at, NULL, "has no name; accepted: the one that rows use");
+  bool taken = own != NULL && strcmp(from->name, own) == 0;
+  for (; other != from; other++) taken = taken || strcmp(from->name, other->name) == 0;
+  if (taken)
+    return um_model_fail(context, &from->at, "name", "'%s' is taken; accepted: names used once",
+                         from->name);
+  struct um_orbit_observer *to = &model->station[model->nstation++];
+  *to = model->observer;
+  to->latitude = from->latitude_deg * UM_DEG;
+  to->longitude = from->longitude_deg * UM_DEG;
+  to->height = from->height_m;
+  return UM_OK;
+}
+
+enum um_status um_model_build_points(struct um_context *context, struct um_model *model)
+{
+  const struct um_scenario *scenario = model->scenario;
+  const struct um_scenario_points *points = scenario->orbit->points;
+  if (points == NULL) return UM_OK;
+  model->points = true;
+  if (!model->has_observer || model->observer.kind != UM_OBSERVER_STATION)
+    return um_model_fail(context, &scenario->orbit->at, "points",
+                         "wants the station that azimuths and elevations are of; accepted: "
+                         "observer.station");
+  if (scenario->thermal->start != UM_START_ISOTHERMAL)
+    return um_model_fail(context, &scenario->thermal->at, "start",
+                         "periodic wants an orbit, orbit.points has none; accepted: isothermal "
+                         "(temperatures stay at start_temperature_K)");
+  UM_TRY(check_attitude(context, &scenario->attitude));
+  const struct um_scenario_station *station = points->stations.items;
+  UM_TRY(um_core_allocate(context, points->stations.count + 1, sizeof *model->station,
+                          &model->station));
+  model->station[model->nstation++] = model->observer;
+  for (size_t i = 0; i < points->stations.count; i++)
+    UM_TRY(add_station(context, model, &station[i]));
+  um_core_log(context, UM_LOG_INFO,
+              "orbit: observations stand alone; heat is not followed, temperatures stay at "
+              "thermal.start_temperature_K, %g K",
+              scenario->thermal->start_temperature_K);
+  return UM_OK;
+}
+
+enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *out)
+{
+  const char *own = model->scenario->observer->station->name;
+  const struct um_scenario_points *points = model->scenario->orbit->points;
+  const struct um_scenario_station *other = points->stations.items;
+  char names[320] = "";
+  *out = 0;
+  if (name[0] == '\0' || (own != NULL && strcmp(name, own) == 0)) return UM_OK;
+  if (own != NULL) um_core_words_append(names, sizeof names, own);
+  for (size_t i = 0; i < points->stations.count; i++) {
+    *out = i + 1;
+    if (strcmp(name, other[i].name) == 0) return UM_OK;
+    um_core_words_append(names, sizeof names, other[i].name);
+  }
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "the scenario has no station '%.60s'; accepted: %s%sempty for the "
+                      "observer's (observer.station, orbit.points.stations)",
+                      name, names, names[0] == '\0' ? "" : ", ");
+}
+
+/* --- trace ----------------------------------------------------------------------------------- */
+
+static enum um_status check_points(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_point *points, size_t n)
+{
+  if (!model->points)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: the scenario has an orbit; accepted: orbit.points for observations "
+                        "that stand alone",
+                        model->scenario->at.file);
+  if (n == 0) return um_core_fail(context, UM_ERR_INPUT, "no observations");
+  for (size_t k = 1; k < n; k++)
+    if (!(points[k].t >= points[k - 1].t))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "observation %zu is earlier than the one before it", k + 1);
+  return UM_OK;
+}
+
+static enum um_status trace_points(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_point *points,
+                                   struct um_model_trace *trace)
+{
+  size_t n = trace->nobs;
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &trace->t_obs));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &trace->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *trace->look, &trace->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *trace->sample, &trace->sample));
+  UM_TRY(um_core_allocate(context, n, sizeof *trace->load_row, &trace->load_row));
+  for (size_t k = 0; k < n; k++) {
+    struct um_model_point point = points[k];
+    point.t = um_model_true_time(model, point.t);
+    UM_TRY(um_model_sample_point(context, model, &point, &trace->sample[k], &trace->look[k]));
+    trace->t_obs[k] = points[k].t;
+    trace->sunlit[k] = trace->sample[k].sunlit_fraction;
+    trace->load_row[k] = k;
+  }
+  trace->t_first = trace->t_start = trace->t_periodic_end = trace->sample[0].t_tai;
+  return UM_OK;
+}
+
+/* One row for each point; rows want times that ascend, which points have not. */
+static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
+                                  struct um_model_trace *trace)
+{
+  struct um_environment_sample *numbered = NULL;
+  UM_TRY(um_core_allocate(context, trace->nobs, sizeof *numbered, &numbered));
+  for (size_t k = 0; k < trace->nobs; k++) {
+    numbered[k] = trace->sample[k];
+    numbered[k].t_tai = trace->t_start + (double)k;
+  }
+  enum um_status status =
+      um_thermal_loads_trace(context, model->geometry, &model->environment, numbered, trace->nobs,
+                             NULL, 0, model->scenario->thermal->samples, &trace->loads);
+  um_core_free(context, numbered);
+  return status;
+}
+
+enum um_status um_model_trace_create_points(struct um_context *context,
+                                            const struct um_model *model,
+                                            const struct um_model_point *points, size_t npoint,
+                                            struct um_model_trace **out)
+{
+  enum um_status status;
+  struct um_model_trace *trace = NULL;
+  *out = NULL;
+  UM_TRY(check_points(context, model, points, npoint));
+  UM_TRY(um_core_allocate(context, 1, sizeof *trace, &trace));
+  *trace = (struct um_model_trace){.nobs = npoint, .nsub = 1, .points = true, .period = NAN};
+  UM_CHECK(trace_points(context, model, points, trace));
+  UM_CHECK(trace_loads(context, model, trace));
+  UM_CHECK(um_optics_view_trace(context, model->geometry, trace->sample, npoint,
+                                model->scenario->optics->samples, &trace->view));
+done:
+  status = um_model_blame_table(context, model, status);
+  if (status != UM_OK) um_model_trace_destroy(context, &trace);
+  *out = trace;
+  return status;
+}
