@@ -34,8 +34,8 @@ const struct um_effect um_effects_albedo_level = {
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
     .validity = "uniform Lambert Earth; the albedo after the factor up to 1",
     .separated_by =
-        "solar_absorptance: what it does follows the Sun over the ground below and vanishes on the "
-        "night side, so a whole orbit of temperatures, or visible light at large phase angles",
+        "solar_absorptance: temperatures over a whole orbit, or visible light at large phase "
+        "angles; it follows the Sun over the ground below and vanishes on the night side",
     .targets = UM_TARGET_GLOBAL,
     .parameters = parameters,
     .nparameter = 1,

@@ -28,7 +28,8 @@ const struct um_effect um_effects_background = {
     .summary = "A constant light is left in what is measured",
     .reference = "Howell 2006, Handbook of CCD Astronomy, chapter 5",
     .validity =
-        "constant over all observations; acts on irradiance in the order of the list of effects",
+        "constant over all observations; acts on irradiance and magnitude (there the same at "
+        "every wavelength) in the order of the list of effects",
     .separated_by = "earthshine and zero_point: frames beside the satellite; it does not fall with "
                     "range, and counts most where the satellite is faint",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

@@ -18,7 +18,7 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 {
   (void)context;
   /* no airmass without a station; below the horizon the irradiance is NaN already */
-  if (um_effect_acts_on(use, o->band) && !isnan(o->airmass))
+  if (!o->exo_atmospheric && um_effect_acts_on(use, o->band) && !isnan(o->airmass))
     o->value *= pow(10.0, -0.4 * use->value[0] * o->airmass);
   return UM_OK;
 }
@@ -30,7 +30,8 @@ const struct um_effect um_effects_extinction = {
     .summary = "The atmosphere dims the satellite, more toward the horizon",
     .reference = "Kasten & Young 1989, Appl. Opt. 28:4735; Patat et al. 2011, A&A 527:A91",
     .validity = "one coefficient a band, over all its wavelengths; acts on irradiance in the order "
-                "of the list of effects; of no effect without a station",
+                "of the list of effects, not on magnitudes, which are those without an atmosphere; "
+                "of no effect without a station",
     .separated_by = "zero_point: one pass over a range of airmasses of 2 or more, or standard "
                     "stars at two airmasses in the same night",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

@@ -83,18 +83,17 @@ void um_effects_write_markdown(FILE *file, const struct um_effect *effect)
 
 void um_effects_write_manual(FILE *file)
 {
-  fputs("# Effects\n\n"
-        "Made from the descriptors in `effects/` by the test `unit_effects_manual` with\n"
-        "`UMBRA_WRITE_DOCS=1`; not edited by hand. An effect at the value at which it vanishes "
-        "leaves the result\n"
-        "bit-identical to a run without it. A prior sigma is the width of a weak Gaussian prior "
-        "about "
-        "that value, which\ndiagnosis and fit use; `of ln` is that of the "
-        "logarithm of the\nparameter over it. Behind it stands what the width is taken from. A "
-        "fitted value more than three widths\naway is called not credible. `none`: every value "
-        "within the range is as good as another before the data.\n\n"
-        "| effect | by default | what it is |\n|---|---|---|\n",
-        file);
+  fputs(
+      "# Effects\n\n"
+      "Made from the descriptors in `effects/` by the test `unit_effects_manual` with\n"
+      "`UMBRA_WRITE_DOCS=1`; not edited by hand. An effect at the value at which it vanishes "
+      "leaves the result\nbit-identical to a run without it. A prior sigma is the width of a weak "
+      "Gaussian prior about that value,\nwhich diagnosis and fit use; `of ln` is that of the "
+      "logarithm of the parameter over it. Behind it stands\nwhat the width is taken from. A "
+      "fitted value more than three widths away is called not credible. `none`:\nevery value "
+      "within the range is as good as another before the data.\n\n"
+      "| effect | by default | what it is |\n|---|---|---|\n",
+      file);
   for (size_t i = 0; i < um_effects_count(); i++) {
     const struct um_effect *e = um_effects_at(i);
     fprintf(file, "| [%s](#%s) | %s | %s |\n", e->name, e->name, e->on_by_default ? "on" : "off",

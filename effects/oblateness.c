@@ -10,17 +10,32 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
   return UM_OK;
 }
 
+/* The scenario's shadow is round. */
+static bool is_off(const struct um_environment *environment)
+{
+  return environment->shadow == UM_SHADOW_SPHERE || environment->shadow == UM_SHADOW_CYLINDER;
+}
+
+static enum um_status switch_on(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  if (is_off(environment)) environment->shadow = UM_SHADOW_OBLATE;
+  return UM_OK;
+}
+
 const struct um_effect um_effects_oblateness = {
     .abi_version = UM_EFFECT_ABI_VERSION,
     .struct_size = sizeof(struct um_effect),
     .name = "oblateness",
     .summary = "The shadow of the Earth is cast by the WGS-84 ellipsoid",
     .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",
-    .validity =
-        "off: a sphere of the scenario's shadow_radius_km; a cylinder or no shadow stays as it is",
+    .validity = "off: a sphere of the scenario's shadow_radius_km; off where environment.shadow is "
+                "sphere or cylinder, until it is switched on; no shadow stays none",
     .separated_by = "shadow_radius and time_tag: both edges of one eclipse, sampled every second "
                     "or faster, move by amounts that depend on the latitude of the limb",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,
+    .is_off = is_off,
+    .switch_on = switch_on,
 };

@@ -28,8 +28,8 @@ const struct um_effect um_effects_zero_point = {
     .name = "zero_point",
     .summary = "The calibration of a band is off by a factor",
     .reference = "Bessell 2005, Annu. Rev. Astron. Astrophys. 43:293",
-    .validity =
-        "constant over all observations; acts on irradiance in the order of the list of effects",
+    .validity = "constant over all observations; acts on irradiance and magnitude in the order of "
+                "the list of effects",
     .separated_by = "area, diffuse_level and extinction: standard stars in the same night, or a "
                     "second band of the same part that the factor does not touch",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

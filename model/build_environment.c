@@ -2,8 +2,8 @@
 #include "core/constants.h"
 #include "model/model_impl.h"
 
-static void environment_from_scenario(const struct um_scenario_environment *from,
-                                      struct um_environment *to)
+void um_model_scenario_environment(const struct um_scenario_environment *from,
+                                   struct um_environment *to)
 {
   um_environment_defaults(to);
   to->solar_irradiance = from->solar_irradiance_W_m2;
@@ -22,12 +22,13 @@ static void environment_from_scenario(const struct um_scenario_environment *from
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;
-  environment_from_scenario(model->scenario->environment, &model->environment);
+  um_model_scenario_environment(model->scenario->environment, &model->environment);
   model->sun_frozen = model->scenario->environment->sun == UM_SUN_FROZEN;
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
-    if (e->off && e->effect->switch_off != NULL)
-      UM_TRY(e->effect->switch_off(context, &model->environment));
+    enum um_status (*turn)(struct um_context *, struct um_environment *) =
+        e->off ? e->effect->switch_off : e->effect->switch_on;
+    if (turn != NULL) UM_TRY(turn(context, &model->environment));
   }
   for (size_t i = 0; um_model_effect_next(model, &i, &use);)
     if (use.effect->hooks.environment != NULL)

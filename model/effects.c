@@ -181,14 +181,26 @@ static enum um_status check_listed_once(struct um_context *context,
   return UM_OK;
 }
 
+/* Core switches: on, but where keys of `environment` hold them off. */
+static enum um_status take_defaults(struct um_context *context, struct um_model *model)
+{
+  struct um_environment environment;
+  um_model_scenario_environment(model->scenario->environment, &environment);
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *effect = um_effects_at(i);
+    struct um_model_effect *use = NULL;
+    if (!effect->on_by_default) continue;
+    UM_TRY(use_of(context, model, effect, NULL, &use));
+    use->off = effect->is_off != NULL && effect->is_off(&environment);
+  }
+  return UM_OK;
+}
+
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options)
 {
   const struct um_scenario_effect *uses = model->scenario->effects.items;
-  struct um_model_effect *ignored;
-  for (size_t i = 0; i < um_effects_count(); i++)
-    if (um_effects_at(i)->on_by_default)
-      UM_TRY(use_of(context, model, um_effects_at(i), NULL, &ignored));
+  UM_TRY(take_defaults(context, model));
   for (size_t k = 0; k < model->scenario->effects.count; k++) {
     UM_TRY(check_listed_once(context, uses, k));
     UM_TRY(take_scenario(context, model, &uses[k]));

@@ -12,6 +12,8 @@ enum um_status um_model_check_effects(struct um_context *context, const struct u
 /* The next effect that is on, from *index, which moves behind it; false at the end. */
 bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use);
 /* environment: from the scenario's mapping, then its effects (build_environment.c). */
+void um_model_scenario_environment(const struct um_scenario_environment *from,
+                                   struct um_environment *to);
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model);
 /* orientation, trajectory, attitude, observer (build_orbit.c). */
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);

@@ -1,4 +1,5 @@
-/* Light curves of the trace: intensities from the renderer, irradiance at the aperture. */
+/* Light curves of the trace: intensities from the renderer, irradiance at the aperture, magnitudes
+ * without an atmosphere. */
 #include <math.h>
 #include <string.h>
 
@@ -109,21 +110,58 @@ static void average(const struct um_model_trace *trace, const struct um_optics_l
   }
 }
 
-/* What effects do to an irradiance on its way to the number that is measured. */
-static enum um_status observe(struct um_context *context, const struct um_model *model,
-                              const struct um_model_trace *trace, struct um_model_result *r)
+/* Band irradiance of a source of magnitude 0 that is the same at every wavelength [W/m^2]. */
+static double irradiance_of_zero(const struct um_model_result *r, size_t b,
+                                 double *spectral_irradiance)
+{
+  size_t first = 0, n = 0;
+  double width = 0.0;
+  while (r->bin_band[first] != b) first++;
+  for (; first + n < r->nbin && r->bin_band[first + n] == b; n++) {
+    spectral_irradiance[n] = 1.0;
+    width += r->bin_width[first + n];
+  }
+  double unit =
+      um_optics_magnitude_ab(spectral_irradiance, r->wavelength + first, r->bin_width + first, n);
+  return width * pow(10.0, 0.4 * unit);
+}
+
+/* One observation and band through all effects: what comes to the aperture, or, as if there were no
+ * atmosphere, what the magnitude is made of. */
+static enum um_status transform(struct um_context *context, const struct um_model *model,
+                                const struct um_model_trace *trace, size_t k, size_t b,
+                                bool exo_atmospheric, double *value)
 {
   struct um_effect_use use;
+  double elevation = trace->look[k * trace->nsub + trace->nsub / 2].elevation;
   for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
+    struct um_effect_observation o = {.t_tai = trace->t_obs[k],
+                                      .elevation = elevation,
+                                      .airmass = um_optics_airmass(elevation),
+                                      .band = model->band[b].name,
+                                      .value = *value,
+                                      .exo_atmospheric = exo_atmospheric};
     if (use.effect->hooks.observation == NULL) continue;
+    UM_TRY(use.effect->hooks.observation(context, &use, &o));
+    *value = o.value;
+  }
+  return UM_OK;
+}
+
+/* What effects do to an irradiance on its way to the number that is measured, and to the magnitude:
+ * as irradiance, E_0 10^(-0.4 m), and back, so that what is added has no colour of its own. */
+static enum um_status observe(struct um_context *context, const struct um_model *model,
+                              const struct um_model_trace *trace, struct um_model_result *r,
+                              double *spectral_irradiance)
+{
+  for (size_t b = 0; b < r->nband; b++) {
+    double zero = irradiance_of_zero(r, b, spectral_irradiance);
     for (size_t k = 0; k < r->nobs; k++) {
-      double elevation = trace->look[k * trace->nsub + trace->nsub / 2].elevation;
-      for (size_t b = 0; b < r->nband; b++) {
-        struct um_effect_observation o = {trace->t_obs[k], elevation, um_optics_airmass(elevation),
-                                          model->band[b].name, r->irradiance[k * r->nband + b]};
-        UM_TRY(use.effect->hooks.observation(context, &use, &o));
-        r->irradiance[k * r->nband + b] = o.value;
-      }
+      double *magnitude = &r->magnitude_ab[k * r->nband + b];
+      double before = zero * pow(10.0, -0.4 * *magnitude), after = before;
+      UM_TRY(transform(context, model, trace, k, b, false, &r->irradiance[k * r->nband + b]));
+      UM_TRY(transform(context, model, trace, k, b, true, &after));
+      if (after != before) *magnitude = -2.5 * log10(after / zero);
     }
   }
   return UM_OK;
@@ -144,7 +182,7 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   UM_CHECK(result_arrays(context, trace, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &spectral_irradiance));
   average(trace, curve, result, spectral_irradiance);
-  UM_CHECK(observe(context, model, trace, result));
+  UM_CHECK(observe(context, model, trace, result, spectral_irradiance));
 done:
   um_core_free(context, spectral_irradiance);
   um_optics_lightcurve_destroy(context, &curve);

@@ -161,15 +161,15 @@ bool case_same_intensities(const struct case_run *a, const struct case_run *b)
          x->nbin == y->nbin &&
          same(x->intensity, y->intensity, x->nobs * x->nband * x->nmaterial * UM_MECHANISM_COUNT) &&
          same(x->spectral, y->spectral, x->nobs * x->nbin * UM_MECHANISM_COUNT) &&
-         same(x->standard_error, y->standard_error, x->nobs * x->nband) &&
-         same(x->magnitude_ab, y->magnitude_ab, x->nobs * x->nband);
+         same(x->standard_error, y->standard_error, x->nobs * x->nband);
 }
 
 bool case_same(const struct case_run *a, const struct case_run *b)
 {
   const struct um_model_result *x = a->result, *y = b->result;
   return case_same_temperatures(a, b) && case_same_intensities(a, b) &&
-         same(x->irradiance, y->irradiance, x->nobs * x->nband) && x->nplace == y->nplace &&
+         same(x->irradiance, y->irradiance, x->nobs * x->nband) &&
+         same(x->magnitude_ab, y->magnitude_ab, x->nobs * x->nband) && x->nplace == y->nplace &&
          memcmp(x->heat, y->heat, x->nobs * x->nplace * sizeof *x->heat) == 0;
 }
 

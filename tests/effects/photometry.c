@@ -1,5 +1,5 @@
-/* Effects on what is measured: they change irradiance and nothing else. A box 620 km above the
- * Earth is seen from a station below it, and from one on the other side. */
+/* Effects on what is measured: they change irradiance and magnitude and nothing else. A box 620 km
+ * above the Earth is seen from a station below it, and from one on the other side. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -30,8 +30,15 @@ static const char behind[] =
     SCENARIO("{station: {latitude_deg: 4, longitude_deg: -133, height_m: 0}}");
 static const char nowhere[] = SCENARIO("{direction: {unit_gcrs: [-1, -0.8, 0.3], range_km: 1000}}");
 
-/* Irradiance becomes factor(X) E + offset in the bands of a mask; all else is the same to the bit.
- */
+/* Band irradiance [W/m^2] of magnitude 0, flat in wavelength, of a band in two bins: with E = 1 in
+ * photons, int lambda d lambda = width * middle, against 3631 Jy c int d lambda / lambda. */
+static double flat_zero(double from_um, double to_um)
+{
+  return 3631e-26 * 299792458.0 * log(to_um / from_um) / (0.5 * (from_um + to_um) * 1e-6);
+}
+
+/* Irradiance becomes factor(X) E + offset in the bands of a mask, and the irradiance that the
+ * magnitude stands for factor(0) E + offset; all else is the same to the bit. */
 static void expect(const char *with, unsigned mask, double k, double factor, double offset)
 {
   struct case_run a = case_with(below, NULL), b = case_with(below, with);
@@ -43,11 +50,20 @@ static void expect(const char *with, unsigned mask, double k, double factor, dou
     for (size_t band = 0; band < 2; band++) {
       double before = a.result->irradiance[2 * t + band],
              after = b.result->irradiance[2 * t + band];
+      double m = a.result->magnitude_ab[2 * t + band], m1 = b.result->magnitude_ab[2 * t + band];
       assert_true(before > 0.0);
-      if ((mask >> band & 1) == 0)
-        assert_true(after == before);
-      else
-        case_near(with, after, factor * pow(10.0, -0.4 * k * airmass) * before + offset, 1e-14);
+      if ((mask >> band & 1) == 0) {
+        assert_true(after == before && m1 == m);
+        continue;
+      }
+      case_near(with, after, factor * pow(10.0, -0.4 * k * airmass) * before + offset, 1e-14);
+      if (factor == 1.0 && offset == 0.0) { /* the atmosphere */
+        assert_true(m1 == m);
+        continue;
+      }
+      double zero = band == 0 ? flat_zero(0.38, 0.78) : flat_zero(8.0, 12.0);
+      /* rounding of log10 and of magnitudes near 10 */
+      case_near(with, pow(10.0, -0.4 * m1), factor * pow(10.0, -0.4 * m) + offset / zero, 1e-13);
     }
   }
   case_release(&a);
@@ -74,6 +90,27 @@ static void background_is_added(void **state)
   (void)state;
   expect("background,irradiance_W_m2=3e-11", 3, 0.0, 1.0, 3e-11);
   expect("background:vis,irradiance_W_m2=-2e-12", 1, 0.0, 1.0, -2e-12);
+}
+
+/* A satellite in the dark sends 1e-29 of what is left in the visible: the magnitude is that of the
+ * background, and of a negative one there is none. */
+static void background_has_a_magnitude_in_the_dark(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"orbit={fixed: {position_gcrs_km: [-7000, 0, 0]}}", NULL};
+  static const char *const without[] = {"earthshine", NULL};
+  const double irradiance = 2e-13;
+  const char *const more[] = {"background:vis,irradiance_W_m2=2e-13", NULL};
+  const char *const less[] = {"background:vis,irradiance_W_m2=-2e-13", NULL};
+  struct case_run a = case_compute(nowhere, more, without, set);
+  struct case_run b = case_compute(nowhere, less, without, set);
+  double expected = -2.5 * log10(irradiance / flat_zero(0.38, 0.78)); /* 12.07 */
+  for (size_t t = 0; t < a.result->nobs; t++) {
+    case_near("dark", a.result->magnitude_ab[2 * t], expected, 1e-13);
+    assert_true(isnan(b.result->magnitude_ab[2 * t]));
+  }
+  case_release(&a);
+  case_release(&b);
 }
 
 /* Below the horizon there is no measurement, whatever is added to it. */
@@ -116,6 +153,7 @@ int main(void)
       cmocka_unit_test(extinction_grows_with_airmass),
       cmocka_unit_test(zero_point_is_a_factor),
       cmocka_unit_test(background_is_added),
+      cmocka_unit_test(background_has_a_magnitude_in_the_dark),
       cmocka_unit_test(nothing_is_seen_below_the_horizon),
       cmocka_unit_test(extinction_needs_a_station),
       cmocka_unit_test(null_values_change_nothing),

@@ -83,6 +83,34 @@ static void oblateness_leaves_other_shadows(void **state)
   }
 }
 
+/* What a scenario's key holds off is turned on; what is on stays as it is, to the byte. */
+static void switches_turn_on(void **state)
+{
+  (void)state;
+  const struct um_effect *oblateness = um_effects_find("oblateness");
+  const struct um_effect *penumbra = um_effects_find("penumbra");
+  const enum um_environment_shadow shadow[] = {UM_SHADOW_NONE, UM_SHADOW_CYLINDER, UM_SHADOW_SPHERE,
+                                               UM_SHADOW_OBLATE};
+  const enum um_environment_disc disc[] = {UM_DISC_POINT, UM_DISC_UNIFORM, UM_DISC_LIMB_DARKENED};
+  for (size_t i = 0; i < 4; i++)
+    for (size_t k = 0; k < 3; k++) {
+      struct um_environment e, expected;
+      memset(&e, 0, sizeof e);
+      um_environment_defaults(&e);
+      e.shadow = shadow[i];
+      e.disc = disc[k];
+      expected = e;
+      bool round = shadow[i] == UM_SHADOW_CYLINDER || shadow[i] == UM_SHADOW_SPHERE;
+      assert_int_equal(oblateness->is_off(&e), round);
+      assert_int_equal(penumbra->is_off(&e), disc[k] == UM_DISC_POINT);
+      if (round) expected.shadow = UM_SHADOW_OBLATE;
+      if (disc[k] == UM_DISC_POINT) expected.disc = UM_DISC_LIMB_DARKENED;
+      assert_int_equal(oblateness->switch_on(NULL, &e), UM_OK);
+      assert_int_equal(penumbra->switch_on(NULL, &e), UM_OK);
+      assert_memory_equal(&e, &expected, sizeof e);
+    }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -90,6 +118,7 @@ int main(void)
       cmocka_unit_test(names_are_cut_to_size),
       cmocka_unit_test(switches_change_one_field),
       cmocka_unit_test(oblateness_leaves_other_shadows),
+      cmocka_unit_test(switches_turn_on),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
