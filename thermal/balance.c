@@ -17,6 +17,7 @@ bool um_thermal_system_state_set(struct um_thermal_system *system, double t, con
   um_thermal_system_loads_at(system, t);
   for (size_t k = 0; k < system->nunknown; k++) system->temperature[system->node[k]] = y[k];
   um_thermal_system_powers(system);
+  if (system->made != NULL) um_thermal_system_heat_make(system, t);
   return um_thermal_system_clusters_solve(system);
 }
 
@@ -24,6 +25,7 @@ double um_thermal_system_node_heat(const struct um_thermal_system *system, size_
 {
   const double *t = system->temperature, *p = system->power4;
   double heat = system->power[node] + system->now.q[node];
+  if (system->made != NULL) heat += system->made[node];
   heat -= system->space[node] * (p[node] - system->space4);
   double exchange = 0.0;
   for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {

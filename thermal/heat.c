@@ -3,8 +3,7 @@
 
 #include "core/constants.h"
 #include "core/interpolation.h"
-#include "thermal/network_impl.h"
-#include "thermal/solve.h"
+#include "thermal/system_impl.h"
 
 /* Loads at t, constant outside the table; equation in system_loads.c. */
 static void loads_add(const struct um_thermal_network *network,
@@ -78,6 +77,24 @@ static void surfaces_add(const struct um_thermal_network *network, const double 
   }
 }
 
+static void spread_add(const struct um_thermal_spread *at, double power,
+                       struct um_thermal_heat *out)
+{
+  for (size_t i = 0; i < at->n; i++) out[at->node[i]].internal += at->weight[i] * power;
+}
+
+void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, const bool *heating,
+                                    struct um_thermal_heat *out)
+{
+  for (size_t k = 0; k < network->nthermostat; k++) {
+    const struct um_thermal_spread *at = &network->thermostat[k].at;
+    if (!heating[k]) continue;
+    spread_add(at, network->thermostat[k].power, out);
+    for (size_t i = 0; i < at->n; i++)
+      out[at->node[i]].stored += at->weight[i] * network->thermostat[k].power;
+  }
+}
+
 enum um_status um_thermal_heat_of_nodes(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_thermal_loads *loads,
@@ -91,6 +108,8 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
   double space4 = pow(options->space_temperature, 4);
   for (size_t i = 0; i < network->nnode; i++)
     out[i] = (struct um_thermal_heat){.internal = network->node[i].power};
+  for (size_t k = 0; k < network->nsource; k++)
+    spread_add(&network->source[k].at, um_thermal_source_power(&network->source[k], t), out);
   if (loads != NULL) loads_add(network, loads, options, t, out);
   links_add(network, temperature, space4, out);
   surfaces_add(network, temperature, space4, out);

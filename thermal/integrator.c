@@ -5,6 +5,9 @@
  * ends exactly and starts anew, so no step straddles an edge. Between stops a step is at most
  * MAX_STEP_INTERVALS grid intervals long: longer ones could pass over a flash of Sun unseen.
  *
+ * Thermostats switch where CVODES finds the root of sensor minus threshold; the integration starts
+ * anew there with the heater's other state.
+ *
  * Audit. The integrals of the heat terms are CVODES quadratures: the same formula with the same
  * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
  * closes to the residual of Newton's iteration, which is solved to NEWTON_SHARE of the step's
@@ -25,6 +28,7 @@
 #define NEWTON_SHARE       1e-4
 #define STEPS_LIMIT        50000000u /* of one run: an end for what would never come to one */
 #define SHORTEST_SEGMENT   1e-6      /* [s] stops closer than this are one */
+#define SHORTEST_GAP       1e-9      /* [s] a switching this near to a stop happens there */
 
 struct um_thermal_integrator {
   struct um_thermal_system *system; /* borrowed */
@@ -39,6 +43,9 @@ struct um_thermal_integrator {
   double loosened;  /* factor on the tolerances [1] */
   bool initialized; /* CVodeInit was done */
   double *mean_cube, *cube_before;
+  double *mean_slope, *slope_before; /* [nthermostat], with mean_cube */
+  int *root;                         /* [nthermostat] which thermostats switch; their directions */
+  bool switched;                     /* one did at t: a new start is due */
   size_t steps, rhs_evaluations, jacobians, run_steps;
   bool balance_lost; /* an eliminated node found no temperature */
   char words[256];   /* of CVODES */
@@ -116,6 +123,23 @@ static realtype weighted_norm(N_Vector x, N_Vector w)
   return sqrt((sum[0] + sum[1] + sum[2] + sum[3]) / (double)n);
 }
 
+/* Sensor minus the threshold that is next, of every thermostat [K]. */
+static int switch_callback(realtype t, N_Vector y, realtype *out, void *self)
+{
+  (void)t;
+  struct um_thermal_integrator *integrator = self;
+  const struct um_thermal_system *system = integrator->system;
+  const double *unknown = N_VGetArrayPointer(y);
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    const struct um_thermal_network_thermostat *t_k = system->thermostat[k].thermostat;
+    double sum = 0.0;
+    for (size_t j = 0; j < t_k->sensor.n; j++)
+      sum += t_k->sensor.weight[j] * unknown[system->unknown[t_k->sensor.node[j]]];
+    out[k] = sum - (system->thermostat[k].on ? t_k->off : t_k->on);
+  }
+  return 0;
+}
+
 /* Heat over the satellite's border now [W]. */
 static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
 {
@@ -131,6 +155,7 @@ static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
   for (size_t i = 0; i < system->n; i++) {
     if (!system->fixed[i]) {
       term[UM_AUDIT_INTERNAL] += system->power[i];
+      if (system->made != NULL) term[UM_AUDIT_INTERNAL] += system->made[i];
       term[UM_AUDIT_RADIATED] -= system->space[i] * (power4[i] - system->space4);
       continue;
     }
@@ -150,18 +175,21 @@ static int stop_compare(const void *pa, const void *pb)
   return (a > b) - (a < b);
 }
 
-/* Edges, jumps of the table and the end, ascending, apart by SHORTEST_SEGMENT. */
+/* Edges, jumps of the table and of power histories, and the end, ascending, apart by
+ * SHORTEST_SEGMENT. */
 static enum um_status stops_list(struct um_thermal_integrator *integrator, double duration)
 {
   const struct um_thermal_system *system = integrator->system;
   const struct um_thermal_loads *loads = system->loads;
   size_t room = 1 + (loads == NULL ? 0 : loads->nedge + loads->ntime), count = 0;
+  room += um_thermal_system_heat_stops(system, NULL);
   UM_TRY(um_core_allocate(system->context, room, sizeof(double), &integrator->stop));
   double *stop = integrator->stop;
   for (size_t k = 0; loads != NULL && k < loads->nedge; k++)
     stop[count++] = loads->edge[k] - system->from;
   for (size_t k = 1; loads != NULL && k < loads->ntime; k++)
     if (system->grid[k] <= system->grid[k - 1]) stop[count++] = system->grid[k];
+  count += um_thermal_system_heat_stops(system, stop + count);
   qsort(stop, count, sizeof *stop, stop_compare);
   size_t kept = 0;
   double before = 0.0;
@@ -177,7 +205,11 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
 {
   struct um_thermal_system *system = integrator->system;
   struct um_context *context = system->context;
+  size_t nthermostat = system->nthermostat;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &integrator->cube_before));
+  UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->mean_slope));
+  UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->slope_before));
+  UM_TRY(um_core_allocate(context, nthermostat, sizeof(int), &integrator->root));
   if (SUNContext_Create(NULL, &integrator->sun) != 0) return fail(integrator, CV_MEM_FAIL);
   sunindextype n = (sunindextype)system->nunknown;
   integrator->y = N_VNew_Serial(n, integrator->sun);
@@ -207,6 +239,11 @@ static enum um_status tolerances_set(struct um_thermal_integrator *integrator)
   return UM_OK;
 }
 
+static bool switches(const struct um_thermal_system *system)
+{
+  return system->kind == UM_SYSTEM_RUN && system->nthermostat > 0;
+}
+
 /* Settings that need an initialised CVODES. */
 static enum um_status cvodes_set_up(struct um_thermal_integrator *integrator)
 {
@@ -219,6 +256,10 @@ static enum um_status cvodes_set_up(struct um_thermal_integrator *integrator)
   SUN_CHECK(CVodeSetLinSysFn(cvodes, newton_callback));
   SUN_CHECK(CVodeSetMaxErrTestFails(cvodes, 20));
   SUN_CHECK(CVodeQuadInit(cvodes, audit_callback, integrator->quadrature));
+  if (switches(integrator->system)) {
+    SUN_CHECK(CVodeRootInit(cvodes, (int)integrator->system->nthermostat, switch_callback));
+    SUN_CHECK(CVodeSetNoInactiveRootWarn(cvodes));
+  }
   integrator->initialized = true;
   return UM_OK;
 }
@@ -255,8 +296,30 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
   if (i->sun != NULL) SUNContext_Free(&i->sun);
   um_core_free(context, i->stop);
   um_core_free(context, i->cube_before);
+  um_core_free(context, i->mean_slope);
+  um_core_free(context, i->slope_before);
+  um_core_free(context, i->root);
   um_core_free(context, i);
   *integrator = NULL;
+}
+
+/* Thermostats as they are from t on, and the crossings to look for. */
+static enum um_status thermostats_turn(struct um_thermal_integrator *integrator)
+{
+  struct um_thermal_system *system = integrator->system;
+  if (integrator->switched) {
+    if (!um_thermal_system_state_set(system, integrator->t, N_VGetArrayPointer(integrator->y)))
+      return fail(integrator, CV_RHSFUNC_FAIL);
+    for (size_t k = 0; k < system->nthermostat; k++)
+      if (integrator->root[k] != 0) system->thermostat[k].on = !system->thermostat[k].on;
+    /* others that passed at the same instant */
+    um_thermal_system_thermostats_set(system, false);
+  }
+  integrator->switched = false;
+  for (size_t k = 0; k < system->nthermostat; k++)
+    integrator->root[k] = system->thermostat[k].on ? 1 : -1;
+  SUN_CHECK(CVodeSetRootDirection(integrator->cvodes, integrator->root));
+  return UM_OK;
 }
 
 /* Start CVODES at integrator->t up to the next stop. */
@@ -271,9 +334,12 @@ static enum um_status segment_start(struct um_thermal_integrator *integrator)
     SUN_CHECK(CVodeReInit(integrator->cvodes, integrator->t, integrator->y));
     SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
   }
+  if (switches(system)) UM_TRY(thermostats_turn(integrator));
   double longest = 0.0;
   for (size_t k = system->row_low; system->loads != NULL && k < system->row_high; k++)
     longest = fmax(longest, system->grid[k + 1] - system->grid[k]);
+  double interval = um_thermal_system_heat_interval(system);
+  if (isfinite(interval) && (longest == 0.0 || interval < longest)) longest = interval;
   SUN_CHECK(CVodeSetMaxStep(integrator->cvodes, MAX_STEP_INTERVALS * longest)); /* 0: no limit */
   SUN_CHECK(CVodeSetStopTime(integrator->cvodes, end));
   return UM_OK;
@@ -289,6 +355,7 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
 {
   struct um_thermal_system *system = integrator->system;
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
+  um_thermal_system_thermostats_set(system, true);
   double *y = N_VGetArrayPointer(integrator->y);
   for (size_t k = 0; k < system->nunknown; k++) y[k] = temperature[system->node[k]];
   N_VConst(0.0, integrator->quadrature);
@@ -296,6 +363,7 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   integrator->segment = 0;
   integrator->mean_cube = mean_cube;
   integrator->run_steps = 0;
+  integrator->switched = false;
   UM_TRY(segment_start(integrator));
   UM_TRY(tolerances_set(integrator));
   if (!um_thermal_system_state_set(system, 0.0, y)) {
@@ -305,11 +373,15 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   if (mean_cube != NULL) {
     memset(mean_cube, 0, system->n * sizeof *mean_cube);
     memcpy(integrator->cube_before, system->cube, system->n * sizeof *mean_cube);
+    for (size_t k = 0; k < system->nthermostat; k++) {
+      integrator->mean_slope[k] = 0.0;
+      integrator->slope_before[k] = system->thermostat[k].slope;
+    }
   }
   return UM_OK;
 }
 
-/* Trapezoid of |T|^3 over the step of length h that just ended. */
+/* Trapezoid of |T|^3 and of thermostats' slopes over the step of length h that just ended. */
 static void mean_add(struct um_thermal_integrator *integrator, double h)
 {
   struct um_thermal_system *system = integrator->system;
@@ -319,6 +391,16 @@ static void mean_add(struct um_thermal_integrator *integrator, double h)
     integrator->mean_cube[i] += 0.5 * h * (integrator->cube_before[i] + system->cube[i]);
     integrator->cube_before[i] = system->cube[i];
   }
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    double slope = system->thermostat[k].slope;
+    integrator->mean_slope[k] += 0.5 * h * (integrator->slope_before[k] + slope);
+    integrator->slope_before[k] = slope;
+  }
+}
+
+const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrator *integrator)
+{
+  return integrator->mean_slope;
 }
 
 static enum um_status step_once(struct um_thermal_integrator *integrator)
@@ -332,7 +414,11 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
                         "heat integration gave up %.3f s after its start: %u steps", integrator->t,
                         STEPS_LIMIT);
   if (integrator->mean_cube != NULL) mean_add(integrator, integrator->t - before);
-  if (integrator->t < end) return UM_OK;
+  if (code == CV_ROOT_RETURN) {
+    integrator->switched = true;
+    SUN_CHECK(CVodeGetRootInfo(integrator->cvodes, integrator->root));
+  }
+  if (integrator->t < end && !integrator->switched) return UM_OK;
   realtype at;
   SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
   return UM_OK;
@@ -343,8 +429,13 @@ enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrato
 {
   struct um_thermal_system *system = integrator->system;
   while (integrator->t < t) {
-    if (integrator->t >= integrator->stop[integrator->segment]) {
+    double end = integrator->stop[integrator->segment];
+    if (integrator->t >= end - SHORTEST_GAP) {
+      integrator->t = end;
+      if (end >= t) break;
       integrator->segment++;
+      UM_TRY(segment_start(integrator));
+    } else if (integrator->switched) {
       UM_TRY(segment_start(integrator));
     }
     UM_TRY(step_once(integrator));
@@ -360,6 +451,12 @@ enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrato
   }
   memcpy(temperature, system->temperature, system->n * sizeof *temperature);
   return UM_OK;
+}
+
+void um_thermal_integrator_heating(const struct um_thermal_integrator *integrator, bool *on)
+{
+  const struct um_thermal_system *system = integrator->system;
+  for (size_t k = 0; k < system->nthermostat; k++) on[k] = system->thermostat[k].on;
 }
 
 enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,

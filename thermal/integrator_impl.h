@@ -30,9 +30,14 @@ void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, doub
  * or NULL: receives the integral of |T|^3 dt [K^3 s] over the run. */
 enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
                                            const double *temperature, double *mean_cube);
+/* Integrals over the run of the slopes of mean thermostats [nthermostat] [W s/K]; with mean_cube.
+ */
+const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrator *integrator);
 /* Go on to time t (not before the last one) and give all node temperatures there [n]. */
 enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrator, double t,
                                          double *temperature);
+/* Which thermostats were on up to the time of the last run [nthermostat]. */
+void um_thermal_integrator_heating(const struct um_thermal_integrator *integrator, bool *on);
 /* Integrals so far [UM_AUDIT_TERMS] [J] and heat content now [J]; valid after a run to `duration`.
  */
 enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,

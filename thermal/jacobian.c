@@ -3,7 +3,9 @@
  *   d(dT_i/dt)/dT_j = (K_ij + 4 s R_ij T_j^3) / C_i                              i != j
  *   d(dT_i/dt)/dT_i = -(sum_j (K_ij + 4 s R_ij T_i^3) + 4 s R_i,space T_i^3) / C_i
  *
- * plus (K_ia + 4 s R_ia T_a^3) / C_i dT_a/dT_j for every eliminated node a that i touches. */
+ * plus (K_ia + 4 s R_ia T_a^3) / C_i dT_a/dT_j for every eliminated node a that i touches, plus
+ * w_i v_j / C_i dP/dT of a thermostat taken by its mean power, weights w where it heats and v where
+ * it senses. */
 #include "thermal/system_impl.h"
 
 #include <stdlib.h>
@@ -36,6 +38,16 @@ static void columns_scan(const struct um_thermal_system *system, size_t *next, i
         size_t k = cluster->neighbour[b];
         if (row != NULL) row[next[k]] = (int64_t)cluster->neighbour[a];
         next[k]++;
+      }
+  }
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    const struct um_thermal_system_thermostat *own = &system->thermostat[k];
+    const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+      for (size_t i = 0; i < at->n; i++) {
+        size_t column = system->unknown[sensor->node[j]];
+        if (row != NULL) row[next[column]] = (int64_t)system->unknown[at->node[i]];
+        next[column]++;
       }
   }
 }
@@ -73,6 +85,14 @@ static enum um_status slots_build(struct um_thermal_system *system)
       for (size_t a = 0; a < cluster->p; a++)
         cluster->slot[b * cluster->p + a] =
             slot_find(system, cluster->neighbour[a], cluster->neighbour[b]);
+  }
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    const struct um_thermal_system_thermostat *own = &system->thermostat[k];
+    const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+      for (size_t i = 0; i < at->n; i++)
+        own->slot[j * at->n + i] =
+            slot_find(system, system->unknown[at->node[i]], system->unknown[sensor->node[j]]);
   }
   return UM_OK;
 }
@@ -134,6 +154,18 @@ static bool clusters_add(struct um_thermal_system *system, double *value)
   return true;
 }
 
+static void thermostats_add(const struct um_thermal_system *system, double *value)
+{
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    const struct um_thermal_system_thermostat *own = &system->thermostat[k];
+    const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+      for (size_t i = 0; i < at->n; i++)
+        value[own->slot[j * at->n + i]] +=
+            own->slope * at->weight[i] * sensor->weight[j] / system->capacity[at->node[i]];
+  }
+}
+
 bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value)
 {
   const double *cube = system->cube;
@@ -151,5 +183,6 @@ bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value)
     }
     value[system->diagonal[k]] -= loss * inverse;
   }
+  thermostats_add(system, value);
   return clusters_add(system, value);
 }

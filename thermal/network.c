@@ -316,5 +316,5 @@ bool um_thermal_network_equal(const struct um_thermal_network *a,
     if (a->attached[s] != b->attached[s]) return false;
     if (a->attached[s] && !surfaces_equal(&a->surface[s], &b->surface[s])) return false;
   }
-  return true;
+  return um_thermal_network_heat_equal(a, b);
 }

@@ -37,10 +37,11 @@ void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t n
 /* Add to what is there. power [W]. */
 void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power);
 
-/* A power history spread over nodes: node i gets weight[i] P(t), weights of sum 1. Rows in ascending
- * t_tai [s]; equal times are a jump. P is linear between rows or, stepwise, that of the last row
- * passed. Outside the rows it is 0: nothing is held, so the last row of a stepwise history only says
- * when it ends. It acts at the times it states in a periodic solution too: in that one orbit. */
+/* A power history spread over nodes: node i gets weight[i] P(t), weights of sum 1. Rows in
+ * ascending t_tai [s]; equal times are a jump. P is linear between rows or, stepwise, that of the
+ * last row passed. Outside the rows it is 0: nothing is held, so the last row of a stepwise history
+ * only says when it ends. It acts at the times it states in a periodic solution too: in that one
+ * orbit. */
 struct um_thermal_source {
   const uint32_t *node; /* [nnode] */
   const double *weight; /* [nnode], 0 or more */
@@ -49,16 +50,16 @@ struct um_thermal_source {
   size_t nrow;
   bool stepwise;
 };
-/* Copies. UM_ERR_INPUT: unknown nodes, weights that do not add to 1, times that descend, values that
- * are not finite. */
+/* Copies. UM_ERR_INPUT: unknown nodes, weights that do not add to 1, times that descend, values
+ * that are not finite. */
 enum um_status um_thermal_network_source_add(struct um_thermal_network *network,
                                              const struct um_thermal_source *source);
 
-/* A heater with hysteresis: releases `power` over nodes, is switched on when the mean over its sensor
- * nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on whose
- * sensor is below the middle of the two. Steady and periodic solutions take its mean power, which
- * falls from full to nothing around the middle (see system_heat.c); where a heater of that power
- * cannot hold the middle it is simply on. */
+/* A heater with hysteresis: releases `power` over nodes, is switched on when the mean over its
+ * sensor nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on
+ * whose sensor is below the middle of the two. Steady and periodic solutions take its mean power,
+ * which falls from full to nothing around the middle (see system_heat.c); where a heater of that
+ * power cannot hold the middle it is simply on. */
 struct um_thermal_thermostat {
   const uint32_t *node; /* [nnode] diffusive */
   const double *weight; /* [nnode], sum 1 */
@@ -123,8 +124,8 @@ um_thermal_network_surface(const struct um_thermal_network *network, uint32_t su
 void um_thermal_network_temperatures_set(struct um_thermal_network *network,
                                          const double *temperature);
 /* True when both say the same, number for number: nodes with their start temperatures, conductors,
- * radiators and surfaces in the same order. Names do not count. The same loads then give the same
- * temperatures, bit by bit. */
+ * radiators, surfaces, power histories and thermostats in the same order. Names do not count. The
+ * same loads then give the same temperatures, bit by bit. */
 bool um_thermal_network_equal(const struct um_thermal_network *a,
                               const struct um_thermal_network *b);
 /* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */

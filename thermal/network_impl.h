@@ -17,6 +17,23 @@ struct um_thermal_network_node {
   double power;       /* [W] */
 };
 
+/* Owned copies of what network.h describes. */
+struct um_thermal_spread {
+  uint32_t *node; /* [n] */
+  double *weight; /* [n] */
+  size_t n;
+};
+struct um_thermal_network_source {
+  struct um_thermal_spread at;
+  double *t, *power; /* [nrow] [s], [W] */
+  size_t nrow;
+  bool stepwise;
+};
+struct um_thermal_network_thermostat {
+  struct um_thermal_spread at, sensor;
+  double power, on, off; /* [W], [K], [K] */
+};
+
 struct um_thermal_network {
   struct um_context *context;
   struct um_thermal_network_node *node; /* [nnode] */
@@ -26,7 +43,15 @@ struct um_thermal_network {
   bool *attached;                       /* [nsurface] */
   size_t nnode, nconductor, nradiator, nsurface;
   size_t node_room, conductor_room, radiator_room, surface_room; /* allocated */
+  struct um_thermal_network_source *source;                      /* [nsource] */
+  struct um_thermal_network_thermostat *thermostat;              /* [nthermostat] */
+  size_t nsource, nthermostat;
 };
+
+/* network_heat.c: sources and thermostats compared number for number; freed. */
+bool um_thermal_network_heat_equal(const struct um_thermal_network *a,
+                                   const struct um_thermal_network *b);
+void um_thermal_network_heat_free(struct um_thermal_network *network);
 
 /* "node 'name'" or "node 12", for messages; written into text. */
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,

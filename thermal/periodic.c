@@ -18,6 +18,10 @@
  * what is taken, so dT - r is judged. It vanishes for nodes that forget within an orbit, and with
  * it the noise of their integration, which no iteration removes.
  *
+ * Thermostats act by their mean power (system_heat.c), whose slope, averaged over the orbit, is in
+ * J: G is smooth. Seen from outside its narrow transition a thermostat has no slope, so a
+ * correction that would carry its sensor through is ended in the middle, where it has its full one.
+ *
  * The loads are taken over one window [from, from + P] whatever comes after, so a spin that is not
  * commensurate with the orbit does not keep the iteration from converging: nodes faster than the
  * orbit do not remember T(from), G does not depend on theirs, and they are right after one pass. */
@@ -100,11 +104,38 @@ static enum um_status shifted_solve(struct periodic *periodic, double shift)
   return UM_OK;
 }
 
+/* Corrections that carry a sensor through its transition end in the middle of it. y: the state. */
+static void thermostats_hold(const struct periodic *periodic, const double *y, double *change)
+{
+  const struct um_thermal_system *system = periodic->system;
+  for (size_t k = 0; k < system->nthermostat; k++) {
+    const struct um_thermal_network_thermostat *t = system->thermostat[k].thermostat;
+    const struct um_thermal_spread *sensor = &t->sensor, *at = &t->at;
+    double distance = -0.5 * (t->on + t->off), step = 0.0;
+    for (size_t j = 0; j < sensor->n; j++) {
+      distance += sensor->weight[j] * y[system->unknown[sensor->node[j]]];
+      step += sensor->weight[j] * change[system->unknown[sensor->node[j]]];
+    }
+    bool inside = fabs(distance) <= UM_THERMAL_TRANSITION * (t->off - t->on);
+    if (inside || distance * (distance + step) >= 0.0) continue;
+    double share = -distance / step;
+    for (size_t j = 0; j < sensor->n; j++) change[system->unknown[sensor->node[j]]] *= share;
+    for (size_t i = 0; i < at->n && at->node != sensor->node; i++) {
+      bool sensed = false;
+      for (size_t j = 0; j < sensor->n; j++) sensed = sensed || sensor->node[j] == at->node[i];
+      if (!sensed) change[system->unknown[at->node[i]]] *= share;
+    }
+  }
+}
+
 /* right: r in, the correction dT out. */
 static enum um_status correct(struct periodic *periodic)
 {
   struct um_thermal_system *system = periodic->system;
   memcpy(system->cube, periodic->mean_cube, system->n * sizeof *system->cube);
+  const double *slope = um_thermal_integrator_mean_slopes(periodic->integrator);
+  for (size_t k = 0; k < system->nthermostat; k++)
+    system->thermostat[k].slope = slope[k] / periodic->period;
   if (!um_thermal_system_jacobian(system, periodic->jacobian))
     return um_core_fail(system->context, UM_ERR_NUMERIC,
                         "an arithmetic node finds no balance in the orbit mean");
@@ -139,6 +170,7 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     periodic->distance = fmax(periodic->distance, fabs(change[k] - drift));
     if (fabs(change[k]) * factor > limit) factor = limit / fabs(change[k]);
   }
+  thermostats_hold(periodic, y, change);
   /* good enough: a fixed point, which ends KINSOL's iteration */
   if (periodic->distance <= periodic->wanted) factor = 0.0;
   for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + factor * change[k];
@@ -248,6 +280,22 @@ static enum um_status approach(struct periodic *periodic, double wanted, double 
   return UM_OK;
 }
 
+/* Within half of the narrowest band a state that its heaters hold is as good as their cycling. */
+static bool thermostats_excuse(const struct periodic *periodic, double tolerance)
+{
+  const struct um_thermal_system *system = periodic->system;
+  double band = INFINITY;
+  for (size_t k = 0; k < system->nthermostat; k++)
+    band = fmin(band, system->thermostat[k].thermostat->off - system->thermostat[k].thermostat->on);
+  if (!isfinite(band) || !(periodic->distance <= 0.5 * band)) return false;
+  um_core_log(
+      system->context, UM_LOG_INFO,
+      "the periodic state is met to %.3g K instead of %.3g K: half the band of a thermostat "
+      "is %.3g K",
+      periodic->distance, tolerance, 0.5 * band);
+  return true;
+}
+
 static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
 {
   const struct um_thermal_system *system = periodic->system;
@@ -265,7 +313,8 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (tolerance < ROUGH && rough >= WORTH_A_STAGE)
     UM_TRY(approach(periodic, ROUGH, rough, ROUGH_ORBITS, &code));
   UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));
-  return periodic->distance <= tolerance ? UM_OK : not_converged(periodic, tolerance, code);
+  if (periodic->distance <= tolerance || thermostats_excuse(periodic, tolerance)) return UM_OK;
+  return not_converged(periodic, tolerance, code);
 }
 
 static enum um_status arguments_check(struct um_context *context,
@@ -302,8 +351,8 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
   struct periodic periodic = {.period = period};
   UM_TRY(arguments_check(context, loads, from, period, tolerance));
   um_core_progress_begin(context, "orbits", ORBITS_LIMIT);
-  UM_CHECK(
-      um_thermal_system_create(context, network, loads, options, from, false, &periodic.system));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_PERIODIC,
+                                    &periodic.system));
   UM_CHECK(um_thermal_integrator_create(periodic.system, period, &periodic.integrator));
   UM_CHECK(storage_create(&periodic));
   size_t n = periodic.system->n;

@@ -43,12 +43,15 @@ static enum um_status times_check(struct um_context *context, const struct um_th
 }
 
 static enum um_status history_create(struct um_context *context, size_t ntime, size_t nnode,
-                                     struct um_thermal_history **out)
+                                     size_t nthermostat, struct um_thermal_history **out)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
   (*out)->ntime = ntime;
   (*out)->nnode = nnode;
+  (*out)->nthermostat = nthermostat;
   UM_TRY(um_core_allocate(context, ntime, sizeof(double), &(*out)->t));
+  if (nthermostat > 0)
+    UM_TRY(um_core_allocate(context, ntime * nthermostat, sizeof(bool), &(*out)->heating));
   if (nnode != 0 && ntime > (size_t)-1 / sizeof(double) / 2 / nnode)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory: %zu nodes at %zu times", nnode,
                         ntime);
@@ -60,6 +63,7 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
   if (history == NULL || *history == NULL) return;
   um_core_free(context, (*history)->t);
   um_core_free(context, (*history)->temperature);
+  um_core_free(context, (*history)->heating);
   um_core_free(context, *history);
   *history = NULL;
 }
@@ -92,13 +96,16 @@ static enum um_status history_run(struct um_context *context,
 {
   enum um_status status;
   size_t last = history->ntime - 1;
+  size_t nthermostat = history->nthermostat;
   double terms[UM_AUDIT_TERMS], begin, end;
   UM_TRY(um_thermal_integrator_audit(integrator, terms, &begin));
+  bool *heating = history->heating;
   um_core_progress_begin(context, "heat", history->ntime);
   for (size_t k = 0; k <= last; k++) {
     history->t[k] = times[k];
     UM_CHECK(um_thermal_integrator_run(integrator, times[k] - from,
                                        history->temperature + k * history->nnode));
+    if (heating != NULL) um_thermal_integrator_heating(integrator, heating + k * nthermostat);
     UM_CHECK(um_core_progress_step(context, 1));
   }
   UM_CHECK(um_thermal_integrator_audit(integrator, terms, &end));
@@ -122,9 +129,10 @@ enum um_status um_thermal_solve(struct um_context *context,
   struct um_thermal_history *history = NULL;
   *out = NULL;
   UM_TRY(times_check(context, loads, from, times, ntime));
-  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, false, &system));
+  UM_CHECK(
+      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_RUN, &system));
   UM_CHECK(um_thermal_integrator_create(system, times[ntime - 1] - from, &integrator));
-  UM_CHECK(history_create(context, ntime, network->nnode, &history));
+  UM_CHECK(history_create(context, ntime, network->nnode, network->nthermostat, &history));
   /* the system was created with the network's start temperatures */
   UM_CHECK(um_thermal_integrator_start(integrator, system->temperature, NULL));
   UM_CHECK(history_run(context, integrator, from, times, history));

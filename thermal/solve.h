@@ -23,8 +23,10 @@ struct um_thermal_heat {
 };
 struct um_thermal_history {
   size_t ntime, nnode;
-  double *t;                    /* [ntime] */
-  double *temperature;          /* [ntime][nnode] [K] */
+  double *t;           /* [ntime] */
+  double *temperature; /* [ntime][nnode] [K] */
+  size_t nthermostat;
+  bool *heating;                /* [ntime][nthermostat] which are on; NULL without thermostats */
   struct um_thermal_heat audit; /* integrals over the run [J], whole satellite */
   double audit_error;           /* |in - out - stored| / (in + out) [1] */
   size_t steps, rhs_evaluations, jacobians;
@@ -47,7 +49,8 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
  * time constant of 300 orbits that drifts 0.01 K is 3 K away. drift: that distance
  * [K].
  * The loads need not be periodic (a spin that is not commensurate): the window is always the same,
- * so nodes that follow the load within it settle in one pass. */
+ * so nodes that follow the load within it settle in one pass. Thermostats act by their mean power:
+ * the state that repeats is that of a heater which holds the middle of its band. */
 enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
                                          const struct um_thermal_loads *loads,
@@ -70,18 +73,24 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 double from, double period, double tolerance,
                                                 double *temperature, double *drift,
                                                 struct um_thermal_periodic *report);
-/* Steady state of the network under constant loads (row `time` of loads); KINSOL Newton. */
+/* Steady state of the network under constant loads (row `time` of loads), thermostats by their mean
+ * power; KINSOL Newton. */
 enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,
                                        const struct um_thermal_loads *loads, size_t time,
                                        const struct um_thermal_solve_options *options,
                                        double *temperature);
-/* Heat flows of every node at given temperatures and load time; out[nnode] [W]. */
+/* Heat flows of every node at given temperatures and load time; out[nnode] [W]. Power histories are
+ * in `internal`; thermostats, whose state is not in the temperatures, are added by the function
+ * below. */
 enum um_status um_thermal_heat_of_nodes(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_thermal_loads *loads,
                                         const struct um_thermal_solve_options *options, double t,
                                         const double *temperature, struct um_thermal_heat *out);
+/* Add the heat of the thermostats that are on, heating[nthermostat], to out[nnode]. */
+void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, const bool *heating,
+                                    struct um_thermal_heat *out);
 /* Surface temperatures [nsurface] from node temperatures [nnode]. */
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature);

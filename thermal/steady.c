@@ -1,7 +1,8 @@
 /* Steady state: H_i(T) = 0 for every node that is not a boundary (equation in system.c), by KINSOL:
  * Newton with line search, exact Jacobian at every iteration, KLU. Residuals are scaled by the
  * node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so they are
- * temperatures [K]. */
+ * temperatures [K]. Mean thermostats are steep: a first solution with a wide transition leads the
+ * iteration to narrower ones. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,6 +16,8 @@
 
 #define RESIDUAL   1e-9 /* [K] */
 #define ITERATIONS 400
+#define SOFTEST    1024.0 /* factor on the width of thermostats to begin with */
+#define SHARPER    4.0    /* from one to the next */
 
 struct steady {
   struct um_thermal_system *system;
@@ -114,7 +117,7 @@ static enum um_status start_set(struct steady *steady)
   return UM_OK;
 }
 
-static enum um_status kinsol_run(struct steady *steady)
+static int kinsol_set_up(struct steady *steady)
 {
   void *k = steady->kinsol;
   int code = KINSetErrHandlerFn(k, words_keep, steady);
@@ -127,15 +130,26 @@ static enum um_status kinsol_run(struct steady *steady)
   if (code >= 0) code = KINSetNumMaxIters(k, ITERATIONS);
   if (code >= 0) code = KINSetFuncNormTol(k, RESIDUAL);
   if (code >= 0) code = KINSetScaledStepTol(k, 1e-13);
-  if (code >= 0) code = KINSol(k, steady->y, KIN_LINESEARCH, steady->y_scale, steady->f_scale);
+  return code;
+}
+
+static enum um_status kinsol_run(struct steady *steady)
+{
+  struct um_thermal_system *system = steady->system;
+  void *k = steady->kinsol;
+  int code = kinsol_set_up(steady);
   double residual = NAN;
-  if (code >= 0) code = KINGetFuncNorm(k, &residual);
-  /* a step too small to take is a success when the residual is met */
-  if (code < 0 || !(residual <= 100.0 * RESIDUAL))
-    return um_core_fail(steady->system->context, UM_ERR_NUMERIC,
-                        "no steady heat balance found (KINSOL code %d, residual %.3g K): %s", code,
-                        residual, steady->words[0] != '\0' ? steady->words : "no message");
-  return UM_OK;
+  system->softness = system->nthermostat > 0 ? SOFTEST : 1.0;
+  for (;; system->softness /= SHARPER) {
+    if (code >= 0) code = KINSol(k, steady->y, KIN_LINESEARCH, steady->y_scale, steady->f_scale);
+    if (code >= 0) code = KINGetFuncNorm(k, &residual);
+    /* a step too small to take is a success when the residual is met */
+    if (code < 0 || !(residual <= 100.0 * RESIDUAL))
+      return um_core_fail(system->context, UM_ERR_NUMERIC,
+                          "no steady heat balance found (KINSOL code %d, residual %.3g K): %s",
+                          code, residual, steady->words[0] != '\0' ? steady->words : "no message");
+    if (system->softness <= 1.0) return UM_OK;
+  }
 }
 
 enum um_status um_thermal_solve_steady(struct um_context *context,
@@ -150,7 +164,8 @@ enum um_status um_thermal_solve_steady(struct um_context *context,
     return um_core_fail(context, UM_ERR_INPUT, "steady state at row %zu of %zu rows of heat loads",
                         time, loads->ntime);
   double from = loads != NULL ? loads->t[time] : 0.0;
-  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, true, &steady.system));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_STEADY,
+                                    &steady.system));
   if (loads != NULL) um_thermal_system_hold(steady.system, time);
   UM_CHECK(vectors_create(&steady));
   UM_CHECK(start_set(&steady));

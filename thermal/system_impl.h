@@ -38,6 +38,32 @@ struct um_thermal_cluster {
   size_t m, p;
 };
 
+/* A power history in force. Rows passed: 0 before the first, nrow from the last on. */
+struct um_thermal_system_source {
+  const struct um_thermal_network_source *source; /* borrowed */
+  size_t low, high;                               /* rows passed between two stops */
+  size_t passed;                                  /* last one used */
+};
+
+/* A thermostat in force. */
+struct um_thermal_system_thermostat {
+  const struct um_thermal_network_thermostat *thermostat; /* borrowed */
+  bool on;
+  double power; /* at the last state [W] */
+  double slope; /* of it over the sensor's temperature [W/K]; where heaters are taken as means */
+  size_t *slot; /* [sensor.n][at.n] places in the Jacobian; NULL: left out of it */
+};
+
+/* Width of the transition of a mean thermostat, of its band [1]. */
+#define UM_THERMAL_TRANSITION 0.1
+
+/* What a system is made for. */
+enum um_thermal_system_kind {
+  UM_SYSTEM_RUN,      /* in time, thermostats switch */
+  UM_SYSTEM_PERIODIC, /* in time, thermostats by their mean power */
+  UM_SYSTEM_STEADY    /* arithmetic nodes are unknowns, capacities 1, thermostats by their mean */
+};
+
 struct um_thermal_system {
   struct um_context *context;
   const struct um_thermal_network *network; /* borrowed */
@@ -80,19 +106,28 @@ struct um_thermal_system {
   struct um_thermal_load_row load_row[2];
   struct um_thermal_load_now now;
 
+  /* heat made inside (system_heat.c) */
+  enum um_thermal_system_kind kind;
+  struct um_thermal_system_source *source;         /* [nsource] */
+  struct um_thermal_system_thermostat *thermostat; /* [nthermostat] */
+  size_t nsource, nthermostat;
+  double *made;    /* [n] by sources and thermostats at the last state [W]; NULL: there are none */
+  double softness; /* of mean thermostats: factor on the width of their transition [1] */
+
   /* workspace */
   double *temperature; /* [n] of the last evaluation [K]; eliminated nodes start from it */
   double *power4;      /* [n] T^4 [K^4] */
   double *cube;        /* [n] |T|^3 [K^3] */
 };
 
-/* loads NULL: none. steady: arithmetic nodes become unknowns and capacities 1. Refuses NaN loads,
- * tables in the wrong order, diffusive nodes without capacity, arithmetic nodes without links. */
+/* loads NULL: none. Refuses NaN loads, tables in the wrong order, diffusive nodes without capacity,
+ * arithmetic nodes without links. */
 enum um_status um_thermal_system_create(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_thermal_loads *loads,
                                         const struct um_thermal_solve_options *options, double from,
-                                        bool steady, struct um_thermal_system **out);
+                                        enum um_thermal_system_kind kind,
+                                        struct um_thermal_system **out);
 void um_thermal_system_destroy(struct um_thermal_system **system);
 
 /* system_links.c, system_pattern.c, system_loads.c: parts of create. */
@@ -104,12 +139,30 @@ enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
                                              const struct um_thermal_loads *loads);
 enum um_status um_thermal_system_loads_build(struct um_thermal_system *system);
+enum um_status um_thermal_system_heat_build(struct um_thermal_system *system);
+void um_thermal_system_heat_destroy(struct um_thermal_system *system);
 
 /* Only grid rows valid strictly between the two times are used from now on: of rows at the same
  * time (a jump) the last one before, the first one after. [s from `from`] */
 void um_thermal_system_window(struct um_thermal_system *system, double begin, double end);
 /* Use grid row `row` alone. */
 void um_thermal_system_hold(struct um_thermal_system *system, size_t row);
+/* The same for the rows of power histories (called by both). */
+void um_thermal_system_heat_window(struct um_thermal_system *system, double begin, double end);
+/* Times at which histories jump or are sampled anew, not sorted; stop NULL: only counts. */
+size_t um_thermal_system_heat_stops(const struct um_thermal_system *system, double *stop);
+/* Shortest interval of a history with rows between the stops of the window [s]; INFINITY: none. */
+double um_thermal_system_heat_interval(const struct um_thermal_system *system);
+/* Heat made at t and system->temperature into system->made. */
+void um_thermal_system_heat_make(struct um_thermal_system *system, double t);
+/* Heat made at t by one power history [W]. */
+double um_thermal_source_power(const struct um_thermal_network_source *source, double t);
+double um_thermal_thermostat_sensor(const struct um_thermal_network_thermostat *thermostat,
+                                    const double *temperature);
+/* Switch by the temperatures of the state: at the start by the middle of the band, later where a
+ * threshold is passed. */
+void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool start);
+
 /* Loads at t [s from `from`] into system->now. */
 void um_thermal_system_loads_at(struct um_thermal_system *system, double t);
 

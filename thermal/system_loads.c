@@ -146,6 +146,7 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
 void um_thermal_system_window(struct um_thermal_system *system, double begin, double end)
 {
   system->now.t = NAN;
+  um_thermal_system_heat_window(system, begin, end);
   if (system->loads == NULL) return;
   size_t last = system->loads->ntime - 1;
   size_t low = 0;
@@ -160,6 +161,7 @@ void um_thermal_system_window(struct um_thermal_system *system, double begin, do
 void um_thermal_system_hold(struct um_thermal_system *system, size_t row)
 {
   system->now.t = NAN;
+  um_thermal_system_heat_window(system, 0.0, 0.0);
   system->row_low = system->row_high = system->interval = row;
 }
 
