@@ -5,6 +5,7 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
+#include "compare/series.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3
@@ -98,6 +99,23 @@ static enum um_status write_folder(struct um_context *context,
   return um_core_folder_commit(context, folder);
 }
 
+/* Rows without a sigma take the one that the scenario's noise model gives the model's value. */
+static enum um_status fill_sigma(struct um_context *context, const struct um_compare_run *run,
+                                 struct um_compare_measurements *m)
+{
+  enum um_status status;
+  double *value = NULL, *sigma = NULL;
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *value, &value));
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *sigma, &sigma));
+  UM_CHECK(um_compare_predict(context, run->plan, run->trace, run->result, value));
+  UM_CHECK(um_compare_noise_sigmas(context, run->model->scenario, m, value, sigma));
+  for (size_t i = 0; i < m->count; i++) m->row[i].sigma = sigma[i];
+done:
+  um_core_free(context, value);
+  um_core_free(context, sigma);
+  return status;
+}
+
 int um_app_compare(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -121,6 +139,7 @@ int um_app_compare(struct um_context *context, const struct um_app_options *opti
   UM_CHECK(um_compare_plan_trace(context, model, plan, &trace));
   UM_CHECK(um_model_run(context, model, trace, &result));
   struct um_compare_run run = {model, plan, trace, result};
+  UM_CHECK(fill_sigma(context, &run, measurements));
   UM_CHECK(um_compare_create(context, &run, 0.0, &comparison));
   UM_CHECK(write_folder(context, comparison, options, &folder));
   um_app_terminal_clear();

@@ -55,6 +55,17 @@ enum um_status um_compare_noise_fill(struct um_context *context,
                                      struct um_compare_measurements *measurements, size_t channel,
                                      const struct um_compare_noise *noise, const double *model);
 
+struct um_scenario;
+/* Sigma of every row of the set in the measurement's unit, shape [count]: its own, else by the
+ * scenario's measurements.noise, whose entry for the row's band or place goes before one for the
+ * quantity alone; NaN where neither says. model: model value of each row in the measurement's unit,
+ * NaN for rows that are left out, which keep NaN. UM_ERR_INPUT: an entry with relative and floor
+ * both 0, two entries for the same, a sigma that is not above 0. */
+enum um_status um_compare_noise_sigmas(struct um_context *context,
+                                       const struct um_scenario *scenario,
+                                       const struct um_compare_measurements *measurements,
+                                       const double *model, double *sigma);
+
 /* ---- one channel ---- */
 
 /* A value and its sigma in linear flux: magnitudes become flux relative to magnitude 0,

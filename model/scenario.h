@@ -233,6 +233,18 @@ struct um_scenario_effect {
   struct um_schema_list parameters; /* of struct um_schema_number */
 };
 
+/* Sigma of measurements that state none. */
+struct um_scenario_noise {
+  struct um_mark at;
+  int quantity;   /* enum um_compare_quantity */
+  const char *of; /* NULL: everything of that quantity */
+  double relative, floor;
+};
+struct um_scenario_measurements {
+  struct um_mark at;
+  struct um_schema_list noise; /* of struct um_scenario_noise */
+};
+
 struct um_scenario {
   struct um_mark at;
   int schema;
@@ -249,6 +261,7 @@ struct um_scenario {
   struct um_schema_list bands; /* of struct um_scenario_band */
   struct um_scenario_optics *optics;
   struct um_schema_list effects; /* of struct um_scenario_effect */
+  struct um_scenario_measurements *measurements;
 };
 
 extern const struct um_schema_object um_model_scenario_schema;

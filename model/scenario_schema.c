@@ -577,6 +577,33 @@ static const struct um_schema_field effect_fields[] = {
 OBJECT(effect_object, struct um_scenario_effect, "effect", "One physical effect.",
        FIELDS(effect_fields));
 
+/* --- measurements --------------------------------------------------------------------------- */
+static const char *const quantity_choices[] = {
+    "band_irradiance", "radiant_intensity", "magnitude_ab", "magnitude_vega", "count_rate",
+    "temperature",     NULL};
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_noise, member, key, type, __VA_ARGS__)
+static const struct um_schema_field noise_fields[] = {
+    F(quantity, "quantity", UM_SCHEMA_CHOICE, REQUIRED, .choices = quantity_choices,
+      HELP("of the rows that it is for")),
+    F(of, "of", UM_SCHEMA_TEXT,
+      HELP("band or place as in the rows; default: all that no other entry names")),
+    F(relative, "relative", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
+      HELP("of the model's value; of magnitudes, of the flux")),
+    F(floor, "floor", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e30),
+      HELP("in the unit of the quantity; sigma^2 = (relative value)^2 + floor^2")),
+};
+#undef F
+OBJECT(noise_object, struct um_scenario_noise, "noise", "Sigma of the rows that state none.",
+       FIELDS(noise_fields));
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_measurements, member, key, type, __VA_ARGS__)
+static const struct um_schema_field measurements_fields[] = {
+    F(noise, "noise", UM_SCHEMA_LIST, .object = &noise_object),
+};
+#undef F
+OBJECT(measurements_object, struct um_scenario_measurements, "measurements",
+       "What is known of measurements beside their file.", FIELDS(measurements_fields));
+
 /* --- the whole ------------------------------------------------------------------------------ */
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario, member, key, type, __VA_ARGS__)
 static const struct um_schema_field scenario_fields[] = {
@@ -599,6 +626,7 @@ static const struct um_schema_field scenario_fields[] = {
       HELP("default: vis 0.38-0.78 um in 80 bins, lwir 8-12 um in 40")),
     F(optics, "optics", UM_SCHEMA_MAP, .always = true, .object = &optics_object),
     F(effects, "effects", UM_SCHEMA_LIST, .object = &effect_object),
+    F(measurements, "measurements", UM_SCHEMA_MAP, .object = &measurements_object),
 };
 #undef F
 const struct um_schema_object um_model_scenario_schema = {

@@ -1,0 +1,228 @@
+/* The list of candidates: every effect that is known on everything it may act on in this model. */
+#include "diagnosis/candidates.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/words.h"
+#include "diagnosis/candidates_impl.h"
+#include "diagnosis/forward_impl.h"
+#include "effects/effects.h"
+
+static bool same_text(const char *a, const char *b)
+{
+  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
+}
+
+/* --- which ----------------------------------------------------------------------------------- */
+
+/* Is "effect" or "effect:target" this candidate? */
+static bool means(const char *text, const struct um_effect *effect, const char *target)
+{
+  size_t n = strlen(effect->name);
+  if (strncmp(text, effect->name, n) != 0) return false;
+  if (text[n] == '\0') return true;
+  return text[n] == ':' && target != NULL && strcmp(text + n + 1, target) == 0;
+}
+
+static bool listed(const char *const *text, size_t count, const struct um_effect *effect,
+                   const char *target)
+{
+  for (size_t i = 0; i < count; i++)
+    if (means(text[i], effect, target)) return true;
+  return false;
+}
+
+/* Every text begins with the name of an effect. */
+static enum um_status check_names(struct um_context *context, const char *option,
+                                  const char *const *text, size_t count)
+{
+  for (size_t i = 0; i < count; i++) {
+    char name[64], names[2048];
+    size_t n = strcspn(text[i], ":");
+    if (n < sizeof name) {
+      memcpy(name, text[i], n);
+      name[n] = '\0';
+      if (um_effects_find(name) != NULL) continue;
+    }
+    um_effects_names(names, sizeof names);
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s %.80s: no effect is called '%.*s'; accepted: %.850s", option, text[i],
+                        (int)(n < 60 ? n : 60), text[i], names);
+  }
+  return UM_OK;
+}
+
+static bool already(const struct um_diagnosis_addition *addition, size_t naddition,
+                    const struct um_effect *effect, const char *target)
+{
+  for (size_t i = 0; i < naddition; i++)
+    if (addition[i].effect == effect && same_text(addition[i].target, target)) return true;
+  return false;
+}
+
+/* A core switch is a candidate where the scenario has it off, by its effects or its environment. */
+static bool is_off(const struct um_model *model, const struct um_effect *effect)
+{
+  for (size_t i = 0; i < model->neffect; i++)
+    if (model->effect[i].effect == effect && model->effect[i].off) return true;
+  return effect->is_off != NULL && effect->is_off(&model->environment);
+}
+
+/* --- list ------------------------------------------------------------------------------------ */
+
+static enum um_status add(struct um_context *context, const struct um_diagnosis_forward *forward,
+                          const struct um_effect *effect, const char *target,
+                          struct um_diagnosis_candidates *list)
+{
+  UM_TRY(um_core_reallocate(context, list->count + 1, sizeof *list->candidate, &list->candidate));
+  struct um_diagnosis_candidate *c = &list->candidate[list->count++];
+  *c = (struct um_diagnosis_candidate){.effect = effect, .is_switch = effect->on_by_default != 0};
+  UM_TRY(um_core_asprintf(context, &c->name, "%s%s%s", effect->name, target != NULL ? ":" : "",
+                          target != NULL ? target : ""));
+  if (target != NULL) UM_TRY(um_core_strdup(context, target, &c->target));
+  um_diagnosis_forward_null(forward, effect, target, c->null_value);
+  return UM_OK;
+}
+
+static enum um_status add_effect(struct um_context *context,
+                                 const struct um_diagnosis_forward *forward,
+                                 const struct um_effect *effect,
+                                 const struct um_diagnosis_addition *addition, size_t naddition,
+                                 const struct um_diagnosis_candidates_options *o,
+                                 struct um_diagnosis_candidates *list)
+{
+  enum um_status status;
+  struct um_diagnosis_targets targets = {0};
+  if (effect->on_by_default ? !is_off(forward->model, effect) : effect->nparameter == 0)
+    return UM_OK;
+  UM_CHECK(um_diagnosis_targets_create(context, forward->model, effect, &targets));
+  for (size_t k = 0; k < targets.count; k++) {
+    const char *target = targets.name[k];
+    if (already(addition, naddition, effect, target)) continue;
+    if (o != NULL && o->nonly > 0 && !listed(o->only, o->nonly, effect, target)) continue;
+    if (o != NULL && listed(o->exclude, o->nexclude, effect, target)) continue;
+    UM_CHECK(add(context, forward, effect, target, list));
+  }
+done:
+  um_diagnosis_targets_release(context, &targets);
+  return status;
+}
+
+static enum um_status make_list(struct um_context *context,
+                                const struct um_diagnosis_forward *forward,
+                                const struct um_diagnosis_addition *addition, size_t naddition,
+                                const struct um_diagnosis_candidates_options *o,
+                                struct um_diagnosis_candidates *list)
+{
+  if (o != NULL) {
+    UM_TRY(check_names(context, "--only", o->only, o->nonly));
+    UM_TRY(check_names(context, "--exclude", o->exclude, o->nexclude));
+  }
+  for (size_t i = 0; i < um_effects_count(); i++)
+    UM_TRY(add_effect(context, forward, um_effects_at(i), addition, naddition, o, list));
+  return UM_OK;
+}
+
+/* --- signatures ------------------------------------------------------------------------------ */
+
+static void release(struct um_context *context, struct um_diagnosis_candidate *c)
+{
+  um_core_free(context, c->name);
+  um_core_free(context, c->target);
+  um_core_free(context, c->signature);
+  um_core_free(context, c->why);
+}
+
+/* A change of the rows that is the same number for number, by the same effect and steps, is the
+ * same thing under another name. */
+static bool is_repeated(const struct um_diagnosis_candidates *list, size_t which)
+{
+  const struct um_diagnosis_candidate *c = &list->candidate[which];
+  size_t bytes = c->ncolumn * list->nrow * sizeof *c->signature;
+  for (size_t i = 0; i < which && !c->dead; i++) {
+    const struct um_diagnosis_candidate *before = &list->candidate[i];
+    if (before->effect == c->effect && !before->dead && before->ncolumn == c->ncolumn &&
+        memcmp(before->signature, c->signature, bytes) == 0)
+      return true;
+  }
+  return false;
+}
+
+static enum um_status make_signatures(struct um_context *context,
+                                      const struct um_diagnosis_point *point,
+                                      struct um_diagnosis_candidates *list)
+{
+  enum um_status status = UM_OK;
+  size_t kept = 0, count = list->count;
+  um_core_progress_begin(context, "signatures of effects", count);
+  for (size_t i = 0; i < count; i++) {
+    UM_CHECK(um_diagnosis_signature_create(context, point, &list->candidate[i]));
+    UM_CHECK(um_core_progress_step(context, 1));
+  }
+  for (size_t i = 0; i < count; i++) {
+    /* in place: those before are final */
+    struct um_diagnosis_candidate c = list->candidate[i];
+    list->candidate[i] = (struct um_diagnosis_candidate){0};
+    list->candidate[kept] = c;
+    if (is_repeated(list, kept)) {
+      release(context, &list->candidate[kept]);
+      list->candidate[kept] = (struct um_diagnosis_candidate){0};
+    } else {
+      kept++;
+    }
+  }
+  list->count = kept;
+done:
+  um_core_progress_end(context);
+  return status;
+}
+
+enum um_status um_diagnosis_candidates_create(struct um_context *context,
+                                              struct um_diagnosis_forward *forward,
+                                              const struct um_diagnosis_addition *addition,
+                                              size_t naddition,
+                                              const struct um_diagnosis_candidates_options *options,
+                                              struct um_diagnosis_candidates **out)
+{
+  enum um_status status;
+  struct um_diagnosis_candidates *list = NULL;
+  struct um_diagnosis_point point = {forward, addition, naddition, NULL, 0.0};
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *list, &list));
+  list->nrow = forward->nrow;
+  UM_CHECK(make_list(context, forward, addition, naddition, options, list));
+  UM_CHECK(um_core_allocate(context, list->nrow, sizeof *list->base, &list->base));
+  UM_CHECK(um_diagnosis_forward_evaluate(context, forward, addition, naddition, list->base));
+  point.base = list->base;
+  UM_CHECK(um_diagnosis_forward_noise(context, forward, &point.noise));
+  UM_CHECK(make_signatures(context, &point, list));
+  *out = list;
+  list = NULL;
+done:
+  um_diagnosis_candidates_destroy(context, &list);
+  return status;
+}
+
+void um_diagnosis_candidates_destroy(struct um_context *context,
+                                     struct um_diagnosis_candidates **candidates)
+{
+  if (candidates == NULL || *candidates == NULL) return;
+  for (size_t i = 0; i < (*candidates)->count; i++) release(context, &(*candidates)->candidate[i]);
+  um_core_free(context, (*candidates)->candidate);
+  um_core_free(context, (*candidates)->base);
+  um_core_free(context, *candidates);
+  *candidates = NULL;
+}
+
+enum um_status um_diagnosis_candidate_refresh(struct um_context *context,
+                                              struct um_diagnosis_forward *forward,
+                                              const struct um_diagnosis_addition *addition,
+                                              size_t naddition, const double *base,
+                                              struct um_diagnosis_candidate *candidate)
+{
+  struct um_diagnosis_point point = {forward, addition, naddition, base, 0.0};
+  if (candidate->dead) return UM_OK;
+  UM_TRY(um_diagnosis_forward_noise(context, forward, &point.noise));
+  return um_diagnosis_signature_renew(context, &point, candidate);
+}

@@ -1,0 +1,36 @@
+/* Listing candidates and differencing them. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_CANDIDATES_IMPL_H
+#define UMBRA_DIAGNOSIS_CANDIDATES_IMPL_H
+
+#include "diagnosis/candidates.h"
+
+/* What an effect may be attached to in a model: texts owned by the list, NULL for everything. */
+struct um_diagnosis_targets {
+  char **name;
+  size_t count;
+};
+enum um_status um_diagnosis_targets_create(struct um_context *context, const struct um_model *model,
+                                           const struct um_effect *effect,
+                                           struct um_diagnosis_targets *out);
+void um_diagnosis_targets_release(struct um_context *context, struct um_diagnosis_targets *targets);
+
+/* What a signature is taken of. */
+struct um_diagnosis_point {
+  struct um_diagnosis_forward *forward;
+  const struct um_diagnosis_addition *addition; /* [naddition] */
+  size_t naddition;
+  const double *base; /* [nrow] values with the additions */
+  double noise; /* largest change of a row, in its sigma, that a new integration of the same heat
+                   makes */
+};
+/* Columns of a candidate of which effect, target and null values are set: which parameters are
+ * free, steps, signature, dead, why. */
+enum um_status um_diagnosis_signature_create(struct um_context *context,
+                                             const struct um_diagnosis_point *point,
+                                             struct um_diagnosis_candidate *candidate);
+/* The signature anew with the parameters that are free; steps may change. */
+enum um_status um_diagnosis_signature_renew(struct um_context *context,
+                                            const struct um_diagnosis_point *point,
+                                            struct um_diagnosis_candidate *candidate);
+
+#endif

@@ -1,0 +1,267 @@
+/* How the rows change with the parameters of an effect, by one-sided differences
+ *
+ *   s_j = (m_j(null + h) - m_j(null)) / h.
+ *
+ * h begins at a fifth of the prior width (a tenth of it moves a derivative of a smooth model by
+ * some percent, less than it matters for a score), or the way to the fallback value without a
+ * prior. It grows where the rows hardly move beside the noise that an integration of the same heat
+ * anew makes, and shrinks once where they move by tens of sigma.
+ *
+ * A parameter that changes nothing alone, while another one of the effect does, is one of shape (a
+ * period, a delay): it is not free but stays at its fallback value. Where no parameter changes
+ * anything alone, each is tried with the others at their fallback values. */
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/candidates_impl.h"
+#include "diagnosis/forward_impl.h"
+
+#define SHARE_OF_PRIOR 0.2
+#define PRIORS_MAX     2.0  /* widths that a step may reach */
+#define GROWTH         10.0 /* of a step, twice at most */
+#define SEEN           1e-3 /* largest change of a row [sigma] that a step makes at least */
+#define ABOVE_NOISE    20.0 /* and how often the noise it is */
+#define FAR            30.0 /* rms change [sigma] at which a step is far from a derivative */
+#define NOTHING        1e-6 /* largest change [sigma] that is none */
+#define LOST           3.0  /* changes below so many times the noise are not seen */
+
+/* Changes of the rows that one step makes. */
+struct change {
+  double largest, rms; /* [sigma] */
+  bool fresh;          /* heat was integrated anew, with its noise */
+};
+
+/* A candidate's values with one parameter elsewhere; shape: [nparameter] values of the others. */
+static enum um_status step_to(struct um_context *context, const struct um_diagnosis_point *point,
+                              const struct um_diagnosis_candidate *c, const double *values,
+                              double *difference, struct change *out)
+{
+  enum um_status status;
+  struct um_diagnosis_forward *f = point->forward;
+  struct um_diagnosis_addition *all = NULL;
+  UM_TRY(um_core_allocate(context, point->naddition + 1, sizeof *all, &all));
+  if (point->naddition > 0) memcpy(all, point->addition, point->naddition * sizeof *all);
+  all[point->naddition] = (struct um_diagnosis_addition){.effect = c->effect, .target = c->target};
+  memcpy(all[point->naddition].value, values, c->effect->nparameter * sizeof *values);
+  UM_CHECK(um_diagnosis_forward_evaluate(context, f, all, point->naddition + 1, difference));
+  *out = (struct change){.fresh = f->cache->fresh_heat};
+  for (size_t j = 0; j < f->nrow; j++) {
+    difference[j] -= point->base[j];
+    double d = fabs(difference[j]) / f->sigma[j];
+    out->largest = fmax(out->largest, d);
+    out->rms += d * d / (double)f->nrow;
+  }
+  out->rms = sqrt(out->rms);
+done:
+  um_core_free(context, all);
+  return status;
+}
+
+/* The first step [unit of the parameter], signed, into the range. */
+static double first_step(const struct um_effect_parameter *p, double null)
+{
+  double size = fabs(p->fallback - null);
+  if (isfinite(p->prior_sigma))
+    size = SHARE_OF_PRIOR * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0);
+  if (!(size > 0.0)) size = 0.01 * (p->maximum - p->minimum);
+  if (null + size <= p->maximum) return size;
+  if (null - size >= p->minimum) return -size;
+  return p->maximum - null > null - p->minimum ? p->maximum - null : p->minimum - null;
+}
+
+/* A longer step within range and credibility; the same when there is none. */
+static double longer(const struct um_effect_parameter *p, double null, double step)
+{
+  double size = GROWTH * fabs(step), room = step > 0.0 ? p->maximum - null : null - p->minimum;
+  if (isfinite(p->prior_sigma))
+    size = fmin(
+        size, fmax(fabs(step), PRIORS_MAX * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0)));
+  return copysign(fmin(size, room), step);
+}
+
+static bool too_small(const struct change *change, double noise)
+{
+  return change->largest < SEEN || (change->fresh && change->largest < ABOVE_NOISE * noise);
+}
+
+/* Calibrations that only add or scale are linear in their parameter as far as one likes. */
+static bool acts_behind(const struct um_effect *effect)
+{
+  struct um_effect_hooks other = effect->hooks;
+  other.observation = NULL;
+  const struct um_effect_hooks none = {0};
+  return effect->hooks.observation != NULL && memcmp(&other, &none, sizeof none) == 0;
+}
+
+/* One parameter: *step in and out, column [nrow] the difference that it makes (not yet divided). An
+ * effect that refuses is dead. */
+static enum um_status difference(struct um_context *context, const struct um_diagnosis_point *point,
+                                 const struct um_diagnosis_candidate *c, const double *at, size_t p,
+                                 double *step, double *column, struct change *change)
+{
+  const struct um_effect_parameter *parameter = &c->effect->parameters[p];
+  double values[UM_EFFECT_PARAMETERS_MAX];
+  memcpy(values, at, sizeof values);
+  values[p] = at[p] + *step;
+  UM_TRY(step_to(context, point, c, values, column, change));
+  for (int growths = 0; growths < 2 && too_small(change, point->noise); growths++) {
+    double more = longer(parameter, at[p], *step);
+    if (!(fabs(more) > fabs(*step))) break;
+    *step = more;
+    values[p] = at[p] + *step;
+    UM_TRY(step_to(context, point, c, values, column, change));
+  }
+  if (change->rms > FAR && !acts_behind(c->effect)) {
+    *step /= GROWTH;
+    values[p] = at[p] + *step;
+    UM_TRY(step_to(context, point, c, values, column, change));
+  }
+  return UM_OK;
+}
+
+static bool alive(const struct change *change, double noise)
+{
+  return change->largest >= NOTHING && !(change->fresh && change->largest < LOST * noise);
+}
+
+/* An effect that refuses what it is asked is no error of the diagnosis: its words are kept. */
+static enum um_status refused(struct um_context *context, struct um_diagnosis_candidate *c,
+                              enum um_status status)
+{
+  if (status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
+  c->dead = true;
+  um_core_free(context, c->why);
+  c->why = NULL;
+  enum um_status kept = um_core_strdup(context, um_core_message(context), &c->why);
+  if (kept == UM_OK) um_core_message_clear(context);
+  return kept;
+}
+
+static void divide(double *column, size_t n, double step)
+{
+  for (size_t j = 0; j < n; j++) column[j] /= step;
+}
+
+/* The change when a switch is turned on. */
+static enum um_status make_switch(struct um_context *context,
+                                  const struct um_diagnosis_point *point,
+                                  struct um_diagnosis_candidate *c)
+{
+  struct change change;
+  c->ncolumn = 1;
+  c->step[0] = 1.0;
+  UM_TRY(step_to(context, point, c, c->null_value, c->signature, &change));
+  c->dead = !alive(&change, point->noise);
+  return UM_OK;
+}
+
+/* Columns of the parameters that change something at `at`; the others are counted out. */
+static enum um_status make_columns(struct um_context *context,
+                                   const struct um_diagnosis_point *point, const double *at,
+                                   struct um_diagnosis_candidate *c)
+{
+  size_t n = point->forward->nrow;
+  c->ncolumn = 0;
+  for (size_t p = 0; p < c->effect->nparameter; p++) {
+    struct change change;
+    double step = first_step(&c->effect->parameters[p], at[p]);
+    double *column = c->signature + c->ncolumn * n;
+    UM_TRY(difference(context, point, c, at, p, &step, column, &change));
+    if (!alive(&change, point->noise)) continue;
+    divide(column, n, step);
+    c->parameter[c->ncolumn] = p;
+    c->step[c->ncolumn++] = step;
+  }
+  return UM_OK;
+}
+
+/* Where the columns are taken: null values, shapes at their fallback. */
+static bool put_shapes(struct um_diagnosis_candidate *c)
+{
+  bool any = false;
+  for (size_t p = 0; p < c->effect->nparameter; p++) {
+    bool is_free = false;
+    for (size_t k = 0; k < c->ncolumn; k++) is_free = is_free || c->parameter[k] == p;
+    const struct um_effect_parameter *parameter = &c->effect->parameters[p];
+    if (is_free || c->null_value[p] != parameter->null_value ||
+        c->null_value[p] == parameter->fallback)
+      continue;
+    c->null_value[p] = parameter->fallback;
+    any = true;
+  }
+  return any;
+}
+
+/* The one parameter whose null value makes the effect vanish whatever the others are. */
+static enum um_status find_amplitude(struct um_context *context,
+                                     const struct um_diagnosis_point *point,
+                                     struct um_diagnosis_candidate *c)
+{
+  size_t n = c->effect->nparameter;
+  for (size_t p = 0; p < n; p++) {
+    double at[UM_EFFECT_PARAMETERS_MAX];
+    struct change change, none;
+    for (size_t k = 0; k < n; k++) at[k] = c->effect->parameters[k].fallback;
+    at[p] = c->null_value[p];
+    UM_TRY(step_to(context, point, c, at, c->signature, &none));
+    if (alive(&none, point->noise)) continue;
+    double step = first_step(&c->effect->parameters[p], at[p]);
+    UM_TRY(difference(context, point, c, at, p, &step, c->signature, &change));
+    if (!alive(&change, point->noise)) continue;
+    divide(c->signature, point->forward->nrow, step);
+    memcpy(c->null_value, at, n * sizeof *at);
+    c->ncolumn = 1;
+    c->parameter[0] = p;
+    c->step[0] = step;
+    return UM_OK;
+  }
+  return UM_OK;
+}
+
+static enum um_status make(struct um_context *context, const struct um_diagnosis_point *point,
+                           struct um_diagnosis_candidate *c)
+{
+  if (c->is_switch) return make_switch(context, point, c);
+  UM_TRY(make_columns(context, point, c->null_value, c));
+  if (c->effect->nparameter > 1) {
+    if (c->ncolumn == 0)
+      UM_TRY(find_amplitude(context, point, c));
+    else if (c->ncolumn < c->effect->nparameter && put_shapes(c))
+      UM_TRY(um_diagnosis_signature_renew(context, point, c));
+  }
+  c->dead = c->ncolumn == 0;
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_signature_create(struct um_context *context,
+                                             const struct um_diagnosis_point *point,
+                                             struct um_diagnosis_candidate *c)
+{
+  size_t columns = c->is_switch ? 1 : c->effect->nparameter;
+  UM_TRY(um_core_allocate(context, columns * point->forward->nrow, sizeof *c->signature,
+                          &c->signature));
+  enum um_status status = make(context, point, c);
+  if (status != UM_OK) status = refused(context, c, status);
+  if (c->dead) {
+    c->ncolumn = columns;
+    memset(c->signature, 0, columns * point->forward->nrow * sizeof *c->signature);
+    for (size_t k = 0; k < columns; k++) c->parameter[k] = k;
+  }
+  return status;
+}
+
+enum um_status um_diagnosis_signature_renew(struct um_context *context,
+                                            const struct um_diagnosis_point *point,
+                                            struct um_diagnosis_candidate *c)
+{
+  size_t n = point->forward->nrow;
+  if (c->is_switch) return make_switch(context, point, c);
+  for (size_t k = 0; k < c->ncolumn; k++) {
+    struct change change;
+    double *column = c->signature + k * n;
+    UM_TRY(difference(context, point, c, c->null_value, c->parameter[k], &c->step[k], column,
+                      &change));
+    divide(column, n, c->step[k]);
+  }
+  return UM_OK;
+}
