@@ -86,20 +86,24 @@ static enum um_status set_parameter(struct um_context *context, const struct ori
                             names));
 }
 
-/* With or without a target, as the effect has it; that it exists is checked when it is built. */
+/* With or without a target, as the effect has it. */
+static enum um_status check_kind(struct um_context *context, const struct um_effect *effect,
+                                 const char *target)
+{
+  if (target == NULL && (effect->targets & UM_TARGET_GLOBAL) == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "effect '%s' needs a target", effect->name);
+  if (target != NULL && effect->targets == UM_TARGET_GLOBAL)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect '%s' acts on everything; accepted: no target", effect->name);
+  return UM_OK;
+}
+
+/* The same for a use; that its target exists is checked when that is built. */
 static enum um_status check_target(struct um_context *context, const struct origin *from,
                                    const struct um_effect *effect, const char *target)
 {
-  if (target == NULL) {
-    if ((effect->targets & UM_TARGET_GLOBAL) != 0) return UM_OK;
-    return blame(context, from, "target",
-                 um_core_fail(context, UM_ERR_INPUT, "effect '%s' needs a target", effect->name));
-  }
-  if (effect->targets == UM_TARGET_GLOBAL)
-    return blame(context, from, "target",
-                 um_core_fail(context, UM_ERR_INPUT,
-                              "effect '%s' acts on everything; accepted: no target", effect->name));
-  return UM_OK;
+  enum um_status status = check_kind(context, effect, target);
+  return status == UM_OK ? status : blame(context, from, "target", status);
 }
 
 static enum um_status take_scenario(struct um_context *context, struct um_model *model,
@@ -257,30 +261,37 @@ static bool side_exists(const struct um_model *model, const char *target)
   return false;
 }
 
-static bool built_target_exists(const struct um_model *model, const struct um_model_effect *e)
+static bool built_target_exists(const struct um_model *model, uint32_t targets, const char *target)
 {
   const struct um_geometry *g = model->geometry;
-  uint32_t targets = e->effect->targets;
-  if ((targets & UM_TARGET_PART) != 0 && um_geometry_part_find(g, e->target) != (size_t)-1)
+  if ((targets & UM_TARGET_PART) != 0 && um_geometry_part_find(g, target) != (size_t)-1)
     return true;
-  if ((targets & UM_TARGET_PART_SIDE) != 0 && side_exists(model, e->target)) return true;
+  if ((targets & UM_TARGET_PART_SIDE) != 0 && side_exists(model, target)) return true;
   for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)
-    if (strcmp(um_geometry_material_name(g, m), e->target) == 0) return true;
-  return (targets & UM_TARGET_BAND) != 0 && um_model_band_find(model, e->target) != (size_t)-1;
+    if (strcmp(um_geometry_material_name(g, m), target) == 0) return true;
+  return (targets & UM_TARGET_BAND) != 0 && um_model_band_find(model, target) != (size_t)-1;
+}
+
+enum um_status um_model_check_target(struct um_context *context, const struct um_model *model,
+                                     const struct um_effect *effect, const char *target)
+{
+  char names[700];
+  UM_TRY(check_kind(context, effect, target));
+  if (target == NULL || built_target_exists(model, effect->targets, target)) return UM_OK;
+  list_targets(model, effect->targets, names, sizeof names);
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "nothing that '%s' acts on is called '%.60s'; accepted: %s", effect->name,
+                      target, names);
 }
 
 enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model)
 {
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
-    char names[700];
-    if (e->off || e->target == NULL || built_target_exists(model, e)) continue;
-    list_targets(model, e->effect->targets, names, sizeof names);
+    if (e->off) continue;
+    enum um_status status = um_model_check_target(context, model, e->effect, e->target);
     const struct origin from = {.at = e->at, .option = e->option, .text = e->text};
-    return blame(context, &from, "target",
-                 um_core_fail(context, UM_ERR_INPUT,
-                              "nothing that '%s' acts on is called '%.60s'; accepted: %s",
-                              e->effect->name, e->target, names));
+    if (status != UM_OK) return blame(context, &from, "target", status);
   }
   return UM_OK;
 }

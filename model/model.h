@@ -73,6 +73,11 @@ enum um_status um_model_create_orbit(struct um_context *context, const char *pat
                                      const struct um_model_options *options, struct um_model **out);
 void um_model_destroy(struct um_context *context, struct um_model **model);
 
+/* May the effect be used on this target (NULL: none) of this model? UM_ERR_INPUT saying what is
+ * accepted. */
+enum um_status um_model_check_target(struct um_context *context, const struct um_model *model,
+                                     const struct um_effect *effect, const char *target);
+
 /* The scene at a satellite time. to_observer is zero and range NaN. */
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
                                   double t_tai, struct um_environment_sample *out);

@@ -240,9 +240,19 @@ struct um_scenario_noise {
   const char *of; /* NULL: everything of that quantity */
   double relative, floor;
 };
+/* An effect that is uncertain anyway. */
+struct um_scenario_nuisance {
+  struct um_mark at;
+  const char *effect, *target;
+  double sigma; /* NaN: of the effect's own prior */
+  bool free;    /* no prior */
+  const char *per;
+};
 struct um_scenario_measurements {
   struct um_mark at;
-  struct um_schema_list noise; /* of struct um_scenario_noise */
+  struct um_schema_list noise;    /* of struct um_scenario_noise */
+  struct um_schema_list nuisance; /* of struct um_scenario_nuisance */
+  struct um_schema_list exclude;  /* of const char * */
 };
 
 struct um_scenario {

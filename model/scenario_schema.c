@@ -578,9 +578,13 @@ OBJECT(effect_object, struct um_scenario_effect, "effect", "One physical effect.
        FIELDS(effect_fields));
 
 /* --- measurements --------------------------------------------------------------------------- */
-static const char *const quantity_choices[] = {
-    "band_irradiance", "radiant_intensity", "magnitude_ab", "magnitude_vega", "count_rate",
-    "temperature",     NULL};
+static const char *const quantity_choices[] = {"band_irradiance",
+                                               "radiant_intensity",
+                                               "magnitude_ab",
+                                               "magnitude_vega",
+                                               "count_rate",
+                                               "temperature",
+                                               NULL};
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_noise, member, key, type, __VA_ARGS__)
 static const struct um_schema_field noise_fields[] = {
     F(quantity, "quantity", UM_SCHEMA_CHOICE, REQUIRED, .choices = quantity_choices,
@@ -596,9 +600,28 @@ static const struct um_schema_field noise_fields[] = {
 OBJECT(noise_object, struct um_scenario_noise, "noise", "Sigma of the rows that state none.",
        FIELDS(noise_fields));
 #define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_nuisance, member, key, type, __VA_ARGS__)
+static const struct um_schema_field nuisance_fields[] = {
+    F(effect, "effect", UM_SCHEMA_TEXT, REQUIRED, HELP("name, see `umbra effects`")),
+    F(target, "target", UM_SCHEMA_TEXT, HELP("part, part.side, material or band it acts on")),
+    F(sigma, "sigma", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e30),
+      HELP("how far its parameters may be from the scenario's, in their unit, as a fraction for "
+           "positive factors; default: the width of their prior")),
+    F(free, "free", UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: no such width, instead of sigma")),
+    F(per, "per", UM_SCHEMA_TEXT,
+      HELP("set: one value for all measurements, the default; nothing else is accepted")),
+};
+#undef F
+OBJECT(nuisance_object, struct um_scenario_nuisance, "nuisance",
+       "An effect that is uncertain anyway: a diagnosis fits it along and never names it.",
+       FIELDS(nuisance_fields));
+#define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_measurements, member, key, type, __VA_ARGS__)
 static const struct um_schema_field measurements_fields[] = {
     F(noise, "noise", UM_SCHEMA_LIST, .object = &noise_object),
+    F(nuisance, "nuisance", UM_SCHEMA_LIST, .object = &nuisance_object),
+    F(exclude, "exclude", UM_SCHEMA_TEXTS,
+      HELP("effects, EFFECT or EFFECT:TARGET, that a diagnosis does not try")),
 };
 #undef F
 OBJECT(measurements_object, struct um_scenario_measurements, "measurements",

@@ -1,0 +1,103 @@
+/* Rows and metrics of a diagnosis by channel. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "compare/figures.h"
+#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/report_impl.h"
+
+const struct um_compare_channel *um_diagnosis_channel(const struct um_diagnosis *diagnosis,
+                                                      size_t c)
+{
+  return &diagnosis->forward->measurements->channel[c];
+}
+
+struct timed {
+  double t; /* [s] */
+  size_t row;
+};
+
+static int by_time(const void *a, const void *b)
+{
+  const struct timed *x = a, *y = b;
+  if (x->t != y->t) return x->t < y->t ? -1 : 1;
+  return x->row < y->row ? -1 : x->row > y->row;
+}
+
+enum um_status um_diagnosis_channel_rows(struct um_context *context,
+                                         const struct um_diagnosis *diagnosis, size_t c,
+                                         size_t **out, size_t *count)
+{
+  const struct um_diagnosis_forward *f = diagnosis->forward;
+  struct timed *timed = NULL;
+  *out = NULL;
+  *count = 0;
+  UM_TRY(um_core_allocate(context, f->nrow, sizeof *timed, &timed));
+  for (size_t i = 0; i < f->nrow; i++)
+    if (f->channel[i] == c) timed[(*count)++] = (struct timed){f->t[i], i};
+  qsort(timed, *count, sizeof *timed, by_time);
+  enum um_status status = um_core_allocate(context, *count, sizeof **out, out);
+  for (size_t i = 0; status == UM_OK && i < *count; i++) (*out)[i] = timed[i].row;
+  um_core_free(context, timed);
+  return status;
+}
+
+enum um_status um_diagnosis_channel_metrics(struct um_context *context,
+                                            const struct um_diagnosis *diagnosis, size_t c,
+                                            const double *value, double dof,
+                                            struct um_compare_metrics *out)
+{
+  const struct um_diagnosis_forward *f = diagnosis->forward;
+  enum um_compare_quantity quantity = um_diagnosis_channel(diagnosis, c)->quantity;
+  enum um_status status;
+  size_t *row = NULL, n;
+  double *columns = NULL;
+  UM_CHECK(um_diagnosis_channel_rows(context, diagnosis, c, &row, &n));
+  UM_CHECK(um_core_allocate(context, n, 3 * sizeof *columns, &columns));
+  double *measured = columns, *model = columns + n, *sigma = columns + 2 * n;
+  for (size_t i = 0; i < n; i++) {
+    measured[i] = f->measured[row[i]];
+    model[i] = value[row[i]];
+    sigma[i] = f->sigma[row[i]];
+  }
+  /* rows are linear already: magnitudes pass as a flux */
+  if (quantity != UM_QUANTITY_TEMPERATURE) quantity = UM_QUANTITY_RADIANT_INTENSITY;
+  double fitted = ((double)f->nrow - dof) * (double)n / (double)f->nrow;
+  UM_CHECK(um_compare_metrics_compute(context, quantity, n, measured, model, sigma, NULL, 0,
+                                      fmax(fitted, 0.0), NULL, out));
+done:
+  um_core_free(context, row);
+  um_core_free(context, columns);
+  return status;
+}
+
+double um_diagnosis_in_unit(enum um_compare_quantity quantity, double linear)
+{
+  if (!um_compare_is_magnitude(quantity)) return linear;
+  return linear > 0.0 ? -2.5 * log10(linear) : (double)NAN;
+}
+
+const struct um_diagnosis_candidate *
+um_diagnosis_candidate_of(const struct um_diagnosis *diagnosis,
+                          const struct um_diagnosis_rival *rival)
+{
+  return &diagnosis->candidates->candidate[rival->candidate];
+}
+
+void um_diagnosis_estimate(const struct um_diagnosis_candidate *candidate,
+                           const struct um_diagnosis_score *score, size_t k, double *value,
+                           double *sigma)
+{
+  size_t p = candidate->parameter[k];
+  const struct um_effect_parameter *parameter = &candidate->effect->parameters[p];
+  double inner = um_diagnosis_inner(parameter, candidate->null_value[p]) + score->estimate[k];
+  *value = um_diagnosis_outer(parameter, inner);
+  *sigma = score->sigma[k] * um_diagnosis_slope(parameter, *value);
+}
+
+const struct um_diagnosis_step *um_diagnosis_last_step(const struct um_diagnosis *diagnosis)
+{
+  for (size_t s = diagnosis->nstep; s-- > 0;)
+    if (!diagnosis->step[s].removed) return &diagnosis->step[s];
+  return NULL;
+}

@@ -1,0 +1,245 @@
+/* What a person asks a diagnosis for: texts checked against the registry and the model. */
+#include "diagnosis/request.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/words.h"
+#include "effects/effects.h"
+
+static bool same_target(const char *a, const char *b)
+{
+  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
+}
+
+static enum um_status find_effect(struct um_context *context, const char *name,
+                                  const struct um_effect **out)
+{
+  char names[2048];
+  *out = um_effects_find(name);
+  if (*out != NULL) return UM_OK;
+  um_effects_names(names, sizeof names);
+  return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s", name,
+                      names);
+}
+
+/* Width of the prior of an effect whose parameters all have the same. */
+static enum um_status own_sigma(struct um_context *context, const struct um_effect *effect,
+                                double *out)
+{
+  if (effect->nparameter == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect '%s' has no parameters to be uncertain of; accepted: an effect "
+                        "with parameters",
+                        effect->name);
+  *out = effect->parameters[0].prior_sigma;
+  for (size_t p = 1; p < effect->nparameter; p++)
+    if (effect->parameters[p].prior_sigma != *out)
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "the parameters of '%s' have priors of different widths; accepted: "
+                          "sigma=S for all of them",
+                          effect->name);
+  return UM_OK;
+}
+
+static enum um_status add_nuisance(struct um_context *context, const struct um_model *model,
+                                   struct um_diagnosis_request *r, const char *name,
+                                   const char *target, double sigma, const char *per)
+{
+  const struct um_effect *effect;
+  UM_TRY(find_effect(context, name, &effect));
+  UM_TRY(um_model_check_target(context, model, effect, target));
+  if (isnan(sigma))
+    UM_TRY(own_sigma(context, effect, &sigma));
+  else if (effect->nparameter == 0)
+    UM_TRY(own_sigma(context, effect, &sigma)); /* says why not */
+  size_t i = 0;
+  while (i < r->nnuisance &&
+         !(r->nuisance[i].effect == effect && same_target(r->nuisance[i].target, target)))
+    i++;
+  if (i == r->nnuisance) {
+    UM_TRY(um_core_reallocate(context, i + 1, sizeof *r->nuisance, (void **)&r->nuisance));
+    r->nnuisance++;
+  }
+  r->nuisance[i] = (struct um_diagnosis_nuisance_effect){effect, target, sigma, per};
+  return UM_OK;
+}
+
+/* ---- texts of the command line ---- */
+
+/* A copy that the request owns. */
+static enum um_status keep(struct um_context *context, struct um_diagnosis_request *r,
+                           const char *text, char **out)
+{
+  UM_TRY(um_core_reallocate(context, r->ntext + 1, sizeof *r->text, (void **)&r->text));
+  UM_TRY(um_core_strdup(context, text, out));
+  r->text[r->ntext++] = *out;
+  return UM_OK;
+}
+
+/* Cut "effect[:target][,rest]" in place; target NULL: none; rest "" at the end. */
+static void cut(char *text, char **target, char **rest)
+{
+  *rest = text + strcspn(text, ",");
+  if (**rest != '\0') *(*rest)++ = '\0';
+  *target = strchr(text, ':');
+  if (*target != NULL) *(*target)++ = '\0';
+}
+
+/* The next "name=value" of the rest. */
+static enum um_status next_pair(struct um_context *context, char **rest, char **name, char **value)
+{
+  *name = *rest;
+  *rest += strcspn(*rest, ",");
+  if (**rest != '\0') *(*rest)++ = '\0';
+  *value = strchr(*name, '=');
+  if (*value == NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "'%.60s' is not understood; accepted: NAME=VALUE",
+                        *name);
+  *(*value)++ = '\0';
+  return UM_OK;
+}
+
+static enum um_status read_sigma(struct um_context *context, const char *text, double *out)
+{
+  *out = INFINITY;
+  if (strcmp(text, "free") == 0) return UM_OK;
+  if (um_core_number_parse(text, out) && *out > 0.0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "sigma '%.60s'; accepted: a number above 0, or free",
+                      text);
+}
+
+static enum um_status take_nuisance(struct um_context *context, const struct um_model *model,
+                                    struct um_diagnosis_request *r, const char *typed)
+{
+  char *text, *target, *rest, *name, *value;
+  const char *per = NULL;
+  double sigma = NAN;
+  UM_TRY(keep(context, r, typed, &text));
+  cut(text, &target, &rest);
+  while (*rest != '\0') {
+    UM_TRY(next_pair(context, &rest, &name, &value));
+    if (strcmp(name, "sigma") == 0)
+      UM_TRY(read_sigma(context, value, &sigma));
+    else if (strcmp(name, "per") == 0)
+      per = value;
+    else
+      return um_core_fail(context, UM_ERR_INPUT, "'%.60s' is not known; accepted: sigma, per",
+                          name);
+  }
+  return add_nuisance(context, model, r, text, target, sigma, per);
+}
+
+static enum um_status set_start(struct um_context *context, struct um_diagnosis_addition *a,
+                                const char *name, const char *text)
+{
+  char names[512] = "";
+  for (size_t p = 0; p < a->effect->nparameter; p++) {
+    const struct um_effect_parameter *parameter = &a->effect->parameters[p];
+    um_core_words_append(names, sizeof names, parameter->name);
+    if (strcmp(parameter->name, name) != 0) continue;
+    if (um_core_number_parse(text, &a->value[p]) && a->value[p] >= parameter->minimum &&
+        a->value[p] <= parameter->maximum)
+      return UM_OK;
+    return um_core_fail(context, UM_ERR_INPUT, "%s '%.60s'; accepted: %g to %g %s", name, text,
+                        parameter->minimum, parameter->maximum, parameter->unit);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "effect '%s' has no parameter '%.60s'; accepted: %s",
+                      a->effect->name, name, names[0] != '\0' ? names : "none, it is a switch");
+}
+
+static enum um_status take_wanted(struct um_context *context, const struct um_model *model,
+                                  struct um_diagnosis_request *r, const char *typed)
+{
+  char *text, *target, *rest, *name, *value;
+  struct um_diagnosis_addition wanted = {0};
+  UM_TRY(keep(context, r, typed, &text));
+  cut(text, &target, &rest);
+  UM_TRY(find_effect(context, text, &wanted.effect));
+  UM_TRY(um_model_check_target(context, model, wanted.effect, target));
+  wanted.target = target;
+  for (size_t p = 0; p < wanted.effect->nparameter; p++)
+    wanted.value[p] = wanted.effect->parameters[p].fallback;
+  while (*rest != '\0') {
+    UM_TRY(next_pair(context, &rest, &name, &value));
+    UM_TRY(set_start(context, &wanted, name, value));
+  }
+  for (size_t i = 0; i < r->nwanted; i++)
+    if (r->wanted[i].effect == wanted.effect && same_target(r->wanted[i].target, target))
+      return um_core_fail(context, UM_ERR_INPUT, "'%s' is asked for twice; accepted: once", text);
+  UM_TRY(um_core_reallocate(context, r->nwanted + 1, sizeof *r->wanted, (void **)&r->wanted));
+  r->wanted[r->nwanted++] = wanted;
+  return UM_OK;
+}
+
+static enum um_status add_exclude(struct um_context *context, struct um_diagnosis_request *r,
+                                  const char *text)
+{
+  UM_TRY(um_core_reallocate(context, r->nexclude + 1, sizeof *r->exclude, (void **)&r->exclude));
+  r->exclude[r->nexclude++] = text;
+  return UM_OK;
+}
+
+/* ---- the scenario ---- */
+
+static enum um_status take_scenario(struct um_context *context, const struct um_model *model,
+                                    struct um_diagnosis_request *r)
+{
+  const struct um_scenario_measurements *from = model->scenario->measurements;
+  if (from == NULL) return UM_OK;
+  const struct um_scenario_nuisance *nuisance = from->nuisance.items;
+  for (size_t i = 0; i < from->nuisance.count; i++) {
+    const struct um_scenario_nuisance *n = &nuisance[i];
+    if (n->free && !isnan(n->sigma))
+      return um_core_mark_fail(context, &n->at, "sigma and free; accepted: one of them");
+    enum um_status status = add_nuisance(context, model, r, n->effect, n->target,
+                                         n->free ? INFINITY : n->sigma, n->per);
+    if (status == UM_ERR_INPUT)
+      um_core_message_prefix(context, "%s:%d: %s", n->at.file, n->at.line, n->at.path);
+    UM_TRY(status);
+  }
+  const char *const *exclude = from->exclude.items;
+  for (size_t i = 0; i < from->exclude.count; i++) UM_TRY(add_exclude(context, r, exclude[i]));
+  return UM_OK;
+}
+
+/* ---- the whole ---- */
+
+typedef enum um_status take_text(struct um_context *context, const struct um_model *model,
+                                 struct um_diagnosis_request *r, const char *typed);
+
+static enum um_status take_texts(struct um_context *context, const struct um_model *model,
+                                 struct um_diagnosis_request *r, const char *option,
+                                 take_text *take, const char *const *text, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    enum um_status status = take(context, model, r, text[i]);
+    if (status == UM_ERR_INPUT) um_core_message_prefix(context, "%s %s", option, text[i]);
+    UM_TRY(status);
+  }
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_request_make(struct um_context *context, const struct um_model *model,
+                                         const struct um_diagnosis_request_texts *texts,
+                                         struct um_diagnosis_request *out)
+{
+  *out = (struct um_diagnosis_request){0};
+  UM_TRY(take_scenario(context, model, out));
+  UM_TRY(take_texts(context, model, out, "--nuisance", take_nuisance, texts->nuisance,
+                    texts->nnuisance));
+  UM_TRY(take_texts(context, model, out, "--add", take_wanted, texts->wanted, texts->nwanted));
+  for (size_t i = 0; i < texts->nexclude; i++) UM_TRY(add_exclude(context, out, texts->exclude[i]));
+  return UM_OK;
+}
+
+void um_diagnosis_request_release(struct um_context *context, struct um_diagnosis_request *request)
+{
+  for (size_t i = 0; i < request->ntext; i++) um_core_free(context, request->text[i]);
+  um_core_free(context, request->text);
+  um_core_free(context, request->nuisance);
+  um_core_free(context, request->wanted);
+  um_core_free(context, request->exclude);
+  *request = (struct um_diagnosis_request){0};
+}

@@ -1,0 +1,35 @@
+/* What a person asks a diagnosis for, as text of the command line or of the scenario. */
+#ifndef UMBRA_DIAGNOSIS_REQUEST_H
+#define UMBRA_DIAGNOSIS_REQUEST_H
+
+#include "diagnosis/diagnose.h"
+
+/* Owned: the targets and texts that its members point to. */
+struct um_diagnosis_request {
+  struct um_diagnosis_nuisance_effect *nuisance; /* [nnuisance] of the scenario, then of texts */
+  size_t nnuisance;
+  const char **exclude; /* [nexclude] of the scenario, then of texts */
+  size_t nexclude;
+  struct um_diagnosis_addition *wanted; /* [nwanted] */
+  size_t nwanted;
+  char **text; /* private */
+  size_t ntext;
+};
+
+/* nuisance: [nnuisance] "effect[:target][,sigma=S][,per=set]"; without sigma the prior width of the
+ * effect's parameters, sigma=free for none. A later one of the same effect and target takes the
+ * place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters at
+ * the effect's defaults. exclude: [nexclude] "effect[:target]", copied behind the scenario's.
+ * UM_ERR_INPUT naming file and line, or option and text: no such effect, a target that the effect
+ * cannot have or the model has not, no such parameter, a number that is none or out of range. The
+ * caller releases, also after a failure. */
+struct um_diagnosis_request_texts {
+  const char *const *nuisance, *const *exclude, *const *wanted;
+  size_t nnuisance, nexclude, nwanted;
+};
+enum um_status um_diagnosis_request_make(struct um_context *context, const struct um_model *model,
+                                         const struct um_diagnosis_request_texts *texts,
+                                         struct um_diagnosis_request *out);
+void um_diagnosis_request_release(struct um_context *context, struct um_diagnosis_request *request);
+
+#endif
