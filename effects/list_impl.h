@@ -13,6 +13,7 @@ extern const struct um_effect um_effects_oblateness;
 extern const struct um_effect um_effects_internal_power;
 extern const struct um_effect um_effects_mli_emittance;
 extern const struct um_effect um_effects_heat_capacity;
+extern const struct um_effect um_effects_interior_capacity;
 extern const struct um_effect um_effects_solar_absorptance;
 extern const struct um_effect um_effects_emittance;
 extern const struct um_effect um_effects_panel_extraction;

@@ -15,6 +15,7 @@ static const struct um_effect *const list[] = {
     &um_effects_internal_power,
     &um_effects_mli_emittance,
     &um_effects_heat_capacity,
+    &um_effects_interior_capacity,
     &um_effects_solar_absorptance,
     &um_effects_emittance,
     &um_effects_panel_extraction,

@@ -25,6 +25,7 @@ static const struct use uses[] = {
     {"internal_power", ":bus", T | L, 1.0, NULL},
     {"mli_emittance", ":bus", T | L, 0.01, NULL},
     {"heat_capacity", ":bus", T | L, 0.01, TRANSIENT},
+    {"interior_capacity", ":bus", T | L, 200.0, TRANSIENT},
     {"solar_absorptance", ":grey_panel", T | V | L, 0.005, NULL},
     {"emittance", ":grey_white", T | L, 0.01, NULL},
     {"panel_extraction", ":panel", T | L, 0.005, NULL},
@@ -144,6 +145,7 @@ static void refusals_name_the_part(void **state)
   (void)state;
   static const char *const bad[][2] = {
       {"internal_power:panel", "'panel' has no interior"},
+      {"interior_capacity:panel", "'panel' has no interior"},
       {"mli_emittance:panel", "'panel' has no MLI"},
       {"mli_emittance:panel.plate", "'panel.plate' has no MLI"},
       {"mli_emittance:bus,emittance_factor=60", "1.2; accepted: up to 1"},

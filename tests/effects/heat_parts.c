@@ -105,6 +105,33 @@ static void heat_capacity_acts_on_its_target(void **state)
   heat_release(&group);
 }
 
+/* An interior that exchanges with nothing warms by P t / (C + dC): 20 W, 20000 J/K and what is
+ * added. Walls keep theirs; a steady state feels nothing. To the integrator's 1e-9 per step. */
+static void interior_capacity_slows_the_interior(void **state)
+{
+  (void)state;
+  const char *const *alone =
+      LIST("parts.bus.interior.conductance_W_K=0", "contacts=[]", "thermal.start=isothermal",
+           "thermal.orbits_before=0", "time.stop_utc=2020-03-20T12:02:00Z");
+  static const double added[] = {0.0, 300.0, 20000.0};
+  for (size_t i = 0; i < 3; i++) {
+    char text[64];
+    snprintf(text, sizeof text, "interior_capacity:bus,capacity_J_K=%g", added[i]);
+    struct heat_run run = heat_compute(alone, LIST(text), NONE);
+    assert_true(capacity(&run, "bus.interior") == 20000.0 + added[i]);
+    assert_true(capacity(&run, "bus.+x") == 5000.0);
+    heat_close(text, heat_temperature(&run, "bus.interior", 2),
+               280.0 + 20.0 * 120.0 / (20000.0 + added[i]), 1e-8);
+    heat_release(&run);
+  }
+  struct heat_run a = heat_compute(NONE, NONE, NONE);
+  struct heat_run b = heat_compute(NONE, LIST("interior_capacity:bus"), NONE);
+  heat_close("steady state", heat_temperature(&b, "bus.interior", 0),
+             heat_temperature(&a, "bus.interior", 0), 1e-8);
+  heat_release(&a);
+  heat_release(&b);
+}
+
 /* A solid has its capacity in the volume. */
 static void heat_capacity_acts_on_solids(void **state)
 {
@@ -208,6 +235,7 @@ int main(void)
       cmocka_unit_test(mli_emittance_scales_the_leak),
       cmocka_unit_test(heat_capacity_stretches_time),
       cmocka_unit_test(heat_capacity_acts_on_its_target),
+      cmocka_unit_test(interior_capacity_slows_the_interior),
       cmocka_unit_test(heat_capacity_acts_on_solids),
       cmocka_unit_test(panel_extraction_takes_direct_sunlight),
       cmocka_unit_test(through_conductance_carries_to_the_back),

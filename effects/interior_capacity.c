@@ -1,0 +1,51 @@
+/* Heat capacity of what is inside a part: electronics, battery, rods that the walls hand heat to,
+ *
+ *   (C + dC) dT/dt = P + sum G (T_j - T) + sigma e* A (T_skin^4 - T^4).
+ *
+ * The walls follow the Sun with a lag and a smaller swing; with G the lag is (C + dC) / G. A steady
+ * state does not feel it. With C near 0 the interior hands its power on at once: what is then
+ * missing is the whole store. */
+#include <math.h>
+
+#include "effects/list_impl.h"
+#include "thermal/body.h"
+
+static enum um_status add_capacity(struct um_context *context, const struct um_effect_use *use,
+                                   const char *part, struct um_thermal_part_spec *spec)
+{
+  if (!um_effect_acts_on(use, part)) return UM_OK;
+  if (!spec->has_interior)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect 'interior_capacity': the part '%s' has no interior that could "
+                        "store heat; accepted: a part with interior",
+                        part);
+  spec->interior_capacity += use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "capacity_J_K",
+     .unit = "J/K",
+     .help = "heat capacity inside, added to what the scenario states",
+     .null_value = 0.0,
+     .fallback = 300.0,
+     .minimum = 0.0,
+     .maximum = 1e9,
+     .prior_sigma = INFINITY,
+     .prior = "300 J/K in a CubeSat, 5 MJ/K in ENVISAT: no common width"},
+};
+
+const struct um_effect um_effects_interior_capacity = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "interior_capacity",
+    .summary = "The inside of a part stores more heat than stated",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
+    .validity = "a part with an interior node; nothing to see in a steady state",
+    .separated_by = "heat_capacity: what is inside follows the walls late, what is in the walls "
+                    "does not; a temperature within the first minutes of an eclipse, or of both",
+    .targets = UM_TARGET_PART,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.part = add_capacity},
+};
