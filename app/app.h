@@ -23,6 +23,8 @@ struct um_app_options {
   size_t nset;
   const char **with, **without;
   size_t nwith, nwithout;
+  const char **effect_file; /* --effect-file */
+  size_t neffect_file;
   const char *time_utc, *band; /* --time, --band */
   int width, samples;          /* --width, --samples */
   /* of synth: --noise, --seed, --temperatures, --temperature-sigma */

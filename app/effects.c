@@ -1,19 +1,6 @@
-/* umbra effects: the registry as a table or one effect in full. */
-#include <string.h>
-
-#include "app/app.h"
+/* umbra effects: the registry as a table, or the manual's page of one effect. */
 #include "effects/effects.h"
-
-static void print_one(const struct um_effect *e)
-{
-  printf("%s\n  %s.\n  %s by default\n  valid: %s\n  reference: %s\n", e->name, e->summary,
-         e->on_by_default ? "on" : "off", e->validity, e->reference);
-  for (size_t i = 0; i < e->nparameter; i++) {
-    const struct um_effect_parameter *p = &e->parameters[i];
-    printf("  %s [%s], default %g, %g to %g, vanishes at %g: %s\n", p->name, p->unit, p->fallback,
-           p->minimum, p->maximum, p->null_value, p->help);
-  }
-}
+#include "app/app.h"
 
 static void json_parameter(const struct um_effect_parameter *p)
 {
@@ -29,6 +16,9 @@ static void json_parameter(const struct um_effect_parameter *p)
   um_core_json_number(stdout, p->maximum);
   printf(", \"null_value\": ");
   um_core_json_number(stdout, p->null_value);
+  printf(", \"prior_sigma\": ");
+  um_core_json_number(stdout, p->prior_sigma);
+  printf(", \"logarithmic\": %s", p->logarithmic ? "true" : "false");
   printf(", \"help\": ");
   um_core_json_string(stdout, p->help);
   printf("}");
@@ -44,6 +34,11 @@ static void json_effect(const struct um_effect *e)
   um_core_json_string(stdout, e->validity);
   printf(", \"reference\": ");
   um_core_json_string(stdout, e->reference);
+  printf(", \"separated_by\": ");
+  if (e->separated_by != NULL)
+    um_core_json_string(stdout, e->separated_by);
+  else
+    printf("null");
   printf(", \"parameters\": [");
   for (size_t i = 0; i < e->nparameter; i++) {
     if (i > 0) printf(", ");
@@ -52,43 +47,60 @@ static void json_effect(const struct um_effect *e)
   printf("]}");
 }
 
-static void print_json(void)
+static void print_json(const struct um_effects_registry *registry)
 {
+  size_t n = um_effects_registry_count(registry);
   puts("[");
-  for (size_t i = 0; i < um_effects_count(); i++) {
+  for (size_t i = 0; i < n; i++) {
     printf("  ");
-    json_effect(um_effects_at(i));
-    printf("%s\n", i + 1 < um_effects_count() ? "," : "");
+    json_effect(um_effects_registry_at(registry, i));
+    printf("%s\n", i + 1 < n ? "," : "");
   }
   puts("]");
 }
 
+static void print_table(const struct um_effects_registry *registry)
+{
+  for (size_t i = 0; i < um_effects_registry_count(registry); i++) {
+    const struct um_effect *e = um_effects_registry_at(registry, i);
+    printf("%-22s %-4s %s\n", e->name, e->on_by_default ? "on" : "off", e->summary);
+  }
+}
+
+static enum um_status print_one(struct um_context *context,
+                                const struct um_effects_registry *registry, const char *name,
+                                bool json)
+{
+  char names[2048];
+  const struct um_effect *e = um_effects_registry_find(registry, name);
+  if (e == NULL) {
+    um_effects_registry_names(registry, names, sizeof names);
+    return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; accepted: %s", name,
+                        names);
+  }
+  if (json) {
+    json_effect(e);
+    printf("\n");
+  } else {
+    um_effects_write_markdown(stdout, e);
+  }
+  return UM_OK;
+}
+
 int um_app_effects(struct um_context *context, const struct um_app_options *options)
 {
-  if (options->npositional == 1) {
-    const struct um_effect *e = um_effects_find(options->positional[0]);
-    if (e == NULL) {
-      char names[2048];
-      um_effects_names(names, sizeof names);
-      um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; accepted: %s",
-                   options->positional[0], names);
-      return um_app_fail(context);
-    }
-    if (options->json) {
-      json_effect(e);
-      printf("\n");
-    } else {
-      print_one(e);
-    }
-    return UM_APP_DONE;
-  }
-  if (options->json) {
-    print_json();
-    return UM_APP_DONE;
-  }
-  for (size_t i = 0; i < um_effects_count(); i++) {
-    const struct um_effect *e = um_effects_at(i);
-    printf("%-20s %-4s %s\n", e->name, e->on_by_default ? "on" : "off", e->summary);
-  }
-  return UM_APP_DONE;
+  enum um_status status;
+  struct um_effects_registry *registry = NULL;
+  UM_CHECK(um_effects_registry_create(context, &registry));
+  for (size_t i = 0; i < options->neffect_file; i++)
+    UM_CHECK(um_effects_registry_load(context, registry, options->effect_file[i]));
+  if (options->npositional == 1)
+    UM_CHECK(print_one(context, registry, options->positional[0], options->json));
+  else if (options->json)
+    print_json(registry);
+  else
+    print_table(registry);
+done:
+  um_effects_registry_destroy(context, &registry);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

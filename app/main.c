@@ -13,30 +13,33 @@
 static const struct um_app_verb verbs[] = {
     {"run",
      "umbra run SCENARIO [--out DIR] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."
-     " [--force] [--no-plots] [--json]",
+     " [--effect-file FILE]... [--force] [--no-plots] [--json]",
      "light curves and temperatures of a scenario", 1, 1,
-     "out set with without force no-plots json", um_app_run},
+     "out set with without effect-file force no-plots json", um_app_run},
     {"check",
-     "umbra check SCENARIO [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]... [--json]",
-     "read a scenario and report what was understood", 1, 1, "set with without json", um_app_check},
+     "umbra check SCENARIO [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."
+     " [--effect-file FILE]... [--json]",
+     "read a scenario and report what was understood", 1, 1, "set with without effect-file json",
+     um_app_check},
     {"passes", "umbra passes SCENARIO [--set KEY=VALUE]... [--json]",
      "when the satellite rises over the station, and what is sunlit", 1, 1, "set json",
      um_app_passes},
     {"render",
      "umbra render SCENARIO --time UTC --band B -o image.exr [--width N] [--samples N] [--force]",
      "one picture, every wavelength, as OpenEXR", 1, 1,
-     "out set with without time band width samples force", um_app_render},
+     "out set with without effect-file time band width samples force", um_app_render},
     {"compare",
      "umbra compare SCENARIO MEASURED [--out DIR] [--set KEY=VALUE]... [--with EFFECT]..."
-     " [--without EFFECT]... [--force] [--no-plots] [--json]",
+     " [--without EFFECT]... [--effect-file FILE]... [--force] [--no-plots] [--json]",
      "a scenario beside measurements: how far off, when, and what the residual goes with", 2, 2,
-     "out set with without force no-plots json", um_app_compare},
+     "out set with without effect-file force no-plots json", um_app_compare},
     {"synth",
      "umbra synth SCENARIO --noise REL[,FLOOR] --seed N -o measured.csv [--temperatures PLACE,...]"
      " [--temperature-sigma K] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."
-     " [--force]",
+     " [--effect-file FILE]... [--force]",
      "measurements made from a scenario, with noise", 1, 1,
-     "out set with without noise seed temperatures temperature-sigma force", um_app_synth},
+     "out set with without effect-file noise seed temperatures temperature-sigma force",
+     um_app_synth},
     {"period", "umbra period MEASURED [--band B] [--out DIR] [--force] [--no-plots] [--json]",
      "the period of measured light curves by Lomb-Scargle, and the curves folded at it", 1, 1,
      "out band force no-plots json", um_app_period},
@@ -45,8 +48,8 @@ static const struct um_app_verb verbs[] = {
      1, "out noise force", um_app_import},
     {"materials", "umbra materials [NAME] [--json]", "materials with their integrated properties",
      0, 1, "json", um_app_materials},
-    {"effects", "umbra effects [NAME] [--json]", "physical effects and their parameters", 0, 1,
-     "json", um_app_effects},
+    {"effects", "umbra effects [NAME] [--effect-file FILE]... [--json]",
+     "physical effects and their parameters", 0, 1, "effect-file json", um_app_effects},
     {"schema", "umbra schema [--json]", "reference of scenario.yaml, or its JSON Schema", 0, 0,
      "json", um_app_schema},
     {"validate", "umbra validate [--thermal] [--optics] [--json]",
@@ -69,7 +72,9 @@ struct um_model_options um_app_model_options(const struct um_app_options *option
                                    .with = options->with,
                                    .nwith = options->nwith,
                                    .without = options->without,
-                                   .nwithout = options->nwithout};
+                                   .nwithout = options->nwithout,
+                                   .effect_files = options->effect_file,
+                                   .neffect_file = options->neffect_file};
 }
 
 static void print_help(FILE *file)
@@ -101,6 +106,7 @@ enum option_id {
   SET,
   WITH,
   WITHOUT,
+  EFFECT_FILE,
   TIME,
   BAND,
   WIDTH,
@@ -122,6 +128,7 @@ static const struct option long_options[] = {
     {"set", required_argument, NULL, SET},
     {"with", required_argument, NULL, WITH},
     {"without", required_argument, NULL, WITHOUT},
+    {"effect-file", required_argument, NULL, EFFECT_FILE},
     {"time", required_argument, NULL, TIME},
     {"band", required_argument, NULL, BAND},
     {"width", required_argument, NULL, WIDTH},
@@ -173,6 +180,9 @@ static bool take(struct um_context *context, struct um_app_options *o, int id, c
     return true;
   case WITHOUT:
     o->without[o->nwithout++] = value;
+    return true;
+  case EFFECT_FILE:
+    o->effect_file[o->neffect_file++] = value;
     return true;
   case TIME:
     o->time_utc = value;
@@ -286,7 +296,7 @@ static int dispatch(struct um_context *context, const struct um_app_verb *verb, 
                     char **argv)
 {
   struct um_app_options o = {0};
-  o.set = calloc((size_t)argc * 3, sizeof *o.set);
+  o.set = calloc((size_t)argc * 4, sizeof *o.set);
   o.command = join(argc, argv);
   int code = UM_APP_FAILED;
   if (o.set == NULL || o.command == NULL) {
@@ -294,6 +304,7 @@ static int dispatch(struct um_context *context, const struct um_app_verb *verb, 
   } else {
     o.with = o.set + argc;
     o.without = o.with + argc;
+    o.effect_file = o.without + argc;
     code = parse(context, verb, argc, argv, &o);
     if (code == UM_APP_DONE) {
       code = verb->run(context, &o);

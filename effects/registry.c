@@ -1,5 +1,4 @@
 /* The one list. A new effect is a new file and a new line here. */
-#include <stdio.h>
 #include <string.h>
 
 #include "effects/effects.h"
@@ -56,13 +55,4 @@ const struct um_effect *um_effects_find(const char *name)
   return NULL;
 }
 
-void um_effects_names(char *out, size_t size)
-{
-  size_t used = 0;
-  if (size > 0) out[0] = '\0';
-  for (size_t i = 0; i < um_effects_count() && used < size; i++) {
-    int n = snprintf(out + used, size - used, "%s%s", i == 0 ? "" : ", ", list[i]->name);
-    if (n < 0) return;
-    used += (size_t)n;
-  }
-}
+void um_effects_names(char *out, size_t size) { um_effects_registry_names(NULL, out, size); }

@@ -1,4 +1,5 @@
 /* Building a model: the order of the steps. */
+#include "effects/effects.h"
 #include "model/model_impl.h"
 
 /* A model with its scenario read and its sky built. */
@@ -58,6 +59,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->material);
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);
+  um_effects_registry_destroy(context, &m->registry);
   um_core_free(context, m->band);
   um_core_document_destroy(&m->document);
   um_core_free(context, m);

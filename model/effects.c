@@ -25,13 +25,14 @@ static enum um_status blame(struct um_context *context, const struct origin *fro
   return status;
 }
 
-static enum um_status find(struct um_context *context, const struct origin *from, const char *name,
+static enum um_status find(struct um_context *context, const struct um_model *model,
+                           const struct origin *from, const char *name,
                            const struct um_effect **out)
 {
   char names[2048];
-  *out = um_effects_find(name);
+  *out = um_model_effects_find(model, name);
   if (*out != NULL) return UM_OK;
-  um_effects_names(names, sizeof names);
+  um_effects_registry_names(model->registry, names, sizeof names);
   return blame(context, from, "effect",
                um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s",
                             name, names));
@@ -112,7 +113,7 @@ static enum um_status take_scenario(struct um_context *context, struct um_model 
   const struct um_effect *effect = NULL;
   struct um_model_effect *use = NULL;
   struct origin origin = {.at = &from->at, .option = "effects", .text = from->effect};
-  UM_TRY(find(context, &origin, from->effect, &effect));
+  UM_TRY(find(context, model, &origin, from->effect, &effect));
   UM_TRY(check_target(context, &origin, effect, from->target));
   UM_TRY(use_of(context, model, effect, from->target, &use));
   use->off = from->off;
@@ -133,7 +134,7 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
   if (*rest != '\0') *rest++ = '\0';
   char *target = strchr(text, ':');
   if (target != NULL) *target++ = '\0';
-  UM_TRY(find(context, origin, text, &effect));
+  UM_TRY(find(context, model, origin, text, &effect));
   if (!off || target != NULL) UM_TRY(check_target(context, origin, effect, target));
   if (off && target == NULL) { /* all of its uses */
     bool any = false;
@@ -190,8 +191,8 @@ static enum um_status take_defaults(struct um_context *context, struct um_model 
 {
   struct um_environment environment;
   um_model_scenario_environment(model->scenario->environment, &environment);
-  for (size_t i = 0; i < um_effects_count(); i++) {
-    const struct um_effect *effect = um_effects_at(i);
+  for (size_t i = 0; i < um_model_effects_count(model); i++) {
+    const struct um_effect *effect = um_model_effects_at(model, i);
     struct um_model_effect *use = NULL;
     if (!effect->on_by_default) continue;
     UM_TRY(use_of(context, model, effect, NULL, &use));
@@ -204,6 +205,7 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
                                       const struct um_model_options *options)
 {
   const struct um_scenario_effect *uses = model->scenario->effects.items;
+  UM_TRY(um_model_build_effect_files(context, model, options));
   UM_TRY(take_defaults(context, model));
   for (size_t k = 0; k < model->scenario->effects.count; k++) {
     UM_TRY(check_listed_once(context, uses, k));

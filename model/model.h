@@ -15,6 +15,8 @@
 #include "thermal/body.h"
 #include "thermal/solve.h"
 
+struct um_effects_registry;
+
 /* Changes to a scenario from the command line; texts as the user typed them, borrowed. */
 struct um_model_options {
   const char *const *overrides; /* "key.path=value" */
@@ -25,6 +27,8 @@ struct um_model_options {
   size_t nwithout;
   const char *const *last; /* as `with`, but --without does not take them away */
   size_t nlast;
+  const char *const *effect_files; /* shared objects beside those of the scenario */
+  size_t neffect_file;
 };
 
 /* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
@@ -41,7 +45,8 @@ struct um_model_effect {
 struct um_model {
   struct um_document *document;
   struct um_scenario *scenario;
-  struct um_model_effect *effect; /* [neffect] */
+  struct um_effects_registry *registry; /* effects that it may use */
+  struct um_model_effect *effect;       /* [neffect] those it uses */
   size_t neffect;
   struct um_environment environment;
   struct um_orbit_earth_orientation orientation;
@@ -77,6 +82,12 @@ void um_model_destroy(struct um_context *context, struct um_model **model);
  * accepted. */
 enum um_status um_model_check_target(struct um_context *context, const struct um_model *model,
                                      const struct um_effect *effect, const char *target);
+
+/* Effects that the model may use: the built-in ones, then those of its effect files in order;
+ * borrowed, they live as long as the model. find: NULL when there is none of that name. */
+size_t um_model_effects_count(const struct um_model *model);
+const struct um_effect *um_model_effects_at(const struct um_model *model, size_t index);
+const struct um_effect *um_model_effects_find(const struct um_model *model, const char *name);
 
 /* The scene at a satellite time. to_observer is zero and range NaN. */
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,

@@ -4,6 +4,9 @@
 
 #include "model/model.h"
 
+/* registry: effect_files of the scenario, then those of the command line (effect_files.c). */
+enum um_status um_model_build_effect_files(struct um_context *context, struct um_model *model,
+                                           const struct um_model_options *options);
 /* effect: the scenario's list, --with and --without (effects.c). */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options);

@@ -270,7 +270,8 @@ struct um_scenario {
   struct um_scenario_thermal *thermal;
   struct um_schema_list bands; /* of struct um_scenario_band */
   struct um_scenario_optics *optics;
-  struct um_schema_list effects; /* of struct um_scenario_effect */
+  struct um_schema_list effect_files; /* of const char * */
+  struct um_schema_list effects;      /* of struct um_scenario_effect */
   struct um_scenario_measurements *measurements;
 };
 

@@ -71,6 +71,14 @@ int case_end(void **state)
 
 struct um_context *case_context(void) { return context; }
 
+void case_write(const char *file_name, const char *text)
+{
+  FILE *f = fopen(file_name, "w");
+  assert_non_null(f);
+  fputs(text, f);
+  fclose(f);
+}
+
 static size_t length(const char *const *list)
 {
   size_t n = 0;
@@ -90,10 +98,7 @@ static enum um_status create(const char *scenario, const char *const *with,
                                            .nwithout = length(without)};
   char file_name[64]; /* tests run beside each other in one folder */
   snprintf(file_name, sizeof file_name, "effects_case_%ld.yaml", (long)getpid());
-  FILE *f = fopen(file_name, "w");
-  assert_non_null(f);
-  fputs(scenario, f);
-  fclose(f);
+  case_write(file_name, scenario);
   enum um_status status = um_model_create(context, file_name, &options, out);
   remove(file_name);
   return status;

@@ -16,6 +16,8 @@ int case_begin(void **state);
 int case_end(void **state);
 struct um_context *case_context(void);
 
+/* Text into a file. */
+void case_write(const char *file_name, const char *text);
 /* Build and run `scenario` (YAML text) with effects as of --with and --without, and overrides as of
  * --set; lists end with NULL and may be NULL. Release the run. */
 struct case_run case_compute(const char *scenario, const char *const *with,

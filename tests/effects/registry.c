@@ -12,11 +12,10 @@ static void descriptors_are_complete(void **state)
   assert_true(um_effects_count() >= 6);
   for (size_t i = 0; i < um_effects_count(); i++) {
     const struct um_effect *e = um_effects_at(i);
-    assert_int_equal(e->abi_version, UM_EFFECT_ABI_VERSION);
-    assert_int_equal(e->struct_size, sizeof *e);
-    assert_true(strlen(e->name) > 0 && strlen(e->summary) > 0);
-    assert_true(strlen(e->reference) > 0 && strlen(e->validity) > 0);
-    assert_true(e->targets != 0);
+    assert_int_equal(um_effects_check(NULL, e), UM_OK);
+    assert_true(e->separated_by != NULL && strchr(e->separated_by, ':') != NULL);
+    for (size_t p = 0; p < e->nparameter; p++)
+      assert_true(e->parameters[p].prior != NULL && strlen(e->parameters[p].prior) > 0);
     assert_ptr_equal(um_effects_find(e->name), e);
     for (size_t k = 0; k < i; k++) assert_string_not_equal(e->name, um_effects_at(k)->name);
   }
