@@ -1,0 +1,72 @@
+/* umbra import and umbra period: from the track of a survey to a period, and what is refused. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/json.h"
+
+#define PERIOD 21.37 /* [s] of the track that is written here */
+#define ROWS   300   /* one a second */
+
+/* A cosine of 0.8 mag, rounded to the hundredth as the survey writes it. */
+static void write_track(void)
+{
+  FILE *f = fopen("track.txt", "w");
+  assert_non_null(f);
+  fputs("# track: 7\n# Date Time Mag Filter Penumbra Channel Track Satellite\n", f);
+  for (int i = 0; i < ROWS; i++)
+    fprintf(f, "2016-09-21 20:%02d:%02d.000 %.2f Clear 0 1 7 27386\n", 30 + i / 60, i % 60,
+            7.0 + 0.8 * cos(2.0 * 3.14159265358979 * i / PERIOD));
+  fclose(f);
+}
+
+static void test_track_to_period(void **state)
+{
+  (void)state;
+  const char *where;
+  write_track();
+  command_expect(0, "import", "track.txt", "-o", "measured.csv", "--noise", "0.02", NULL);
+  struct command c = command_run("period", "measured.csv", "--out", "found", "--json", NULL);
+  assert_int_equal(c.code, 0);
+  assert_true(json_is_valid(c.out, &where));
+  const char *at = strstr(c.out, "\"period_s\": ");
+  assert_non_null(at);
+  /* the flux of a cosine in magnitudes is no sine, so harmonics stand beside it; over 14 turns the
+   * line is 21.37 / 14 s wide and its middle is good to a hundredth of that */
+  assert_true(fabs(atof(at + strlen("\"period_s\": ")) - PERIOD) <= 0.015);
+  command_release(&c);
+  assert_true(command_exists("found/periodogram.csv"));
+  assert_true(command_exists("found/folded.csv"));
+  assert_true(command_exists("found/period_magnitude_vega_Clear.png"));
+}
+
+static void test_refusals(void **state)
+{
+  (void)state;
+  write_track();
+  command_expect(0, "import", "track.txt", "-o", "measured.csv", NULL);
+  char *before = command_snapshot(".");
+  command_expect(1, "import", "track.txt", "-o", "measured.csv", NULL);
+  command_expect(1, "import", "measured.csv", "-o", "other.csv", NULL);
+  command_expect(1, "import", "nowhere.txt", "-o", "other.csv", NULL);
+  command_expect(2, "import", "track.txt", NULL);
+  command_expect(2, "import", "track.txt", "-o", "other.csv", "--noise", "1,2,3", NULL);
+  command_expect(1, "import", "track.txt", "-o", "other.csv", "--noise", "-1", NULL);
+  command_expect(1, "period", "measured.csv", "--band", "vis", "--out", "found", NULL);
+  command_expect(2, "period", NULL);
+  char *after = command_snapshot(".");
+  assert_string_equal(before, after);
+  free(before);
+  free(after);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_track_to_period, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_refusals, command_enter, command_leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
