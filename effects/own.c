@@ -3,6 +3,8 @@
  */
 #include <dlfcn.h>
 #include <errno.h>
+#include <link.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,11 +76,42 @@ static enum um_status fail_open(struct um_context *context, const char *path)
                       why);
 }
 
+/* Does the file hold all that its program headers map? The system maps what is missing all the
+ * same, and a touch of it ends the program. What is no such file is left to dlopen. */
+static bool is_whole(FILE *file)
+{
+  ElfW(Ehdr) head;
+  ElfW(Phdr) part;
+  if (fread(&head, sizeof head, 1, file) != 1 || memcmp(head.e_ident, ELFMAG, SELFMAG) != 0)
+    return true;
+  if (head.e_phentsize != sizeof part || fseek(file, 0, SEEK_END) != 0) return true;
+  long size = ftell(file);
+  for (unsigned i = 0; i < head.e_phnum; i++) {
+    long at = (long)(head.e_phoff + i * sizeof part);
+    if (fseek(file, at, SEEK_SET) != 0 || fread(&part, sizeof part, 1, file) != 1) return false;
+    if (part.p_type == PT_LOAD &&
+        (part.p_filesz > (ElfW(Xword))size || part.p_offset > (ElfW(Xword))size - part.p_filesz))
+      return false;
+  }
+  return true;
+}
+
+static enum um_status check_whole(struct um_context *context, const char *path)
+{
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s", strerror(errno));
+  bool whole = is_whole(file);
+  fclose(file);
+  if (whole) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "cut short; accepted: a whole shared object");
+}
+
 /* absolute: without a slash the system would search its own folders. */
 static enum um_status load(struct um_context *context, struct um_effects_registry *r,
                            const char *absolute)
 {
   size_t nown = r->nown;
+  UM_TRY(check_whole(context, absolute));
   void *object = dlopen(absolute, RTLD_NOW | RTLD_LOCAL);
   if (object == NULL) return fail_open(context, absolute);
   enum um_status status =

@@ -140,6 +140,37 @@ static void files_are_found(void **state)
   remove(OBJECTS "/own_beside.yaml");
 }
 
+/* The first bytes of the example: a copy that was interrupted. */
+static void write_cut(const char *file_name, size_t n)
+{
+  char *bytes = malloc(n);
+  FILE *from = fopen(EXAMPLE, "rb"), *to = fopen(file_name, "wb");
+  assert_true(bytes != NULL && from != NULL && to != NULL);
+  assert_int_equal(fread(bytes, 1, n, from), n);
+  assert_int_equal(fwrite(bytes, 1, n, to), n);
+  assert_int_equal(fclose(to), 0);
+  fclose(from);
+  free(bytes);
+}
+
+static void cut_objects_are_refused(void **state)
+{
+  (void)state;
+  static const size_t length[] = {20, 64, 100, 1000, 5000, 9000};
+  for (size_t i = 0; i < sizeof length / sizeof length[0]; i++) {
+    struct um_effects_registry *registry = NULL;
+    write_cut(OBJECTS "/cut.so", length[i]);
+    um_core_message_clear(case_context());
+    assert_int_equal(um_effects_registry_create(case_context(), &registry), UM_OK);
+    assert_int_equal(um_effects_registry_load(case_context(), registry, OBJECTS "/cut.so"),
+                     UM_ERR_IO);
+    assert_non_null(strstr(um_core_message(case_context()), "accepted: a"));
+    um_effects_registry_destroy(case_context(), &registry);
+  }
+  um_core_message_clear(case_context());
+  remove(OBJECTS "/cut.so");
+}
+
 static const struct {
   const char *file, *says;
 } bad[] = {
@@ -222,6 +253,7 @@ int main(void)
       cmocka_unit_test(hook_can_refuse),
       cmocka_unit_test(files_are_found),
       cmocka_unit_test(bad_objects_are_refused),
+      cmocka_unit_test(cut_objects_are_refused),
       cmocka_unit_test(descriptors_are_checked),
   };
   return cmocka_run_group_tests(tests, case_begin, case_end);
