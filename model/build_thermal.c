@@ -138,6 +138,10 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
                                part->name);
     to->interior_conductance = own->interior_conductance_W_K;
   }
+  if (own != NULL) {
+    to->power = own->power_W;
+    UM_TRY(um_model_power_history(a->context, a->model, &own->at, own->power_file, &to->history));
+  }
   optics_of(a->model, group->front_material, &to->absorptance_front, &to->emittance_front);
   optics_of(a->model, group->back_material, &to->absorptance_back, &to->emittance_back);
   if (group->front_material != UM_GEOMETRY_NONE) to->extraction_front = part->electrical_extraction;
@@ -238,6 +242,8 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
     to->has_interior = true;
     to->interior_capacity = part->interior->capacity_J_K;
     to->interior_power = part->interior->power_W;
+    UM_TRY(um_model_power_history(a->context, a->model, &part->interior->at,
+                                  part->interior->power_file, &to->interior_history));
   }
   UM_TRY(um_core_document_allocate(a->context, a->model->document,
                                    um_geometry_group_count(geometry), sizeof *groups, &groups));

@@ -25,6 +25,12 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
 /* What of each surface's sky the satellite itself covers, into the heat network (build_blocked.c).
  */
 enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model);
+/* A power history from the file of a key `power_file` (build_power.c); *out is owned by the
+ * document, NULL without a file. at: the mapping that holds the key. */
+struct um_thermal_power_history;
+enum um_status um_model_power_history(struct um_context *context, struct um_model *model,
+                                      const struct um_mark *at, const char *file,
+                                      const struct um_thermal_power_history **out);
 /* heat network (build_thermal.c). */
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);
 

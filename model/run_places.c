@@ -110,6 +110,9 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_thermal_heat_of_nodes(context, body->network, trace->loads, &options,
                                       trace->loads->t[trace->load_row[i]], t, node));
+    if (h->heating != NULL)
+      um_thermal_heat_of_thermostats(
+          body->network, h->heating + (i + (run->before ? 1 : 0)) * h->nthermostat, node);
     for (size_t p = 0; p < body->nplace; p++) {
       struct um_thermal_heat *to = &result->heat[i / trace->nsub * result->nplace + p];
       double w = 1.0 / (double)trace->nsub;

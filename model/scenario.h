@@ -164,6 +164,7 @@ struct um_scenario_mli {
 struct um_scenario_interior {
   struct um_mark at;
   double capacity_J_K, power_W, conductance_W_K;
+  const char *power_file;
 };
 struct um_scenario_solid {
   struct um_mark at;
@@ -176,7 +177,8 @@ struct um_scenario_group {
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
   bool bare; /* no MLI here although the part has one */
-  double interior_conductance_W_K;
+  double interior_conductance_W_K, power_W;
+  const char *power_file;
 };
 struct um_scenario_part {
   struct um_mark at;

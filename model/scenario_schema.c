@@ -423,6 +423,9 @@ static const struct um_schema_field mli_fields[] = {
 #undef F
 OBJECT(mli_object, struct um_scenario_mli, "mli", "Multi-layer insulation on the outside.",
        FIELDS(mli_fields));
+#define POWER_FILE                                                                                 \
+  "CSV time_utc,power_W, added to power_W: linear between rows, a jump where two rows have one "   \
+  "time, 0 before the first and after the last; satellite's own time"
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_interior, member, key, type, __VA_ARGS__)
 static const struct um_schema_field interior_fields[] = {
@@ -430,6 +433,7 @@ static const struct um_schema_field interior_fields[] = {
       HELP("of everything inside")),
     F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
       HELP("dissipated inside")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
     F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e6),
       HELP("to the walls, shared by area among groups that state none")),
 };
@@ -460,6 +464,9 @@ static const struct um_schema_field group_fields[] = {
     F(bare, "bare", UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
     F(interior_conductance_W_K, "interior_conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
       BETWEEN(0, 1e6), HELP("of the whole group to the interior")),
+    F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
+      HELP("dissipated in the wall of the group, both layers")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
 };
 #undef F
 OBJECT(group_object, struct um_scenario_group, "group", "What differs thermally on one group.",

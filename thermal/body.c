@@ -1,5 +1,6 @@
 /* Assembly of the heat balance of a satellite from its parts: interiors, walls (shell.c, solid.c,
- * lump.c), blankets (mli.c), radiating surfaces, contacts (contact.c), places (place.c).
+ * lump.c), blankets (mli.c), heat made inside
+ * (heater.c), radiating surfaces, contacts (contact.c), places (place.c).
  *
  * The inner side of the walls of a closed body does not radiate: heat crosses a body only through
  * conduction, its interior node and contacts. */
@@ -191,7 +192,8 @@ static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
   }
   UM_TRY(add_interior(b, part));
   UM_TRY(um_thermal_mli_assemble(b, part));
-  return couple_interior(b, part);
+  UM_TRY(couple_interior(b, part));
+  return um_thermal_heat_assemble(b, part);
 }
 
 static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_body *body,

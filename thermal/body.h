@@ -22,11 +22,27 @@ struct um_thermal_mli {
   double areal_heat_capacity; /* of the outer layer [J/m^2/K] */
   bool wraps_interior;        /* couples to the part's interior node, and the wall is left out */
 };
+/* Heat of a place over time: linear between rows, equal times are jumps, 0 outside. */
+struct um_thermal_power_history {
+  double *t, *power; /* [nrow] t_tai [s], [W] */
+  size_t nrow;
+};
+/* A thermostat heater on the wall of a place, spread and sensed by area, or in the interior: see
+ * um_thermal_network_thermostat_add. */
+struct um_thermal_heater {
+  const char *place; /* "": all walls of the part; "GROUP", "GROUP.back", "front", "back",
+                        "interior"; as in contacts */
+  double power;      /* [W] */
+  double on, off;    /* [K] */
+};
+#define UM_THERMAL_HEATERS_MAX 16 /* of one part */
 struct um_thermal_group_spec {
-  uint32_t group;                       /* geometry group index */
-  const struct um_thermal_shell *shell; /* NULL: the part's */
-  const struct um_thermal_mli *mli;     /* NULL: none (front side only) */
-  double interior_conductance;          /* [W/K] group total, to the interior; 0: none */
+  uint32_t group;                                 /* geometry group index */
+  const struct um_thermal_shell *shell;           /* NULL: the part's */
+  const struct um_thermal_mli *mli;               /* NULL: none (front side only) */
+  double interior_conductance;                    /* [W/K] group total, to the interior; 0: none */
+  double power;                                   /* released in the wall [W] */
+  const struct um_thermal_power_history *history; /* added to it; NULL: none */
   double absorptance_front, emittance_front, extraction_front; /* from the material records */
   double absorptance_back, emittance_back, extraction_back;
 };
@@ -45,8 +61,11 @@ struct um_thermal_part_spec {
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
   bool has_interior;                           /* a lumped node inside */
   double interior_capacity, interior_power;    /* [J/K], [W] */
-  double start_temperature;                    /* [K] */
-  const struct um_thermal_group_spec *groups;  /* one for every group of the part */
+  const struct um_thermal_power_history *interior_history; /* added to it; NULL: none */
+  struct um_thermal_heater heater[UM_THERMAL_HEATERS_MAX];
+  size_t nheater;
+  double start_temperature;                   /* [K] */
+  const struct um_thermal_group_spec *groups; /* one for every group of the part */
   size_t ngroup;
 };
 /* a, b: "part", "part.group", "part.group.back", "part.front", "part.back" or "part.interior". The
@@ -75,8 +94,8 @@ struct um_thermal_body {
   size_t ntetrahedron;
 };
 /* UM_ERR_INPUT: a part or group without spec or with two, a value out of range, MLI or conductance
- * to an interior that is not there, an unknown place in a contact; and what TetGen's wrapper
- * refuses. specs and contacts are borrowed for the call. */
+ * to an interior that is not there, heat in a wall that is not there, an unknown place in a
+ * contact; and what TetGen's wrapper refuses. specs and contacts are borrowed for the call. */
 enum um_status um_thermal_body_create(struct um_context *context,
                                       const struct um_geometry *geometry,
                                       const struct um_thermal_part_spec *parts, size_t npart,

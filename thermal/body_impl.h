@@ -25,6 +25,16 @@ struct um_thermal_builder {
   size_t npart, ngroup, ntetrahedron;
 };
 
+/* Where a name points inside a part: what follows the part's name, "", ".group", ".group.back",
+ * ".front", ".back" or ".interior". A wall of one layer is both front and back. */
+struct um_thermal_where {
+  uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
+  bool front, back, interior;
+};
+/* false: there is no such place in where->part. */
+bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffix,
+                           struct um_thermal_where *where);
+
 /* Linear triangle: conductances [W/K] between the corners, out[e] opposite corner e, for in-plane
  * conductance kt [W/K]: kt cot(angle e) / 2. */
 void um_thermal_shell_element(const struct um_vec3 corner[3], double kt, double out[3]);
@@ -50,6 +60,8 @@ enum um_status um_thermal_solid_assemble(struct um_thermal_builder *b, size_t pa
 enum um_status um_thermal_lump_assemble(struct um_thermal_builder *b, size_t part);
 /* Skins over the fronts of one part and what they wrap. */
 enum um_status um_thermal_mli_assemble(struct um_thermal_builder *b, size_t part);
+/* Powers, power histories and heaters of one part. */
+enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t part);
 enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
                                            const struct um_thermal_contact *contact);
 enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_thermal_body *body);

@@ -33,8 +33,7 @@ struct patch {
 };
 struct side {
   const char *name;
-  uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
-  bool front, back, interior;
+  struct um_thermal_where at;
   struct sample *sample;
   size_t nsample;
   struct patch *patch;
@@ -42,38 +41,14 @@ struct side {
   double edge; /* typical facet edge [m] */
 };
 
-/* What follows "part" in a name; false when there is no such place. */
-static bool resolve_suffix(const struct um_thermal_builder *b, const char *suffix, struct side *s)
-{
-  s->group = UM_GEOMETRY_NONE;
-  s->front = s->back = true;
-  s->interior = false;
-  if (*suffix == '\0') return true;
-  if (*suffix != '.') return false;
-  suffix++;
-  for (uint32_t g = 0; g < b->ngroup; g++) {
-    const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
-    size_t n = strlen(group->name);
-    if (group->part != s->part || strncmp(suffix, group->name, n) != 0) continue;
-    s->group = g;
-    s->front = suffix[n] == '\0';
-    s->back = strcmp(suffix + n, ".back") == 0;
-    if (s->front || s->back) return true;
-  }
-  s->group = UM_GEOMETRY_NONE;
-  s->front = strcmp(suffix, "front") == 0;
-  s->back = strcmp(suffix, "back") == 0;
-  s->interior = strcmp(suffix, "interior") == 0 && b->interior[s->part] != UM_THERMAL_SPACE;
-  return s->front || s->back || s->interior;
-}
-
 static bool resolve(const struct um_thermal_builder *b, struct side *s)
 {
   for (uint32_t p = 0; p < b->npart; p++) {
     const char *part = um_thermal_builder_part_name(b, p);
     size_t n = strlen(part);
-    s->part = p;
-    if (strncmp(s->name, part, n) == 0 && resolve_suffix(b, s->name + n, s)) return true;
+    s->at.part = p;
+    if (strncmp(s->name, part, n) == 0 && um_thermal_where_find(b, s->name + n, &s->at))
+      return true;
   }
   return false;
 }
@@ -97,10 +72,10 @@ static void patch_fill(const struct um_thermal_builder *b, size_t facet, const s
   for (int c = 0; c < 3; c++)
     p->radius = fmax(p->radius, um_vec3_norm(um_vec3_sub(p->corner[c], p->centre)));
   p->layers = 0;
-  if (s->front || !um_thermal_builder_two_layers(b, facet))
-    node_or_interior(b, b->front[facet], s->part, p->node[p->layers++]);
-  if (s->back && um_thermal_builder_two_layers(b, facet))
-    node_or_interior(b, b->back[facet], s->part, p->node[p->layers++]);
+  if (s->at.front || !um_thermal_builder_two_layers(b, facet))
+    node_or_interior(b, b->front[facet], s->at.part, p->node[p->layers++]);
+  if (s->at.back && um_thermal_builder_two_layers(b, facet))
+    node_or_interior(b, b->back[facet], s->at.part, p->node[p->layers++]);
 }
 
 static int sample_order(const void *a, const void *b)
@@ -113,14 +88,14 @@ static int sample_order(const void *a, const void *b)
 /* Facets and nodes of a side; corners of neighbouring facets that are one node are merged. */
 static enum um_status collect(const struct um_thermal_builder *b, struct side *s)
 {
-  if (s->interior) return UM_OK;
+  if (s->at.interior) return UM_OK;
   size_t n = 0;
   UM_TRY(um_core_allocate(b->context, b->mesh->nfacet, sizeof *s->patch, &s->patch));
   UM_TRY(um_core_allocate(b->context, 6 * b->mesh->nfacet, sizeof *s->sample, &s->sample));
   double area = 0.0;
   for (size_t f = 0; f < b->mesh->nfacet; f++) {
-    if (b->mesh->facet_part[f] != s->part) continue;
-    if (s->group != UM_GEOMETRY_NONE && b->mesh->facet_group[f] != s->group) continue;
+    if (b->mesh->facet_part[f] != s->at.part) continue;
+    if (s->at.group != UM_GEOMETRY_NONE && b->mesh->facet_group[f] != s->at.group) continue;
     struct patch *p = &s->patch[s->npatch++];
     patch_fill(b, f, s, p);
     area += p->area;
@@ -238,7 +213,7 @@ static enum um_status pair(struct um_thermal_builder *b, const struct side *from
 static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const struct side *over,
                              double conductance, double *joined)
 {
-  if (over->interior) return join(b, node, b->interior[over->part], conductance, joined);
+  if (over->at.interior) return join(b, node, b->interior[over->at.part], conductance, joined);
   double area = 0.0;
   for (size_t i = 0; i < over->nsample; i++) area += over->sample[i].area;
   for (size_t i = 0; i < over->nsample; i++)
@@ -249,8 +224,8 @@ static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const 
 static enum um_status connect(struct um_thermal_builder *b, struct side *x, struct side *y,
                               double conductance, double *joined)
 {
-  if (x->interior) return spread(b, b->interior[x->part], y, conductance, joined);
-  if (y->interior) return spread(b, b->interior[y->part], x, conductance, joined);
+  if (x->at.interior) return spread(b, b->interior[x->at.part], y, conductance, joined);
+  if (y->at.interior) return spread(b, b->interior[y->at.part], x, conductance, joined);
   double gap = fmin(find_feet(x, y), find_feet(y, x)) + 0.5 * fmin(x->edge, y->edge);
   bool both = area_within(x, gap) > 0.0 && area_within(y, gap) > 0.0;
   double each = both ? 0.5 * conductance : conductance;

@@ -8,6 +8,31 @@
 
 #include <string.h>
 
+bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffix,
+                           struct um_thermal_where *where)
+{
+  where->group = UM_GEOMETRY_NONE;
+  where->front = where->back = true;
+  where->interior = false;
+  if (*suffix == '\0') return true;
+  if (*suffix != '.') return false;
+  suffix++;
+  for (uint32_t g = 0; g < b->ngroup; g++) {
+    const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
+    size_t n = strlen(group->name);
+    if (group->part != where->part || strncmp(suffix, group->name, n) != 0) continue;
+    where->group = g;
+    where->front = suffix[n] == '\0';
+    where->back = strcmp(suffix + n, ".back") == 0;
+    if (where->front || where->back) return true;
+  }
+  where->group = UM_GEOMETRY_NONE;
+  where->front = strcmp(suffix, "front") == 0;
+  where->back = strcmp(suffix, "back") == 0;
+  where->interior = strcmp(suffix, "interior") == 0 && b->interior[where->part] != UM_THERMAL_SPACE;
+  return where->front || where->back || where->interior;
+}
+
 struct selection {
   uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
   int side;             /* 0 front, 1 back, -1 both */

@@ -1,0 +1,67 @@
+/* Power histories of a scenario: a CSV of time_utc and power_W. */
+#include "core/csv.h"
+#include "model/model_impl.h"
+#include "orbit/time.h"
+
+/* Rows in order; two at one time are a jump, more would hide one. */
+static enum um_status times_check(struct um_context *context, const struct um_core_csv *csv,
+                                  size_t column, const double *t, size_t row)
+{
+  if (row > 0 && !(t[row] >= t[row - 1]))
+    return um_core_csv_fail(context, csv, row, column,
+                            "%s is before the row above (%s); accepted: ascending, two rows at one "
+                            "time are a jump",
+                            um_core_csv_text(csv, row, column),
+                            um_core_csv_text(csv, row - 1, column));
+  if (row > 1 && t[row] == t[row - 2])
+    return um_core_csv_fail(context, csv, row, column,
+                            "%s stands there three times; accepted: twice, a jump",
+                            um_core_csv_text(csv, row, column));
+  return UM_OK;
+}
+
+static enum um_status rows_read(struct um_context *context, struct um_model *model,
+                                const struct um_core_csv *csv,
+                                struct um_thermal_power_history *history)
+{
+  size_t time, power, rows = um_core_csv_rows(csv);
+  UM_TRY(um_core_csv_require(context, csv, "time_utc", &time));
+  UM_TRY(um_core_csv_require(context, csv, "power_W", &power));
+  if (rows < 2)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: %zu row%s; accepted: 2 or more, the power is 0 outside of them",
+                        um_core_csv_name(csv), rows, rows == 1 ? "" : "s");
+  UM_TRY(
+      um_core_document_allocate(context, model->document, rows, sizeof *history->t, &history->t));
+  UM_TRY(um_core_document_allocate(context, model->document, rows, sizeof *history->power,
+                                   &history->power));
+  history->nrow = rows;
+  for (size_t i = 0; i < rows; i++) {
+    char why[160];
+    if (!um_orbit_time_parse_field(um_core_csv_text(csv, i, time), &history->t[i], why, sizeof why))
+      return um_core_csv_fail(context, csv, i, time, "%s", why);
+    UM_TRY(times_check(context, csv, time, history->t, i));
+    UM_TRY(um_core_csv_number(context, csv, i, power, &history->power[i]));
+  }
+  return UM_OK;
+}
+
+enum um_status um_model_power_history(struct um_context *context, struct um_model *model,
+                                      const struct um_mark *at, const char *file,
+                                      const struct um_thermal_power_history **out)
+{
+  enum um_status status;
+  const char *path = NULL;
+  struct um_core_csv *csv = NULL;
+  struct um_thermal_power_history *history = NULL;
+  *out = NULL;
+  if (file == NULL) return UM_OK;
+  UM_CHECK(um_model_resolve(context, model, at, file, &path));
+  UM_CHECK(um_core_document_allocate(context, model->document, 1, sizeof *history, &history));
+  UM_CHECK(um_core_csv_read(context, path, &csv));
+  UM_CHECK(rows_read(context, model, csv, history));
+  *out = history;
+done:
+  um_core_csv_destroy(&csv);
+  return um_model_blame(context, at, "power_file", status);
+}
