@@ -95,9 +95,10 @@ void um_diagnosis_estimate(const struct um_diagnosis_candidate *candidate,
   *sigma = score->sigma[k] * um_diagnosis_slope(parameter, *value);
 }
 
-const struct um_diagnosis_step *um_diagnosis_last_step(const struct um_diagnosis *diagnosis)
+const double *um_diagnosis_step_values(const struct um_diagnosis *diagnosis,
+                                       const struct um_diagnosis_step *step)
 {
-  for (size_t s = diagnosis->nstep; s-- > 0;)
-    if (!diagnosis->step[s].removed) return &diagnosis->step[s];
-  return NULL;
+  if (step->value != NULL) return step->value;
+  bool last = step == &diagnosis->step[diagnosis->nstep - 1];
+  return last && !step->removed ? diagnosis->value_after : NULL;
 }

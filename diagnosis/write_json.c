@@ -137,14 +137,6 @@ static void json_rival(FILE *file, const struct um_diagnosis *d,
   fputc('}', file);
 }
 
-/* Model values as of a step: its own, or the final ones where nothing came after it. */
-static const double *step_values(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
-{
-  if (step->value != NULL) return step->value;
-  return step == um_diagnosis_last_step(d) && step == &d->step[d->nstep - 1] ? d->value_after
-                                                                             : NULL;
-}
-
 static void json_indistinguishable(FILE *file, const struct um_diagnosis *d,
                                    const struct um_diagnosis_step *step)
 {
@@ -175,7 +167,7 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   json_bool(file, ", ", "by_prior", step->by_prior);
   json_bool(file, ", ", "removed", step->removed);
   json_indistinguishable(file, d, step);
-  UM_TRY(json_metrics(context, file, d, "     ", step_values(d, step), step->dof));
+  UM_TRY(json_metrics(context, file, d, "     ", um_diagnosis_step_values(d, step), step->dof));
   fputs(",\n     \"rivals\": [", file);
   for (size_t r = 0; r < step->nrival; r++) {
     fputs(r > 0 ? ",\n       " : "\n       ", file);
