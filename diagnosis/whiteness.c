@@ -1,0 +1,58 @@
+/* Is a residual white noise of unit variance? Its chi-square, and per channel the autocorrelation
+ * of neighbours about zero (Ljung & Box 1978, Biometrika 65:297),
+ *
+ *   rho_k = sum_t e_t e_(t-k) / sum_t e_t^2,   Q = n (n + 2) sum_(k <= h) rho_k^2 / (n - k) ~
+ * chi2_h,
+ *
+ * h = 10 or a fifth of the rows. The channels' p-values by Fisher (1932, Statistical Methods for
+ * Research Workers, section 21.1): -2 sum ln p ~ chi2 of twice their number. */
+#include <float.h>
+#include <math.h>
+
+#include "diagnosis/distributions_impl.h"
+#include "diagnosis/score.h"
+
+#define LAGS_MAX 10
+
+/* p of e[n]; false when there are too few rows or all are 0. */
+static bool ljung_box(size_t n, const double *e, double *p)
+{
+  size_t lags = n / 5 < LAGS_MAX ? n / 5 : LAGS_MAX;
+  double squares = 0.0, q = 0.0, m = (double)n;
+  for (size_t t = 0; t < n; t++) squares += e[t] * e[t];
+  if (lags == 0 || squares == 0.0) return false;
+  for (size_t k = 1; k <= lags; k++) {
+    double product = 0.0;
+    for (size_t t = k; t < n; t++) product += e[t] * e[t - k];
+    double rho = product / squares;
+    q += rho * rho / (m - (double)k);
+  }
+  *p = um_diagnosis_chi2_q(m * (m + 2.0) * q, (double)lags);
+  return true;
+}
+
+enum um_status um_diagnosis_whiteness_test(struct um_context *context, size_t nrow,
+                                           const double *residual, const size_t *channel,
+                                           size_t nchannel, double fitted,
+                                           struct um_diagnosis_whiteness *out)
+{
+  enum um_status status;
+  double *e = NULL, sum = 0.0, tested = 0.0;
+  *out = (struct um_diagnosis_whiteness){.dof = (double)nrow - fitted, .p_white = 1.0};
+  UM_CHECK(um_core_allocate(context, nrow, sizeof *e, &e));
+  for (size_t i = 0; i < nrow; i++) out->chi2 += residual[i] * residual[i];
+  out->p_chi2 = um_diagnosis_chi2_q(out->chi2, out->dof);
+  for (size_t c = 0; c < nchannel; c++) {
+    size_t n = 0;
+    for (size_t i = 0; i < nrow; i++)
+      if (channel[i] == c) e[n++] = residual[i];
+    double p;
+    if (!ljung_box(n, e, &p)) continue;
+    sum -= 2.0 * log(p < DBL_MIN ? DBL_MIN : p); /* what underflowed is as good as that */
+    tested += 1.0;
+  }
+  if (tested > 0.0) out->p_white = um_diagnosis_chi2_q(sum, 2.0 * tested);
+done:
+  um_core_free(context, e);
+  return status;
+}
