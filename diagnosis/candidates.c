@@ -34,8 +34,8 @@ static bool listed(const char *const *text, size_t count, const struct um_effect
 }
 
 /* Every text begins with the name of an effect. */
-static enum um_status check_names(struct um_context *context, const char *option,
-                                  const char *const *text, size_t count)
+static enum um_status check_names(struct um_context *context, const struct um_model *model,
+                                  const char *option, const char *const *text, size_t count)
 {
   for (size_t i = 0; i < count; i++) {
     char name[64], names[2048];
@@ -43,9 +43,9 @@ static enum um_status check_names(struct um_context *context, const char *option
     if (n < sizeof name) {
       memcpy(name, text[i], n);
       name[n] = '\0';
-      if (um_effects_find(name) != NULL) continue;
+      if (um_model_effects_find(model, name) != NULL) continue;
     }
-    um_effects_names(names, sizeof names);
+    um_effects_registry_names(model->registry, names, sizeof names);
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s %.80s: no effect is called '%.*s'; accepted: %.850s", option, text[i],
                         (int)(n < 60 ? n : 60), text[i], names);
@@ -116,11 +116,12 @@ static enum um_status make_list(struct um_context *context,
                                 struct um_diagnosis_candidates *list)
 {
   if (o != NULL) {
-    UM_TRY(check_names(context, "--only", o->only, o->nonly));
-    UM_TRY(check_names(context, "--exclude", o->exclude, o->nexclude));
+    UM_TRY(check_names(context, forward->model, "--only", o->only, o->nonly));
+    UM_TRY(check_names(context, forward->model, "--exclude", o->exclude, o->nexclude));
   }
-  for (size_t i = 0; i < um_effects_count(); i++)
-    UM_TRY(add_effect(context, forward, um_effects_at(i), addition, naddition, o, list));
+  for (size_t i = 0; i < um_model_effects_count(forward->model); i++)
+    UM_TRY(add_effect(context, forward, um_model_effects_at(forward->model, i), addition, naddition,
+                      o, list));
   return UM_OK;
 }
 

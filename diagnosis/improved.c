@@ -5,11 +5,13 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "core/csv.h"
 #include "core/file.h"
+#include "diagnosis/forward_impl.h"
 #include "diagnosis/report_impl.h"
 
 /* Texts that are overrides of a document. */
@@ -173,6 +175,30 @@ static enum um_status list_effects(struct overrides *o, const struct um_diagnosi
   return status;
 }
 
+/* Shared objects of the command line, which the effects may come from; the same name twice is one.
+ */
+static enum um_status list_effect_files(struct overrides *o, const struct um_model_options *options)
+{
+  for (size_t i = 0; i < options->neffect_file; i++) {
+    char *absolute = realpath(options->effect_files[i], NULL), *text = NULL;
+    if (absolute == NULL)
+      return um_core_fail(o->context, UM_ERR_IO, "%s: %s", options->effect_files[i],
+                          strerror(errno));
+    size_t size = 2 * strlen(absolute) + 8;
+    char *quoted = NULL;
+    enum um_status status = um_core_allocate(o->context, size, 1, &quoted);
+    if (status == UM_OK) {
+      quote(absolute, size, quoted);
+      status = um_core_asprintf(o->context, &text, "effect_files.+=%s", quoted);
+    }
+    um_core_free(o->context, quoted);
+    free(absolute);
+    UM_TRY(status);
+    UM_TRY(add_override(o, text));
+  }
+  return UM_OK;
+}
+
 /* ---- the text ---- */
 
 /* The scenario's text with all changes; the caller frees. */
@@ -188,6 +214,7 @@ static enum um_status make_text(struct um_context *context, const struct um_diag
   *out = NULL;
   UM_CHECK(um_core_document_text(context, model->document, &text)); /* --set stands in it */
   UM_CHECK(list_effects(&o, d));
+  UM_CHECK(list_effect_files(&o, &d->forward->cache->options));
   UM_CHECK(um_core_document_parse(context, model->scenario->at.file, text,
                                   &um_model_scenario_schema, (const char *const *)o.text, o.count,
                                   &document, &root));

@@ -13,13 +13,13 @@ static bool same_target(const char *a, const char *b)
   return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
 }
 
-static enum um_status find_effect(struct um_context *context, const char *name,
-                                  const struct um_effect **out)
+static enum um_status find_effect(struct um_context *context, const struct um_model *model,
+                                  const char *name, const struct um_effect **out)
 {
   char names[2048];
-  *out = um_effects_find(name);
+  *out = um_model_effects_find(model, name);
   if (*out != NULL) return UM_OK;
-  um_effects_names(names, sizeof names);
+  um_effects_registry_names(model->registry, names, sizeof names);
   return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s", name,
                       names);
 }
@@ -48,7 +48,7 @@ static enum um_status add_nuisance(struct um_context *context, const struct um_m
                                    const char *target, double sigma, const char *per)
 {
   const struct um_effect *effect;
-  UM_TRY(find_effect(context, name, &effect));
+  UM_TRY(find_effect(context, model, name, &effect));
   UM_TRY(um_model_check_target(context, model, effect, target));
   if (isnan(sigma))
     UM_TRY(own_sigma(context, effect, &sigma));
@@ -156,7 +156,7 @@ static enum um_status take_wanted(struct um_context *context, const struct um_mo
   struct um_diagnosis_addition wanted = {0};
   UM_TRY(keep(context, r, typed, &text));
   cut(text, &target, &rest);
-  UM_TRY(find_effect(context, text, &wanted.effect));
+  UM_TRY(find_effect(context, model, text, &wanted.effect));
   UM_TRY(um_model_check_target(context, model, wanted.effect, target));
   wanted.target = target;
   for (size_t p = 0; p < wanted.effect->nparameter; p++)

@@ -655,7 +655,7 @@ static const struct um_schema_field scenario_fields[] = {
     F(bands, "bands", UM_SCHEMA_DICT, .object = &band_object,
       HELP("default: vis 0.38-0.78 um in 80 bins, lwir 8-12 um in 40")),
     F(optics, "optics", UM_SCHEMA_MAP, .always = true, .object = &optics_object),
-    F(effect_files, "effect_files", UM_SCHEMA_TEXTS,
+    F(effect_files, "effect_files", UM_SCHEMA_TEXTS, NAMES_FILE,
       HELP("shared objects with effects of your own, which run inside the program")),
     F(effects, "effects", UM_SCHEMA_LIST, .object = &effect_object),
     F(measurements, "measurements", UM_SCHEMA_MAP, .object = &measurements_object),
