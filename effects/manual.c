@@ -91,7 +91,9 @@ void um_effects_write_manual(FILE *file)
       "Gaussian prior about that value,\nwhich diagnosis and fit use; `of ln` is that of the "
       "logarithm of the parameter over it. Behind it stands\nwhat the width is taken from. A "
       "fitted value more than three widths away is called not credible. `none`:\nevery value "
-      "within the range is as good as another before the data.\n\n"
+      "within the range is as good as another before the data. An effect of your own is added "
+      "by\n`effect_files` or `--effect-file`: "
+      "[examples/effects](../examples/effects/README.md).\n\n"
       "| effect | by default | what it is |\n|---|---|---|\n",
       file);
   for (size_t i = 0; i < um_effects_count(); i++) {
