@@ -86,6 +86,7 @@ static void json_materials(const struct um_model *model)
   printf("]");
 }
 
+/* s: NULL where nothing is known between the measurements. */
 static void print_json(const struct um_model *model, const struct um_environment_sample *s,
                        const char *start, const char *stop)
 {
@@ -93,8 +94,9 @@ static void print_json(const struct um_model *model, const struct um_environment
   um_core_json_string(stdout, model->scenario->name);
   printf(",\n  \"start_utc\": \"%s\", \"stop_utc\": \"%s\"", start, stop);
   um_core_json_field(stdout, ", ", "step_s", model->scenario->time->step_s);
-  um_core_json_field(stdout, ",\n  ", "altitude_km", altitude_km(model, s));
-  um_core_json_field(stdout, ", ", "sunlit_fraction", s->sunlit_fraction);
+  um_core_json_field(stdout, ",\n  ", "altitude_km",
+                     s == NULL ? (double)NAN : altitude_km(model, s));
+  um_core_json_field(stdout, ", ", "sunlit_fraction", s == NULL ? (double)NAN : s->sunlit_fraction);
   um_core_json_field(stdout, ", ", "period_s", um_orbit_trajectory_period(model->trajectory));
   json_parts(model->geometry);
   json_materials(model);
@@ -116,17 +118,22 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   const struct um_scenario_time *time = model->scenario->time;
-  struct um_environment_sample s;
-  UM_CHECK(um_model_sample_at(context, model, time->start, &s));
+  struct um_environment_sample s = {0};
+  if (!model->points) UM_CHECK(um_model_sample_at(context, model, time->start, &s));
   um_orbit_time_format(time->start, start);
   um_orbit_time_format(time->stop, stop);
   if (options->json) {
-    print_json(model, &s, start, stop);
+    print_json(model, model->points ? NULL : &s, start, stop);
     goto done;
   }
-  printf("%s: %s to %s every %g s\n", model->scenario->name, start, stop, time->step_s);
-  printf("at the start: altitude %.1f km, sunlit fraction %.3f, period %.1f s\n",
-         altitude_km(model, &s), s.sunlit_fraction, um_orbit_trajectory_period(model->trajectory));
+  if (model->points) {
+    printf("%s: %s to %s, observations that stand alone\n", model->scenario->name, start, stop);
+  } else {
+    printf("%s: %s to %s every %g s\n", model->scenario->name, start, stop, time->step_s);
+    printf("at the start: altitude %.1f km, sunlit fraction %.3f, period %.1f s\n",
+           altitude_km(model, &s), s.sunlit_fraction,
+           um_orbit_trajectory_period(model->trajectory));
+  }
   printf("\n");
   print_parts(model);
   print_materials(model);

@@ -66,6 +66,8 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
   for (int s = 0; s < UM_SEGMENT_COUNT; s++)
     if (channel->segment[s].count > 0)
       print_metrics(um_compare_segment_name((enum um_compare_segment)s), &channel->segment[s]);
+  if (!isnan(channel->all.correlation))
+    printf("  Pearson correlation of magnitudes %.3f\n", channel->all.correlation);
   if (channel->nworst > 0) print_worst(&channel->worst[0]);
   printf("  residual goes with:");
   size_t shown = 0;

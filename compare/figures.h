@@ -12,7 +12,7 @@ struct um_compare_figure {
   const char *name;
   double value;
 };
-#define UM_COMPARE_FIGURES 15
+#define UM_COMPARE_FIGURES 16
 void um_compare_figures(const struct um_compare_metrics *metrics,
                         struct um_compare_figure out[UM_COMPARE_FIGURES]);
 /* before "name": {"count": 3, "mean_measured": ...} */

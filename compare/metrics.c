@@ -5,13 +5,15 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "compare/figures.h"
 #include "compare/series.h"
 #include "compare/statistics_impl.h"
 
 /* Rows in linear flux, gathered for one segment, and room for what is sorted. */
 struct rows {
   size_t n;
-  double *y, *m, *sigma, *work; /* [n]; sigma NaN: none */
+  double *y, *m, *sigma; /* [n]; sigma NaN: none */
+  double *work;          /* [2 n] */
 };
 
 static enum um_status rows_allocate(struct um_context *context, size_t n, struct rows *rows)
@@ -19,7 +21,7 @@ static enum um_status rows_allocate(struct um_context *context, size_t n, struct
   UM_TRY(um_core_allocate(context, n, sizeof *rows->y, &rows->y));
   UM_TRY(um_core_allocate(context, n, sizeof *rows->m, &rows->m));
   UM_TRY(um_core_allocate(context, n, sizeof *rows->sigma, &rows->sigma));
-  return um_core_allocate(context, n, sizeof *rows->work, &rows->work);
+  return um_core_allocate(context, 2 * n, sizeof *rows->work, &rows->work);
 }
 
 static void rows_free(struct um_context *context, struct rows *rows)
@@ -41,6 +43,7 @@ static struct um_compare_metrics no_metrics(void)
                                      .median_ratio = NAN,
                                      .scale = NAN,
                                      .rms_scaled = NAN,
+                                     .correlation = NAN,
                                      .chi2 = NAN,
                                      .dof = NAN,
                                      .chi2_reduced = NAN,
@@ -92,6 +95,19 @@ static void set_ratios(struct rows *rows, struct um_compare_metrics *out)
   out->rms_scaled = sqrt(squares / (double)rows->n);
 }
 
+/* Of magnitudes, by the logarithms of the fluxes. */
+static void set_correlation(struct rows *rows, struct um_compare_metrics *out)
+{
+  double *x = rows->work, *y = rows->work + rows->n;
+  size_t n = 0;
+  for (size_t i = 0; i < rows->n; i++) {
+    if (!(rows->y[i] > 0.0 && rows->m[i] > 0.0)) continue;
+    x[n] = log(rows->m[i]);
+    y[n++] = log(rows->y[i]);
+  }
+  out->correlation = um_compare_pearson(n, x, y);
+}
+
 /* Chi-square over the rows that have a sigma; whiteness over all. share: parameters per row. */
 static void set_statistics(struct rows *rows, double share, struct um_compare_metrics *out)
 {
@@ -125,6 +141,7 @@ static struct um_compare_metrics measure(enum um_compare_quantity quantity, stru
   if (rows->n == 0) return out;
   set_moments(rows, &out);
   if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(rows, &out);
+  if (um_compare_is_magnitude(quantity)) set_correlation(rows, &out);
   set_statistics(rows, share, &out);
   return out;
 }

@@ -18,6 +18,9 @@ struct um_compare_metrics {
                            temperatures; the reciprocal is the median model / measured */
   double scale;        /* c that makes sum (measured - c model)^2 least [-]; NaN for temperatures */
   double rms_scaled;   /* rms of measured - scale x model, never above rms */
+  double correlation;  /* Pearson's, of measured and model magnitudes, over the rows in which both
+                          are  finite; a scale does not change it; NaN for other quantities, below 3
+                          rows  and where one of them is constant */
   double chi2, dof;    /* sum (r / sigma)^2 over the rows with a sigma; degrees of freedom */
   double chi2_reduced; /* chi2 / dof; NaN when dof <= 0 */
   double chi2_p;       /* P(chi-square of dof > chi2) */

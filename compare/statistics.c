@@ -15,6 +15,13 @@
 
 double um_compare_median(size_t n, double *x) { return n == 0 ? NAN : gsl_stats_median(x, 1, n); }
 
+double um_compare_pearson(size_t n, const double *x, const double *y)
+{
+  if (n < 3) return NAN;
+  double r = gsl_stats_correlation(x, 1, y, 1, n); /* 0 / 0 when one is constant */
+  return isfinite(r) ? fmin(1.0, fmax(-1.0, r)) : (double)NAN;
+}
+
 double um_compare_chi2_q(double chi2, double dof)
 {
   if (!(dof > 0.0) || !(chi2 >= 0.0)) return NAN;

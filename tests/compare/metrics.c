@@ -90,6 +90,25 @@ static void test_magnitudes(void **state)
   assert_close(a.chi2, (0.81 + 1.0) / (k * k), 1e-11);
 }
 
+/* Magnitudes 1 2 4 5 against 2 1 4 9: deviations from the means -2 -1 1 2 and -2 -3 0 5, so
+ * r = (4 + 3 + 0 + 10)/sqrt(10 x 38). A row without light in the model is left out of it; an offset
+ * in magnitudes, which is a scale of the flux, does not change it; other quantities have none. */
+static void test_correlation(void **state)
+{
+  (void)state;
+  const double y[5] = {1.0, 2.0, 3.0, 4.0, 5.0}, m[5] = {2.0, 1.0, INFINITY, 4.0, 9.0};
+  double shifted[5];
+  double r = 17.0 / sqrt(380.0);
+  assert_close(compute(UM_QUANTITY_MAGNITUDE_AB, 5, y, m, NULL, 0.0).correlation, r, 1e-14);
+  for (int i = 0; i < 5; i++) shifted[i] = m[i] - 0.7;
+  assert_close(compute(UM_QUANTITY_MAGNITUDE_VEGA, 5, y, shifted, NULL, 0.0).correlation, r, 1e-14);
+  assert_true(isnan(compute(UM_QUANTITY_MAGNITUDE_AB, 2, y, m, NULL, 0.0).correlation));
+  const double constant[3] = {4.0, 4.0, 4.0};
+  assert_true(isnan(compute(UM_QUANTITY_MAGNITUDE_AB, 3, y, constant, NULL, 0.0).correlation));
+  assert_true(
+      isnan(compute(UM_QUANTITY_BAND_IRRADIANCE, 4, measured, model, NULL, 0.0).correlation));
+}
+
 static void test_temperatures(void **state)
 {
   (void)state;
@@ -173,9 +192,9 @@ static void test_refusals(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_by_hand),    cmocka_unit_test(test_segments),
-      cmocka_unit_test(test_magnitudes), cmocka_unit_test(test_temperatures),
-      cmocka_unit_test(test_edges),      cmocka_unit_test(test_tails),
-      cmocka_unit_test(test_refusals)};
+      cmocka_unit_test(test_by_hand),     cmocka_unit_test(test_segments),
+      cmocka_unit_test(test_magnitudes),  cmocka_unit_test(test_temperatures),
+      cmocka_unit_test(test_correlation), cmocka_unit_test(test_edges),
+      cmocka_unit_test(test_tails),       cmocka_unit_test(test_refusals)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }

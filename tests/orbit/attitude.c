@@ -146,6 +146,39 @@ static void pointing(void **state)
   um_orbit_attitude_destroy(&attitude);
 }
 
+/* axis_body lies on the geocentre's direction; the clock axis lies in the plane of nadir and Sun,
+ * on the Sun's side: clock . (nadir x sun) = 0 and clock . sun > 0. It needs no velocity; with the
+ * Sun at the zenith the clock axis goes to the orbit normal, or to GCRS z where there is none. */
+static void yaw_steering(void **state)
+{
+  struct um_context *context = *state;
+  struct um_vec3 axis = {0.2, -0.3, 2.0}, clock = {1.0, 0.4, 0.0}, a = um_vec3_unit(axis);
+  struct um_vec3 side = um_vec3_unit(um_vec3_axpy(clock, -um_vec3_dot(clock, a), a));
+  struct um_orbit_attitude *attitude = attitude_of(
+      context, (struct um_orbit_attitude_law){
+                   .kind = UM_ATTITUDE_YAW_STEERING, .axis_body = axis, .clock_body = clock});
+  for (int k = 0; k < 40; k++) {
+    struct um_orbit_attitude_input input = input_at(150.0 * k);
+    if (k % 2 == 1) input.v = um_vec3(0, 0, 0);
+    struct um_vec3 nadir = um_vec3_scale(um_vec3_unit(input.r), -1.0);
+    struct um_quat back = um_quat_conjugate(attitude_at(context, attitude, &input));
+    struct um_vec3 c = um_quat_apply(back, side);
+    assert_vec_near(um_quat_apply(back, a), nadir, TIGHT);
+    assert_near(um_vec3_dot(c, um_vec3_cross(nadir, input.sun)), 0.0, TIGHT);
+    assert_true(um_vec3_dot(c, input.sun) > 0.0);
+  }
+  struct um_orbit_attitude_input input = input_at(0.0);
+  input.sun = um_vec3_unit(input.r);
+  struct um_vec3 normal = um_vec3_unit(um_vec3_cross(input.r, input.v));
+  struct um_quat back = um_quat_conjugate(attitude_at(context, attitude, &input));
+  assert_vec_near(um_quat_apply(back, side), normal, TIGHT);
+  input.v = um_vec3(0, 0, 0);
+  back = um_quat_conjugate(attitude_at(context, attitude, &input));
+  assert_true(um_quat_apply(back, side).z > 0.1);
+  assert_near(um_orbit_attitude_rate(attitude, 1e-3), 0.02, 1e-15);
+  um_orbit_attitude_destroy(&attitude);
+}
+
 /* Spin about the GCRS z axis with the body's z on it: after t the body x axis stands at the angle
  * phase + 2 pi t / P in the x-y plane. */
 static void spin_gcrs(void **state)
@@ -429,6 +462,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(fixed, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(lvlh, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(yaw_steering, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(pointing, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(spin_gcrs, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(spin_phase_zero, context_setup, context_teardown),

@@ -300,6 +300,94 @@ static void station_frame(void **state)
   }
 }
 
+/* There and back: the direction under which the satellite stands and its height above the ellipsoid
+ * say where it is, to 1 mm; so do the height alone straight up, and a place below the horizon.
+ * Light time moves the time of emission, not the place. 1 mm: asin near the zenith keeps half the
+ * digits of the elevation, 1e-9 rad at 45 deg from it, and t_tai is known to 0.1 us, 0.05 mm of the
+ * Earth's turn. */
+static void locate(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *orbit = satellite(context);
+  static const double latitudes[] = {-90.0, -47.0, 0.0, 32.4, 89.9};
+  double worst = 0.0, t0 = utc(context, "2016-09-21T20:33:00Z");
+  for (size_t i = 0; i < sizeof latitudes / sizeof latitudes[0]; i++)
+    for (int k = 0; k < 40; k++) {
+      struct um_orbit_observer station = graz();
+      struct um_orbit_look seen, made;
+      struct um_mat3 to_itrf;
+      double latitude, longitude, height, t = t0 + 151.0 * k;
+      station.latitude = latitudes[i] * UM_DEG;
+      station.light_time = k % 2;
+      assert_ok(context, um_orbit_observer_look(context, &station, orbit, t, &seen));
+      assert_ok(context, um_orbit_frames_gcrs_to_itrf(context, &eop, t, &to_itrf));
+      um_orbit_geodesy_reverse(um_mat3_apply(to_itrf, seen.r_gcrs), &latitude, &longitude, &height);
+      assert_ok(context, um_orbit_observer_locate(context, &station, t, seen.azimuth,
+                                                  seen.elevation, height, &made));
+      /* the far side of the Earth is reached through it: the range is still the only one */
+      worst = fmax(worst, um_vec3_norm(um_vec3_sub(made.r_gcrs, seen.r_gcrs)));
+      assert_near(made.range, seen.range, 1e-3);
+      assert_near(made.t_satellite, seen.t_satellite, 2e-7);
+      assert_vec_near(made.to_observer, seen.to_observer, 1e-9);
+      assert_near(made.elevation, seen.elevation, 1e-9);
+      assert_near(made.sun_elevation, seen.sun_elevation, 0.0);
+    }
+  print_message("place from direction and height: %.3g m off at most\n", worst);
+  assert_true(worst <= 1e-3);
+
+  struct um_orbit_observer station = graz();
+  struct um_orbit_look up;
+  assert_ok(context, um_orbit_observer_locate(context, &station, t0, 1.0, 0.5 * UM_PI, 550e3, &up));
+  assert_near(up.range, 550e3 - 495.0, 1e-5);
+  assert_near(um_vec3_norm(up.v_gcrs), 0.0, 0.0);
+  assert_near(up.t_satellite, t0, 0.0);
+  um_orbit_trajectory_destroy(&orbit);
+}
+
+static void locate_refusals(void **state)
+{
+  struct um_context *context = *state;
+  static const struct {
+    double azimuth, elevation, height;
+    const char *message;
+  } bad[] = {
+      {0.0, 0.5, 495.0, "satellite height 0.495 km; accepted: above the station at 0.495 km"},
+      {0.0, 0.5, NAN, "satellite height nan km; accepted: above the station at 0.495 km"},
+      {NAN, 0.5, 5e5,
+       "azimuth nan deg, elevation 28.6479 deg; accepted: finite numbers, "
+       "elevation from -90 to 90 deg"},
+      {0.0, 2.0, 5e5,
+       "azimuth 0 deg, elevation 114.592 deg; accepted: finite numbers, "
+       "elevation from -90 to 90 deg"}};
+  struct um_orbit_observer station = graz();
+  struct um_orbit_look look;
+  double t = utc(context, "2016-09-21T20:33:00Z");
+  for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+    assert_int_equal(um_orbit_observer_locate(context, &station, t, bad[i].azimuth,
+                                              bad[i].elevation, bad[i].height, &look),
+                     UM_ERR_INPUT);
+    assert_string_equal(um_core_message(context), bad[i].message);
+    um_core_message_clear(context);
+  }
+  struct um_orbit_observer far = {.kind = UM_OBSERVER_DIRECTION, .direction_gcrs = {0, 0, 1}};
+  assert_int_equal(um_orbit_observer_locate(context, &far, t, 0.0, 0.5, 5e5, &look), UM_ERR_INPUT);
+  assert_string_equal(um_core_message(context),
+                      "azimuth and elevation want a station; accepted: observer.station");
+}
+
+/* A trajectory that is none says so. */
+static void no_track(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_trajectory *none = NULL;
+  struct um_vec3 r;
+  assert_ok(context, um_orbit_trajectory_create_none(context, &none));
+  assert_true(isnan(um_orbit_trajectory_period(none)));
+  assert_int_equal(um_orbit_trajectory_state(context, none, 5e8, &r, NULL), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(context), "the observations stand alone (orbit.points)"));
+  um_orbit_trajectory_destroy(&none);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -309,6 +397,9 @@ int main(void)
       cmocka_unit_test_setup_teardown(pass_search, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(light_time, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(other_observers, context_setup, context_teardown),
-      cmocka_unit_test_setup_teardown(station_frame, context_setup, context_teardown)};
+      cmocka_unit_test_setup_teardown(station_frame, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(locate, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(locate_refusals, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(no_track, context_setup, context_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
