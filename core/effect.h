@@ -34,6 +34,9 @@ struct um_effect_parameter {
    * factor that may be off either way): of ln(value / null_value). */
   double prior_sigma;
   bool logarithmic;
+  /* A temperature of the target [K] that matters only while another parameter is off its null
+   * value: a diagnosis starts from one that the target has. */
+  bool is_temperature;
   const char *prior; /* where the width comes from, a few words; NULL: not said */
 };
 

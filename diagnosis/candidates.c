@@ -156,8 +156,10 @@ static enum um_status make_signatures(struct um_context *context,
 {
   enum um_status status = UM_OK;
   size_t kept = 0, count = list->count;
+  struct um_diagnosis_forward_run base = {0};
   um_core_progress_begin(context, "signatures of effects", count);
   for (size_t i = 0; i < count; i++) {
+    UM_CHECK(um_diagnosis_scan(context, point->forward, &list->candidate[i], &base));
     UM_CHECK(um_diagnosis_signature_create(context, point, &list->candidate[i]));
     UM_CHECK(um_core_progress_step(context, 1));
   }
@@ -175,6 +177,7 @@ static enum um_status make_signatures(struct um_context *context,
   }
   list->count = kept;
 done:
+  um_diagnosis_forward_run_release(context, &base);
   um_core_progress_end(context);
   return status;
 }

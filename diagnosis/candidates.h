@@ -10,10 +10,13 @@ struct um_diagnosis_candidate {
   const struct um_effect *effect;
   char *target;   /* owned; NULL: global */
   size_t ncolumn; /* of the signature: the free parameters; 1 for a core switch */
-  size_t parameter[UM_EFFECT_PARAMETERS_MAX];  /* [ncolumn] of the effect's; of a switch: none */
-  bool is_switch;                              /* no parameters: on, or not */
-  double null_value[UM_EFFECT_PARAMETERS_MAX]; /* [effect's nparameter]: the scenario's values */
-  double step[UM_EFFECT_PARAMETERS_MAX];       /* [ncolumn] taken for the difference, signed */
+  size_t parameter[UM_EFFECT_PARAMETERS_MAX]; /* [ncolumn] of the effect's; of a switch: none */
+  bool is_switch;                             /* no parameters: on, or not */
+  /* parameters of shape, which do nothing while the others are null: fitted, not tested */
+  size_t nshape, shape[UM_EFFECT_PARAMETERS_MAX];
+  /* [effect's nparameter]: the scenario's values; of shapes where a fit starts */
+  double null_value[UM_EFFECT_PARAMETERS_MAX];
+  double step[UM_EFFECT_PARAMETERS_MAX]; /* [ncolumn] taken for the difference, signed */
   /* [ncolumn][nrow] d(model)/d(parameter) at the null value, linear unit per parameter unit; of a
    * switch the whole change when it is turned on */
   double *signature;
@@ -35,12 +38,13 @@ struct um_diagnosis_candidates_options {
 };
 
 /* Every effect of the model on every target it may have there (parts, sides, materials, bands, or
- * everything), core switches that are off, and shape parameters by the scan their null values ask
- * for. Two targets that are the same thing (a part of one side) appear once. Steps are one-sided
- * into the allowed range, of the order of a fifth of the prior width, halved or doubled until the
- * change of the rows stands above the noise of the integration. additions: what the model already
- * has beside the scenario; they are not listed again. UM_ERR_INPUT: `only` or `exclude` name no
- * effect. Progress is reported. The caller destroys. */
+ * everything), and core switches that are off. A parameter that does nothing while the others are
+ * null stays at its default, or, where it is a temperature, at one that the target has. Two targets
+ * that are the same thing (a part of one side) appear once. Steps are one-sided into the allowed
+ * range, of the order of a fifth of the prior width, halved or doubled until the change of the rows
+ * stands above the noise of the integration. additions: what the model already has beside the
+ * scenario; they are not listed again. UM_ERR_INPUT: `only` or `exclude` name no effect. Progress
+ * is reported. The caller destroys. */
 enum um_status um_diagnosis_candidates_create(struct um_context *context,
                                               struct um_diagnosis_forward *forward,
                                               const struct um_diagnosis_addition *addition,

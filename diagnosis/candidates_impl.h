@@ -23,6 +23,11 @@ struct um_diagnosis_point {
   double noise; /* largest change of a row, in its sigma, that a new integration of the same heat
                    makes */
 };
+/* Null values of temperatures that the target has; base: of the scenario, run when needed, released
+ * by the caller. */
+enum um_status um_diagnosis_scan(struct um_context *context, struct um_diagnosis_forward *forward,
+                                 struct um_diagnosis_candidate *candidate,
+                                 struct um_diagnosis_forward_run *base);
 /* Columns of a candidate of which effect, target and null values are set: which parameters are
  * free, steps, signature, dead, why. */
 enum um_status um_diagnosis_signature_create(struct um_context *context,

@@ -21,7 +21,8 @@ static enum um_status jacobian_with(struct um_context *context,
 {
   const struct um_diagnosis_candidate *c = &work->candidates->candidate[candidate];
   size_t n = work->forward->nrow, nnew = c->is_switch ? 0 : c->ncolumn;
-  UM_TRY(um_core_allocate(context, (state->nparameter + nnew) * n, sizeof **out, out));
+  /* parameters of shape do nothing yet: zeros */
+  UM_TRY(um_core_allocate(context, (state->nparameter + nnew + c->nshape) * n, sizeof **out, out));
   for (size_t k = 0; k < state->nparameter; k++)
     for (size_t j = 0; j < n; j++)
       (*out)[k * n + j] = state->fit->jacobian[k * n + j] * work->forward->sigma[j];

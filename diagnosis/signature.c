@@ -79,8 +79,10 @@ static double longer(const struct um_effect_parameter *p, double null, double st
   return copysign(fmin(size, room), step);
 }
 
+/* What changes nothing at all, with the same heat, is not reached by a longer step either. */
 static bool too_small(const struct change *change, double noise)
 {
+  if (change->largest == 0.0 && !change->fresh) return false;
   return change->largest < SEEN || (change->fresh && change->largest < ABOVE_NOISE * noise);
 }
 
@@ -201,7 +203,9 @@ static enum um_status find_amplitude(struct um_context *context,
   for (size_t p = 0; p < n; p++) {
     double at[UM_EFFECT_PARAMETERS_MAX];
     struct change change, none;
-    for (size_t k = 0; k < n; k++) at[k] = c->effect->parameters[k].fallback;
+    for (size_t k = 0; k < n; k++)
+      at[k] = c->effect->parameters[k].is_temperature ? c->null_value[k]
+                                                      : c->effect->parameters[k].fallback;
     at[p] = c->null_value[p];
     UM_TRY(step_to(context, point, c, at, c->signature, &none));
     if (alive(&none, point->noise)) continue;
@@ -218,6 +222,17 @@ static enum um_status find_amplitude(struct um_context *context,
   return UM_OK;
 }
 
+/* What is not free is of shape. */
+static void put_rest(struct um_diagnosis_candidate *c)
+{
+  c->nshape = 0;
+  for (size_t p = 0; p < c->effect->nparameter && !c->dead; p++) {
+    bool is_free = false;
+    for (size_t k = 0; k < c->ncolumn; k++) is_free = is_free || c->parameter[k] == p;
+    if (!is_free) c->shape[c->nshape++] = p;
+  }
+}
+
 static enum um_status make(struct um_context *context, const struct um_diagnosis_point *point,
                            struct um_diagnosis_candidate *c)
 {
@@ -230,6 +245,7 @@ static enum um_status make(struct um_context *context, const struct um_diagnosis
       UM_TRY(um_diagnosis_signature_renew(context, point, c));
   }
   c->dead = c->ncolumn == 0;
+  put_rest(c);
   return UM_OK;
 }
 

@@ -4,21 +4,25 @@
 
 #include "diagnosis/diagnose_impl.h"
 
+#define SHARE_OF_PRIOR 0.05 /* first step of a difference by a parameter of shape */
+
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
 {
   const struct um_diagnosis_candidate *c = &work->candidates->candidate[candidate];
   struct um_diagnosis_block block = {.addition = {.effect = c->effect, .target = c->target},
                                      .candidate = candidate,
-                                     .nfree = c->is_switch ? 0 : c->ncolumn};
+                                     .nfree = c->is_switch ? 0 : c->ncolumn + c->nshape};
   for (size_t p = 0; p < c->effect->nparameter; p++) block.addition.value[p] = c->null_value[p];
   for (size_t k = 0; k < block.nfree; k++) {
-    block.parameter[k] = c->parameter[k];
-    const struct um_effect_parameter *of = &c->effect->parameters[c->parameter[k]];
-    double null_value = c->null_value[c->parameter[k]];
+    size_t p = k < c->ncolumn ? c->parameter[k] : c->shape[k - c->ncolumn];
+    const struct um_effect_parameter *of = &c->effect->parameters[p];
+    double null_value = c->null_value[p];
+    block.parameter[k] = p;
     block.prior_mean[k] = um_diagnosis_inner(of, null_value);
     block.prior_sigma[k] = of->prior_sigma;
-    block.step[k] = fabs(c->step[k]) / um_diagnosis_slope(of, null_value);
+    block.step[k] = k < c->ncolumn ? fabs(c->step[k]) / um_diagnosis_slope(of, null_value)
+                                   : SHARE_OF_PRIOR * of->prior_sigma;
   }
   return block;
 }

@@ -57,6 +57,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 20.0,
      .maximum = 600.0,
      .prior_sigma = 40.0,
+     .is_temperature = true,
      .prior = "batteries and tanks 270 to 285 K, structure and mechanisms down to 200 K"},
     {.name = "band_K",
      .unit = "K",
