@@ -83,6 +83,11 @@ int um_app_passes(struct um_context *context, const struct um_app_options *optio
                           model->scenario->at.file);
     goto done;
   }
+  if (model->points) {
+    status = um_core_fail(context, UM_ERR_INPUT, "%s: passes need an orbit, not orbit.points",
+                          model->scenario->at.file);
+    goto done;
+  }
   /* a day around the scenario, so that its own pass is seen whole */
   double middle = 0.5 * (model->scenario->time->start + model->scenario->time->stop);
   double half = fmax(43200.0, 0.5 * (model->scenario->time->stop - model->scenario->time->start));
