@@ -188,5 +188,5 @@ void um_diagnosis_qr_compress(const struct um_diagnosis_qr *qr, double *r)
   memset(r, 0, n * n * sizeof *r);
   for (size_t i = 0; i < n && i < qr->nrow; i++)
     for (size_t j = i; j < n; j++)
-      r[i * n + qr->order[j]] = qr->a[i * n + j] * qr->scale[qr->order[j]];
+      r[qr->order[j] * n + i] = qr->a[i * n + j] * qr->scale[qr->order[j]];
 }

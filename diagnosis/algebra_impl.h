@@ -33,8 +33,7 @@ void um_diagnosis_qr_solve(const struct um_diagnosis_qr *qr, const double *rotat
 void um_diagnosis_qr_covariance(const struct um_diagnosis_qr *qr, double *work, double *covariance,
                                 bool *determined);
 
-/* Upper triangle r [ncolumn][ncolumn], by rows, for the columns in their own order: A = QR with the
- * pivoting undone, hence not triangular, R'R = A'A. */
+/* A as a square system: r [ncolumn][ncolumn] by columns in A's own order, r'r = A'A. */
 void um_diagnosis_qr_compress(const struct um_diagnosis_qr *qr, double *r);
 
 double um_diagnosis_dot(size_t n, const double *a, const double *b);
