@@ -12,6 +12,7 @@ extern const struct um_effect um_effects_penumbra;
 extern const struct um_effect um_effects_oblateness;
 extern const struct um_effect um_effects_internal_power;
 extern const struct um_effect um_effects_heater;
+extern const struct um_effect um_effects_stored_heat;
 extern const struct um_effect um_effects_mli_emittance;
 extern const struct um_effect um_effects_heat_capacity;
 extern const struct um_effect um_effects_interior_capacity;

@@ -13,6 +13,7 @@ static const struct um_effect *const list[] = {
     &um_effects_oblateness,
     &um_effects_internal_power,
     &um_effects_heater,
+    &um_effects_stored_heat,
     &um_effects_mli_emittance,
     &um_effects_heat_capacity,
     &um_effects_interior_capacity,

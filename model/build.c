@@ -59,6 +59,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->material);
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);
+  um_core_free(context, m->start_offset);
   um_effects_registry_destroy(context, &m->registry);
   um_core_free(context, m->band);
   um_core_document_destroy(&m->document);

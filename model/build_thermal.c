@@ -312,6 +312,7 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
   UM_CHECK(contacts_of(&a, &contacts));
   status = um_thermal_body_create(context, model->geometry, parts, n, contacts,
                                   model->scenario->contacts.count, &model->body);
+  if (status == UM_OK) status = um_model_build_start_offset(context, model, parts, n);
   if (status != UM_OK) status = blame_body(context, model, status);
 done:
   um_core_free(context, parts);

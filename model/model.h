@@ -66,6 +66,7 @@ struct um_model {
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment *adjustment;  /* [material of the geometry] what effects change */
   struct um_thermal_body *body;
+  double *start_offset; /* [node] added to what a run begins with [K]; NULL: nothing */
   struct um_optics_band *band;
   size_t nband;
 };

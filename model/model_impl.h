@@ -31,6 +31,9 @@ struct um_thermal_power_history;
 enum um_status um_model_power_history(struct um_context *context, struct um_model *model,
                                       const struct um_mark *at, const char *file,
                                       const struct um_thermal_power_history **out);
+/* start_offset, from what effects did to the parts (start_offset.c). */
+enum um_status um_model_build_start_offset(struct um_context *context, struct um_model *model,
+                                           const struct um_thermal_part_spec *parts, size_t npart);
 /* heat network (build_thermal.c). */
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);
 

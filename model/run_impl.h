@@ -19,6 +19,11 @@ struct um_model_heat {
   double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
+/* What interiors have stored from before: added to start temperatures [nnode]; the same in both
+ * models, whose networks are equal (start_offset.c). UM_ERR_INPUT below 0 K. */
+enum um_status um_model_start_offset_add(struct um_context *context, const struct um_model *model,
+                                         double *temperature);
+bool um_model_start_offset_equal(const struct um_model *a, const struct um_model *b);
 /* Histories of places and their heat (run_places.c). */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_trace *trace,

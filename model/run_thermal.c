@@ -143,6 +143,7 @@ enum um_status um_model_heat_create(struct um_context *context, const struct um_
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
   status = start(context, heat, warm);
+  if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
   if (status == UM_OK) {
     um_thermal_network_temperatures_set(network, heat->start);
     status = trace->points ? hold_start(context, heat) : follow(context, heat);
@@ -214,5 +215,6 @@ bool um_model_heat_matches(const struct um_model_heat *heat, const struct um_mod
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
          times_equal(heat->trace, trace) && loads_equal(heat->trace->loads, trace->loads) &&
-         um_thermal_network_equal(heat->model->body->network, model->body->network);
+         um_thermal_network_equal(heat->model->body->network, model->body->network) &&
+         um_model_start_offset_equal(heat->model, model);
 }

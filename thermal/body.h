@@ -62,6 +62,7 @@ struct um_thermal_part_spec {
   bool has_interior;                           /* a lumped node inside */
   double interior_capacity, interior_power;    /* [J/K], [W] */
   const struct um_thermal_power_history *interior_history; /* added to it; NULL: none */
+  double interior_offset; /* [K] of its start over the state a run begins with; not for the body */
   struct um_thermal_heater heater[UM_THERMAL_HEATERS_MAX];
   size_t nheater;
   double start_temperature;                   /* [K] */

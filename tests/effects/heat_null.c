@@ -23,6 +23,7 @@ struct use {
 #define SLOPES_AGREE 0.05
 static const struct use uses[] = {
     {"internal_power", ":bus", T | L, 1.0, NULL},
+    {"stored_heat", ":bus", T | L, 1.0, NULL},
     {"mli_emittance", ":bus", T | L, 0.01, NULL},
     {"heat_capacity", ":bus", T | L, 0.01, TRANSIENT},
     {"interior_capacity", ":bus", T | L, 200.0, TRANSIENT},
@@ -146,6 +147,7 @@ static void refusals_name_the_part(void **state)
   static const char *const bad[][2] = {
       {"internal_power:panel", "'panel' has no interior"},
       {"interior_capacity:panel", "'panel' has no interior"},
+      {"stored_heat:panel", "'panel' has no interior"},
       {"mli_emittance:panel", "'panel' has no MLI"},
       {"mli_emittance:panel.plate", "'panel.plate' has no MLI"},
       {"mli_emittance:bus,emittance_factor=60", "1.2; accepted: up to 1"},
@@ -161,6 +163,9 @@ static void refusals_name_the_part(void **state)
     heat_refused(NONE, LIST(bad[i][0]), message, sizeof message);
     if (strstr(message, bad[i][1]) == NULL) fail_msg("%s: '%s'", bad[i][0], message);
   }
+  heat_refused(LIST("parts.bus.interior.capacity_J_K=0"), LIST("stored_heat:bus"), message,
+               sizeof message);
+  assert_non_null(strstr(message, "part 'bus': its interior cannot begin 10 K off"));
   heat_refused(LIST("environment.shadow=none"), LIST("shadow_radius"), message, sizeof message);
   assert_non_null(strstr(message, "no shadow"));
   heat_refused(LIST("environment.albedo=0.6"), LIST("albedo_level,albedo_factor=2"), message,

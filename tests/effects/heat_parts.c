@@ -20,6 +20,34 @@ static void internal_power_is_radiated(void **state)
   heat_release(&b);
 }
 
+/* The run begins with the interior dT off its steady state. It then shares that with the walls, C_w
+ * in all, by G, two masses that are alone but for the blankets:
+ *
+ *   dT(t) = dT (C + C_w exp(-k t)) / (C + C_w),   k = G (1/C + 1/C_w).
+ *
+ * In 60 s the walls warm by 0.12 K, of which the blankets' 0.7 W/K take 1e-4 K: 2e-6 K of the
+ * interior. */
+static void stored_heat_dies_away(void **state)
+{
+  (void)state;
+  const char *const *alone = LIST("contacts=[]");
+  struct heat_run a = heat_compute(alone, NONE, NONE);
+  struct heat_run b = heat_compute(alone, LIST("stored_heat:bus,delta_K=10"), NONE);
+  double c = 20000.0, wall = 6.0 * 5000.0, k = 6.0 * (1.0 / c + 1.0 / wall); /* [J/K], [1/s] */
+  double first = heat_temperature(&b, "bus.interior", 0) - heat_temperature(&a, "bus.interior", 0);
+  double later = heat_temperature(&b, "bus.interior", 1) - heat_temperature(&a, "bus.interior", 1);
+  double expected = 10.0 * (c + wall * exp(-k * 60.0)) / (c + wall);
+  print_message("  10 K, after 60 s %.6f K, expected %.6f K\n", later, expected);
+  assert_true(fabs(first - 10.0) <= 1e-9);
+  assert_true(fabs(later - expected) <= 1e-5);
+  /* the panel hangs on nothing: only the steps of the integrator are others */
+  heat_close("panel", heat_temperature(&b, "panel.front", 1),
+             heat_temperature(&a, "panel.front", 1), 1e-7);
+  assert_true(heat_same_reflected(&a, &b, "vis"));
+  heat_release(&a);
+  heat_release(&b);
+}
+
 /* What the blankets radiate more than they absorb comes through them: sum f e* sigma A (T_wall^4 -
  * T_skin^4). The difference of near numbers keeps 1e-5. */
 static void mli_emittance_scales_the_leak(void **state)
@@ -232,6 +260,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(internal_power_is_radiated),
+      cmocka_unit_test(stored_heat_dies_away),
       cmocka_unit_test(mli_emittance_scales_the_leak),
       cmocka_unit_test(heat_capacity_stretches_time),
       cmocka_unit_test(heat_capacity_acts_on_its_target),

@@ -1,0 +1,51 @@
+/* Heat stored inside from before: the run begins with the interior dT above (or below) the state
+ * that the scenario begins with,
+ *
+ *   T_inside(start) = T_periodic + dT,   C dT/dt = P + sum G (T_j - T) + ...
+ *
+ * and what that adds dies away with the time constant of the interior, C / G: within a pass it
+ * looks like power inside, over days it drifts, which power does not. */
+#include "effects/list_impl.h"
+#include "thermal/body.h"
+
+static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
+                            const char *part, struct um_thermal_part_spec *spec)
+{
+  if (!um_effect_acts_on(use, part)) return UM_OK;
+  if (!spec->has_interior)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect 'stored_heat': the part '%s' has no interior that could store "
+                        "heat; accepted: a part with interior",
+                        part);
+  spec->interior_offset += use->value[0];
+  return UM_OK;
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "delta_K",
+     .unit = "K",
+     .help = "by which the inside is warmer when the run begins, orbits_before ahead of the first "
+             "observation",
+     .null_value = 0.0,
+     .fallback = 10.0,
+     .minimum = -200.0,
+     .maximum = 500.0,
+     .prior_sigma = 50.0,
+     .prior = "50 K either way where loads or attitude changed lately"},
+};
+
+const struct um_effect um_effects_stored_heat = {
+    .abi_version = UM_EFFECT_ABI_VERSION,
+    .struct_size = sizeof(struct um_effect),
+    .name = "stored_heat",
+    .summary = "The inside of a part still holds heat, or cold, from before",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
+    .validity = "a part with an interior that stores heat; added to the state the run begins with, "
+                "periodic or isothermal",
+    .separated_by = "internal_power: repeat passes several time constants of the inside apart; "
+                    "stored heat drifts away, power does not",
+    .targets = UM_TARGET_PART,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.part = shift},
+};
