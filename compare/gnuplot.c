@@ -10,6 +10,8 @@
 #define HOUR 3600.0
 #define DAY  86400.0
 
+#define MARGIN 0.01 /* beside the first and the last instant, of the axis */
+
 void um_compare_gnuplot_name(FILE *file, const char *name)
 {
   for (; *name != '\0'; name++) {
@@ -41,16 +43,17 @@ void um_compare_gnuplot_head(FILE *file, const struct um_compare_gnuplot_axis *a
 {
   char start[32];
   um_orbit_time_format(axis->first, start);
+  double length = fmax(um_compare_gnuplot_at(axis, axis->last), 1e-3);
   fprintf(file,
           "set terminal pngcairo size 1100,%d enhanced font 'Sans,11'\nset encoding utf8\n"
-          "set datafile separator ','\nset grid linecolor rgb '#e4e4e4'\n"
+          "set datafile separator ','\nset grid linetype 1 linecolor rgb '#dcdcdc'\n"
           "t0 = strptime('%%Y-%%m-%%dT%%H:%%M:%%S', '%s')\n"
           "m(s) = (strptime('%%Y-%%m-%%dT%%H:%%M:%%S', s) - t0) / %.1f\n"
           "own(i) = strcol(2) eq q && strcol(3) eq o\n"
           "x(i) = own(i) ? m(strcol(i)) : NaN\ny(i) = own(i) ? column(i) : NaN\n"
-          "s(i) = strcol(i) eq \"\" ? 0 : column(i)\nset xrange [0:%.6f]\n"
-          "set key outside right top\nset lmargin 13\n",
-          height, start, axis->unit, fmax(um_compare_gnuplot_at(axis, axis->last), 1e-3));
+          "s(i) = strcol(i) eq \"\" ? 0 : column(i)\nset xrange [%.6f:%.6f]\n"
+          "set key outside right top samplen 2\nset lmargin 13\n",
+          height, start, axis->unit, -MARGIN * length, (1.0 + MARGIN) * length);
 }
 
 void um_compare_gnuplot_shade(FILE *file, const struct um_compare_gnuplot_axis *axis, size_t count,

@@ -27,4 +27,8 @@ um_diagnosis_candidate_of(const struct um_diagnosis *diagnosis,
 const double *um_diagnosis_step_values(const struct um_diagnosis *diagnosis,
                                        const struct um_diagnosis_step *step);
 
+/* "41.50 +- 0.70": both to the second digit of sigma; the value alone where sigma is not finite.
+ * between: what stands between them, "+-". Does not fail. */
+void um_diagnosis_value_text(double value, double sigma, const char *between, char out[80]);
+
 #endif

@@ -14,6 +14,7 @@
 #define SHADES  1000     /* instants at which the shadow is looked up */
 #define LONGEST 259200.0 /* [s] beyond it single shadows are not to be seen */
 #define GAP     8.0      /* median steps over which a curve is not drawn */
+#define FEW     300      /* rows up to which they are drawn over the curves */
 
 /* ---- shadow ---- */
 
@@ -103,44 +104,71 @@ static enum um_status put_title(struct um_context *context, const struct um_diag
   return UM_OK;
 }
 
+/* Largest residual in sigma, at least 1, rounded up to a number that halves well. */
+static double largest_residual(const struct um_diagnosis *d, size_t c, const double *value)
+{
+  const struct um_diagnosis_forward *f = d->forward;
+  double largest = 1.0;
+  for (size_t i = 0; i < f->nrow; i++)
+    if (f->channel[i] == c) largest = fmax(largest, fabs(f->measured[i] - value[i]) / f->sigma[i]);
+  double power = pow(10.0, floor(log10(largest))), lead = largest / power;
+  static const double round[] = {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0};
+  size_t i = 0;
+  while (i < 6 && lead > round[i]) i++;
+  return power * round[i];
+}
+
+static void put_data(const struct um_diagnosis *d, const struct um_compare_channel *channel,
+                     size_t count, FILE *f)
+{
+  bool few = count <= FEW, curves = !d->forward->model->points && count > 2;
+  char data[256], model[512];
+  snprintf(data, sizeof data,
+           "'fit.csv' every ::1 using (x(1)):(y(4)):(s(5)) with yerrorbars pointtype 7 pointsize "
+           "%s linecolor rgb '%s' title 'measured'",
+           few ? "0.55 linewidth 1" : "0.3 linewidth 0.5", few ? "#333333" : "#9a9a9a");
+  snprintf(model, sizeof model,
+           "last = 1e30, 'fit.csv' every ::1 using (x(1)):(%c(6)) with %s linecolor rgb '#d9480f' "
+           "title 'before', last = 1e30, '' every ::1 using (x(1)):(%c(7)) with %s linecolor rgb "
+           "'#1f4e9c' title 'after'",
+           curves ? 'L' : 'y', curves ? "lines linewidth 2 dashtype (6,4)" : "points pointtype 6",
+           curves ? 'L' : 'y', curves ? "lines linewidth 2" : "points pointtype 2");
+  fprintf(f, "set ylabel \"[%s]\" \nplot %s, %s\n", um_compare_quantity_unit(channel->quantity),
+          few ? model : data, few ? data : model);
+}
+
 /* Data and both models above, the residuals of either on scales of their own below. */
-static void put_panels(const struct um_diagnosis *d, size_t c,
+static void put_panels(const struct um_diagnosis *d, size_t c, size_t count,
                        const struct um_compare_gnuplot_axis *axis, double gap, FILE *f)
 {
-  const struct um_compare_channel *channel = um_diagnosis_channel(d, c);
-  bool curves = !d->forward->model->points;
   fprintf(f,
           "gap = %.9g\nL(i) = own(i) ? (v = m(strcol(1)), step = v - last, last = v, "
           "step > gap ? NaN : column(i)) : NaN\n"
-          "set size 1,0.52\nset origin 0,0.41\nunset xlabel\nset format x ''\nset ylabel "
-          "\"[%s]\"\nset bmargin 0.5\nset tmargin 3.2\n",
-          isfinite(gap) ? gap / axis->unit : 1e30, um_compare_quantity_unit(channel->quantity));
-  fprintf(f,
-          "plot last = 1e30, 'fit.csv' every ::1 using (x(1)):(y(4)):(s(5)) with yerrorbars "
-          "pointtype 7 pointsize 0.4 linewidth 0.7 linecolor rgb '#8a8a8a' title 'measured', "
-          "last = 1e30, '' every ::1 using (x(1)):(%s(6)) with %s linecolor rgb '#c2410c' title "
-          "'before', last = 1e30, '' every ::1 using (x(1)):(%s(7)) with %s linecolor rgb "
-          "'#1f4e9c' title 'after'\n",
-          curves ? "L" : "y", curves ? "lines linewidth 2 dashtype (6,4)" : "points pointtype 6",
-          curves ? "L" : "y", curves ? "lines linewidth 2" : "points pointtype 2");
+          "set lmargin at screen 0.1\nset rmargin at screen 0.87\nset format y '%%.4g'\n"
+          "set tmargin at screen 0.925\nset bmargin at screen 0.44\nunset xlabel\n"
+          "set format x ''\n",
+          isfinite(gap) ? gap / axis->unit : 1e30);
+  put_data(d, um_diagnosis_channel(d, c), count, f);
   static const struct {
-    double size, origin;
+    double top, bottom;
     const char *colour, *title;
-  } panel[] = {{0.19, 0.24, "#c2410c", "before"}, {0.24, 0.0, "#1f4e9c", "after"}};
-  fputs("set yrange [*:*] noreverse\nset tmargin 0.6\n", f);
+  } panel[] = {{0.415, 0.27, "#d9480f", "before"}, {0.245, 0.08, "#1f4e9c", "after"}};
   for (int i = 0; i < 2; i++) {
-    fprintf(f, "set size 1,%.2f\nset origin 0,%.2f\nset ylabel \"residual / {/Symbol s}\"\n",
-            panel[i].size, panel[i].origin);
+    double range = largest_residual(d, c, i == 0 ? d->value_before : d->value_after);
+    fprintf(f,
+            "set tmargin at screen %.3f\nset bmargin at screen %.3f\nset ylabel \"residual / "
+            "{/Symbol s}\" \nset yrange [%.6g:%.6g] noreverse\nset ytics %.6g\n",
+            panel[i].top, panel[i].bottom, -1.1 * range, 1.1 * range, 0.5 * range);
     if (i == 1) {
-      fputs("set format x '%g'\nunset bmargin\n", f);
+      fputs("set format x '%g'\n", f);
       um_compare_gnuplot_xlabel(f, axis);
     }
     fprintf(f,
             "plot 0 with lines linecolor rgb '#888888' notitle, 'fit.csv' every ::1 using "
-            "(x(1)):(y(%d)) with points pointtype 7 pointsize 0.4 linecolor rgb '%s' title '%s'\n",
-            8 + i, panel[i].colour, panel[i].title);
+            "(x(1)):(y(%d)) with points pointtype 7 pointsize %s linecolor rgb '%s' title '%s'\n",
+            8 + i, count <= FEW ? "0.55" : "0.3", panel[i].colour, panel[i].title);
   }
-  fputs("unset multiplot\nunset tmargin\n", f);
+  fputs("unset multiplot\nset ytics autofreq\n", f);
 }
 
 static enum um_status put_channel(struct um_context *context, const struct um_diagnosis *d,
@@ -155,7 +183,7 @@ static enum um_status put_channel(struct um_context *context, const struct um_di
   um_compare_gnuplot_channel(f, name, um_diagnosis_channel(d, c));
   um_core_free(context, name);
   UM_TRY(put_title(context, d, c, f));
-  put_panels(d, c, axis, gap, f);
+  put_panels(d, c, count, axis, gap, f);
   return UM_OK;
 }
 

@@ -83,7 +83,9 @@ static void put_estimate(const struct um_diagnosis *d, const struct um_diagnosis
       &candidate->effect->parameters[candidate->parameter[0]];
   double value, sigma;
   um_diagnosis_estimate(candidate, &rival->score, 0, &value, &sigma);
-  fprintf(f, "   %s %.3g ± %.2g", parameter->name, value, sigma);
+  char text[80];
+  um_diagnosis_value_text(value, sigma, "±", text);
+  fprintf(f, "   %s %s", parameter->name, text);
 }
 
 enum um_status um_diagnosis_plot_ranking(struct um_context *context,
@@ -104,7 +106,7 @@ enum um_status um_diagnosis_plot_ranking(struct um_context *context,
     put_quoted(file, um_diagnosis_candidate_of(d, rival)->name);
     fprintf(file, "\",%.6g,%s,\"", fmax(rival->score.statistic, wide ? 1.0 : 0.0),
             colour[bar[i].role]);
-    fprintf(file, " %.3g", rival->score.statistic);
+    fprintf(file, " %.4g", rival->score.statistic);
     put_estimate(d, rival, file);
     fputs("\"\n", file);
   }
@@ -113,12 +115,13 @@ enum um_status um_diagnosis_plot_ranking(struct um_context *context,
           "set datafile separator ','\nset output 'ranking.png'\n"
           "set title \"%s: what each effect alone would explain of the baseline's χ² of %.4g "
           "(%.4g degrees of freedom)\" noenhanced\n",
-          150 + 34 * (shown > 2 ? shown : 2), d->forward->model->scenario->name, d->chi2, d->dof);
+          190 + 34 * shown, d->forward->model->scenario->name, d->chi2, d->dof);
   fprintf(file,
           "set style fill solid noborder\nset yrange [%.1f:-0.6]\nset grid xtics linecolor rgb "
           "'#e4e4e4'\nset tics out nomirror\nset border 3\nset key outside bottom center "
-          "horizontal\nset xlabel 'χ² explained, after nuisances; behind it the linear estimate'\n"
-          "set lmargin 34\nset rmargin 4\n%sset xrange [%s:%.6g]\n",
+          "horizontal maxrows 1 samplen 2\nset xlabel 'χ² explained, after nuisances; behind it "
+          "the linear estimate'\n"
+          "set bmargin 6\nset lmargin 34\nset rmargin 4\n%sset xrange [%s:%.6g]\n",
           (double)shown - 0.4, wide ? "set logscale x\n" : "", wide ? "1" : "0",
           wide ? pow(longest, 1.7) : 1.6 * longest);
   fprintf(file,
@@ -142,6 +145,8 @@ enum um_status um_diagnosis_plot_heat(struct um_context *context,
 {
   const struct um_diagnosis_heat *h = &diagnosis->unexplained->heat[0];
   struct um_compare_gnuplot_axis axis = um_compare_gnuplot_axis(h->t[0], h->t[h->nbin]);
+  char energy[80];
+  um_diagnosis_value_text(h->energy, h->energy_sigma, "±", energy);
   fputs("\nreset\n", file);
   um_compare_gnuplot_head(file, &axis, 560);
   UM_TRY(um_diagnosis_plot_shade(context, diagnosis, &axis, file));
@@ -154,9 +159,9 @@ enum um_status um_diagnosis_plot_heat(struct um_context *context,
   fputs(": missing heat of ", file);
   um_compare_gnuplot_name(file, h->place);
   fprintf(file,
-          "}\\nbest pulse %.4g {/Symbol \\261} %.2g J\"\nset key inside right top\nset ylabel "
+          "}\\nbest pulse %s J\"\nset key inside right top\nset ylabel "
           "\"[W]\"\n",
-          h->energy, h->energy_sigma);
+          energy);
   um_compare_gnuplot_xlabel(file, &axis);
   double from = um_compare_gnuplot_at(&axis, h->start), to = um_compare_gnuplot_at(&axis, h->stop);
   fprintf(file,
