@@ -251,3 +251,8 @@ bool um_thermal_system_cluster_linearize(struct um_thermal_system *system,
     lu_solve(cluster->matrix, cluster->pivot, m, cluster->response + b, p);
   return true;
 }
+
+void um_thermal_system_cluster_answer(const struct um_thermal_cluster *cluster, double *x)
+{
+  lu_solve(cluster->matrix, cluster->pivot, cluster->m, x, 1);
+}

@@ -185,5 +185,7 @@ bool um_thermal_system_clusters_solve(struct um_thermal_system *system);
 /* Factor at system->cube and compute response. */
 bool um_thermal_system_cluster_linearize(struct um_thermal_system *system,
                                          struct um_thermal_cluster *cluster);
+/* After that: heat into its nodes x[m] [W] becomes their change of temperature [K]. */
+void um_thermal_system_cluster_answer(const struct um_thermal_cluster *cluster, double *x);
 
 #endif

@@ -1,0 +1,359 @@
+/* Responses of temperatures to small heat along a base history.
+ *
+ * The base runs once, at the wanted times and in the middle of every step. A step takes the
+ * Jacobian of its middle, eliminated nodes included (jacobian.c), and goes on by response_step.c. A
+ * source acts at full strength in a step or not at all: its ends end steps. Heat w_a into an
+ * eliminated node a reaches the unknowns it touches through
+ *
+ *   dT_a = M^-1 w,   b_i = (K_ia + 4 s R_ia T_a^3) / C_i dT_a,   M = -dg/dT_a (cluster.c),
+ *
+ * and its own temperature is the elimination's answer to the unknowns plus dT_a. Columns are in the
+ * order in which sources begin, so those that have not begun are left alone. */
+#include "thermal/response.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "thermal/response_impl.h"
+
+#define ONE_TIME      1e-9 /* [s] nearer times are one */
+#define SHARE_OF_TIME 0.25 /* of the shortest source: the default step */
+
+struct response {
+  struct um_context *context;
+  struct um_thermal_system *system;
+  struct um_thermal_stepper *stepper;
+  const struct um_thermal_response_source *source; /* [nsource] */
+  size_t nsource;
+  size_t *order;   /* [nsource] source of a column */
+  double *s;       /* [nsource][nunknown] by column [K/W] */
+  double *out;     /* [nsource][nnode] by source [K/W] */
+  double *cluster; /* [n] scratch of an eliminated group */
+  double *jacobian;
+  double from;
+  double begin, end; /* of the step [s from `from`] */
+  double *grid;      /* [nstep + 1] [s from `from`] */
+  size_t nstep;
+  bool begun; /* every column moves from the start, whenever its source begins */
+};
+
+static enum um_status sources_check(const struct response *r)
+{
+  for (size_t k = 0; k < r->nsource; k++) {
+    const struct um_thermal_response_source *source = &r->source[k];
+    if (!(source->t_from <= source->t_to) || !isfinite(source->t_from) || !isfinite(source->t_to))
+      return um_core_fail(r->context, UM_ERR_INPUT,
+                          "heat response %zu from %g s to %g s; accepted: finite, in this order", k,
+                          source->t_from, source->t_to);
+    for (size_t i = 0; i < source->nnode; i++)
+      if (source->node[i] >= r->system->n || !isfinite(source->weight[i]))
+        return um_core_fail(r->context, UM_ERR_INPUT,
+                            "heat response %zu: node %lu with weight %g; accepted: below %zu, "
+                            "finite",
+                            k, (unsigned long)source->node[i], source->weight[i], r->system->n);
+  }
+  return UM_OK;
+}
+
+static int time_compare(const void *pa, const void *pb)
+{
+  double a = *(const double *)pa, b = *(const double *)pb;
+  return (a > b) - (a < b);
+}
+
+/* Columns by the begin of their sources, equal ones as they are listed. */
+static void columns_order(struct response *r)
+{
+  for (size_t k = 0; k < r->nsource; k++) {
+    size_t at = k;
+    for (; at > 0 && r->source[r->order[at - 1]].t_from > r->source[k].t_from; at--)
+      r->order[at] = r->order[at - 1];
+    r->order[at] = k;
+  }
+}
+
+/* Times at which a step ends, not sorted, from 0; times NULL: only counts. */
+static size_t ends_list(const struct response *r, const double *times, size_t ntime, double *end)
+{
+  const struct um_thermal_loads *loads = r->system->loads;
+  size_t count = 0;
+#define END(t)                                                                                     \
+  do {                                                                                             \
+    if (end != NULL) end[count] = (t)-r->from;                                                     \
+    count++;                                                                                       \
+  } while (0)
+  END(r->from);
+  for (size_t k = 0; k < ntime; k++) END(times[k]);
+  for (size_t k = 0; k < r->nsource; k++) {
+    END(r->source[k].t_from);
+    END(r->source[k].t_to);
+  }
+  for (size_t k = 0; loads != NULL && k < loads->nedge; k++) END(loads->edge[k]);
+  for (size_t k = 1; loads != NULL && k < loads->ntime; k++)
+    if (loads->t[k] <= loads->t[k - 1]) END(loads->t[k]);
+#undef END
+  return count;
+}
+
+static double step_limit(const struct response *r, const struct um_thermal_response_options *how)
+{
+  if (how != NULL && how->longest_step > 0.0) return how->longest_step;
+  double shortest = INFINITY;
+  for (size_t k = 0; k < r->nsource; k++)
+    if (r->source[k].t_to > r->source[k].t_from)
+      shortest = fmin(shortest, r->source[k].t_to - r->source[k].t_from);
+  return SHARE_OF_TIME * shortest;
+}
+
+static enum um_status grid_build(struct response *r, const double *times, size_t ntime,
+                                 const struct um_thermal_response_options *how)
+{
+  enum um_status status;
+  double *end = NULL, last = times[ntime - 1] - r->from, limit = step_limit(r, how);
+  size_t count = ends_list(r, times, ntime, NULL), kept = 0;
+  UM_CHECK(um_core_allocate(r->context, count, sizeof *end, &end));
+  ends_list(r, times, ntime, end);
+  qsort(end, count, sizeof *end, time_compare);
+  for (size_t k = 0; k < count; k++)
+    if (end[k] >= 0.0 && end[k] <= last && (kept == 0 || end[k] > end[kept - 1] + ONE_TIME))
+      end[kept++] = end[k];
+  for (size_t k = 1; k < kept; k++)
+    r->nstep += (size_t)fmax(1.0, ceil((end[k] - end[k - 1]) / limit - 1e-9));
+  UM_CHECK(um_core_allocate(r->context, r->nstep + 1, sizeof(double), &r->grid));
+  size_t at = 0;
+  for (size_t k = 1; k < kept; k++) {
+    size_t n = (size_t)fmax(1.0, ceil((end[k] - end[k - 1]) / limit - 1e-9));
+    for (size_t i = 0; i < n; i++)
+      r->grid[at++] = end[k - 1] + (end[k] - end[k - 1]) * (double)i / (double)n;
+  }
+  r->grid[at] = end[kept - 1];
+done:
+  um_core_free(r->context, end);
+  return status;
+}
+
+/* State and Jacobian at given temperatures [n]; eliminated groups are linearised. */
+static enum um_status linearize(struct response *r, const double *temperature)
+{
+  struct um_thermal_system *system = r->system;
+  memcpy(system->temperature, temperature, system->n * sizeof *temperature);
+  um_thermal_system_powers(system);
+  if (um_thermal_system_jacobian(system, r->jacobian)) return UM_OK;
+  return um_core_fail(r->context, UM_ERR_NUMERIC,
+                      "an arithmetic node finds no balance in the heat responses");
+}
+
+static bool acts(const struct um_thermal_response_source *source, double from, double begin,
+                 double end)
+{
+  return source->t_from - from <= begin + ONE_TIME && source->t_to - from >= end - ONE_TIME;
+}
+
+/* What a source puts into the nodes of an eliminated group becomes their changes [K/W]; false: none
+ * of it. */
+static bool group_answer(const struct um_thermal_response_source *source,
+                         const struct um_thermal_cluster *cluster, double *x)
+{
+  bool any = false;
+  memset(x, 0, cluster->m * sizeof *x);
+  for (size_t i = 0; i < source->nnode; i++)
+    for (size_t a = 0; a < cluster->m; a++)
+      if (cluster->node[a] == source->node[i]) {
+        x[a] += source->weight[i];
+        any = true;
+      }
+  if (any) um_thermal_system_cluster_answer(cluster, x);
+  return any;
+}
+
+static bool column_rate(void *user, size_t column, double *b)
+{
+  struct response *r = user;
+  const struct um_thermal_system *system = r->system;
+  const struct um_thermal_response_source *source = &r->source[r->order[column]];
+  if (!acts(source, r->from, r->begin, r->end)) return false;
+  memset(b, 0, system->nunknown * sizeof *b);
+  for (size_t i = 0; i < source->nnode; i++) {
+    uint32_t u = system->unknown[source->node[i]];
+    if (u != UM_THERMAL_NONE) b[u] += source->weight[i] / system->capacity[source->node[i]];
+  }
+  for (size_t g = 0; g < system->ncluster; g++) {
+    const struct um_thermal_cluster *cluster = &system->cluster[g];
+    if (!group_answer(source, cluster, r->cluster)) continue;
+    for (size_t a = 0; a < cluster->m; a++) {
+      uint32_t node = cluster->node[a];
+      for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
+        uint32_t i = system->other[e], u = system->unknown[i];
+        if (u == UM_THERMAL_NONE) continue;
+        b[u] += (system->linear[e] + 4.0 * system->fourth[e] * system->cube[node]) * r->cluster[a] /
+                system->capacity[i];
+      }
+    }
+  }
+  return true;
+}
+
+/* Sources that have begun before t. */
+static size_t begun(const struct response *r, double t)
+{
+  size_t n = r->begun ? r->nsource : 0;
+  while (n < r->nsource && r->source[r->order[n]].t_from - r->from < t - ONE_TIME) n++;
+  return n;
+}
+
+/* Responses of all nodes at t, temperatures linearised there: as they are before a source that
+ * switches at t does so, at the start after it. */
+static void out_fill(struct response *r, double t)
+{
+  const struct um_thermal_system *system = r->system;
+  double begin = fmax(t - 2.0 * ONE_TIME, 0.0);
+  for (size_t column = 0; column < r->nsource; column++) {
+    const struct um_thermal_response_source *source = &r->source[r->order[column]];
+    const double *s = r->s + column * system->nunknown;
+    double *out = r->out + r->order[column] * system->n;
+    for (size_t k = 0; k < system->nunknown; k++) out[system->node[k]] = s[k];
+    for (size_t g = 0; g < system->ncluster; g++) {
+      const struct um_thermal_cluster *cluster = &system->cluster[g];
+      bool heated = acts(source, r->from, begin, begin + 2.0 * ONE_TIME) &&
+                    group_answer(source, cluster, r->cluster);
+      for (size_t a = 0; a < cluster->m; a++) {
+        double sum = heated ? r->cluster[a] : 0.0;
+        for (size_t p = 0; p < cluster->p; p++)
+          sum += cluster->response[a * cluster->p + p] * s[cluster->neighbour[p]];
+        out[cluster->node[a]] = sum;
+      }
+    }
+  }
+}
+
+/* Times at which the base is wanted: middles of steps and what the caller wants, ascending. place
+ * [ntime]: of the latter, middle [nstep]: of the former. */
+static void base_times(const struct response *r, const double *times, size_t ntime, double *all,
+                       size_t *middle, size_t *place)
+{
+  size_t at = 0, next = 0;
+  for (size_t k = 0; k <= r->nstep; k++) {
+    for (; next < ntime && times[next] - r->from <= r->grid[k] + ONE_TIME; next++) {
+      place[next] = at;
+      all[at++] = times[next];
+    }
+    if (k == r->nstep) break;
+    middle[k] = at;
+    all[at++] = r->from + 0.5 * (r->grid[k] + r->grid[k + 1]);
+  }
+}
+
+/* Through the grid; base: temperatures at all times of base_times. */
+static enum um_status march(struct response *r, const double *times, size_t ntime,
+                            const double *base, const size_t *middle, const size_t *place,
+                            um_thermal_response_take *take, void *user)
+{
+  size_t next = 0, n = r->system->n;
+  for (size_t k = 0; k <= r->nstep; k++) {
+    for (; next < ntime && times[next] - r->from <= r->grid[k] + ONE_TIME; next++) {
+      const double *temperature = base + place[next] * n;
+      if (r->system->ncluster > 0) UM_TRY(linearize(r, temperature));
+      out_fill(r, r->grid[k]);
+      UM_TRY(take(user, next, temperature, r->out));
+    }
+    if (k == r->nstep) break;
+    r->begin = r->grid[k];
+    r->end = r->grid[k + 1];
+    UM_TRY(linearize(r, base + middle[k] * n));
+    UM_TRY(um_thermal_stepper_factor(r->stepper, r->jacobian, r->end - r->begin));
+    UM_TRY(um_thermal_stepper_step(r->stepper, r->s, begun(r, r->end), column_rate, r));
+  }
+  return UM_OK;
+}
+
+static void start_take(struct response *r, const double *start)
+{
+  r->begun = true;
+  for (size_t column = 0; column < r->nsource; column++)
+    for (size_t k = 0; k < r->system->nunknown; k++)
+      r->s[column * r->system->nunknown + k] =
+          start[r->order[column] * r->system->n + r->system->node[k]];
+}
+
+static enum um_status storage_create(struct response *r)
+{
+  const struct um_thermal_system *system = r->system;
+  UM_TRY(um_thermal_stepper_create(system, &r->stepper));
+  UM_TRY(um_core_allocate(r->context, r->nsource, sizeof *r->order, &r->order));
+  UM_TRY(um_core_allocate(r->context, r->nsource * system->nunknown, sizeof(double), &r->s));
+  UM_TRY(um_core_allocate(r->context, r->nsource * system->n, sizeof(double), &r->out));
+  UM_TRY(um_core_allocate(r->context, system->n, sizeof(double), &r->cluster));
+  return um_core_allocate(r->context, system->nnonzero, sizeof(double), &r->jacobian);
+}
+
+static void storage_free(struct response *r)
+{
+  um_thermal_stepper_destroy(&r->stepper);
+  um_thermal_system_destroy(&r->system);
+  void *const block[] = {r->order, r->s, r->out, r->cluster, r->jacobian, r->grid};
+  for (size_t k = 0; k < sizeof block / sizeof block[0]; k++) um_core_free(r->context, block[k]);
+}
+
+/* The base along the grid, then the responses. */
+static enum um_status run(struct response *r, const double *times, size_t ntime,
+                          um_thermal_response_take *take, void *user)
+{
+  enum um_status status;
+  const struct um_thermal_system *system = r->system;
+  struct um_thermal_history *base = NULL;
+  double *all = NULL;
+  size_t *middle = NULL, *place = NULL;
+  UM_CHECK(um_core_allocate(r->context, r->nstep + ntime, sizeof *all, &all));
+  UM_CHECK(um_core_allocate(r->context, r->nstep, sizeof *middle, &middle));
+  UM_CHECK(um_core_allocate(r->context, ntime, sizeof *place, &place));
+  base_times(r, times, ntime, all, middle, place);
+  UM_CHECK(um_thermal_solve(r->context, system->network, system->loads, &system->options, r->from,
+                            all, r->nstep + ntime, &base));
+  UM_CHECK(march(r, times, ntime, base->temperature, middle, place, take, user));
+done:
+  um_thermal_history_destroy(r->context, &base);
+  um_core_free(r->context, all);
+  um_core_free(r->context, middle);
+  um_core_free(r->context, place);
+  return status;
+}
+
+static enum um_status times_check(struct um_context *context, double from, const double *times,
+                                  size_t ntime)
+{
+  for (size_t k = 0; k < ntime; k++)
+    if (!(times[k] >= (k == 0 ? from : times[k - 1])) || !isfinite(times[k]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "heat responses: time %zu is %.6f s; accepted: finite, ascending, not "
+                          "before the start at %.6f s",
+                          k, times[k], from);
+  if (ntime > 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "no times wanted of the heat responses; accepted: 1 or more");
+}
+
+enum um_status um_thermal_response(struct um_context *context,
+                                   const struct um_thermal_network *network,
+                                   const struct um_thermal_loads *loads,
+                                   const struct um_thermal_solve_options *options, double from,
+                                   const double *times, size_t ntime,
+                                   const struct um_thermal_response_source *source, size_t nsource,
+                                   const struct um_thermal_response_options *how,
+                                   um_thermal_response_take *take, void *user)
+{
+  enum um_status status;
+  struct response r = {.context = context, .source = source, .nsource = nsource, .from = from};
+  UM_TRY(times_check(context, from, times, ntime));
+  UM_CHECK(
+      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_RUN, &r.system));
+  UM_CHECK(sources_check(&r));
+  UM_CHECK(storage_create(&r));
+  columns_order(&r);
+  if (how != NULL && how->start != NULL) start_take(&r, how->start);
+  UM_CHECK(grid_build(&r, times, ntime, how));
+  UM_CHECK(run(&r, times, ntime, take, user));
+done:
+  storage_free(&r);
+  return status;
+}

@@ -1,0 +1,23 @@
+/* Private to thermal/: steps of dS/dt = J S + b for many columns with one factorisation, the only
+ * place that knows KLU itself. */
+#ifndef UMBRA_THERMAL_RESPONSE_IMPL_H
+#define UMBRA_THERMAL_RESPONSE_IMPL_H
+
+#include "thermal/system_impl.h"
+
+struct um_thermal_stepper;
+
+enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
+                                         struct um_thermal_stepper **out);
+void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper);
+/* Factor for steps of h [s] with the Jacobian jacobian[nnonzero] [1/s]. */
+enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, const double *jacobian,
+                                         double h);
+/* Columns s[ncolumn][nunknown] one step on. rate(user, column, b) fills b[nunknown] [K/s per W] and
+ * returns true, or returns false where the column's source is off. */
+enum um_status um_thermal_stepper_step(struct um_thermal_stepper *stepper, double *s,
+                                       size_t ncolumn,
+                                       bool (*rate)(void *user, size_t column, double *b),
+                                       void *user);
+
+#endif
