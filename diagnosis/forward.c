@@ -301,7 +301,7 @@ enum um_status um_diagnosis_forward_run(struct um_context *context,
   *out = (struct um_diagnosis_forward_run){0};
   um_core_quiet_begin(context);
   UM_CHECK(um_diagnosis_variant_create(context, forward, addition, naddition, &out->model));
-  if (grid)
+  if (grid && !out->model->points) /* points have no window of their own */
     UM_CHECK(um_model_trace_create(context, out->model, &out->trace));
   else
     UM_CHECK(um_compare_plan_trace(context, out->model, forward->plan, &out->trace));

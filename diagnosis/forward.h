@@ -55,8 +55,8 @@ enum um_status um_diagnosis_forward_evaluate(struct um_context *context,
 
 /* The same with everything kept: model, trace and result of the variant, for a comparison or for
  * bands and places that were not measured. grid: false: times of the measurements; true: of the
- * scenario's own window. Owned by the caller, released by _release. Tolerances are the scenario's
- * times loosened. */
+ * scenario's own window (with orbit.points, which has none, those of the measurements). Owned by
+ * the caller, released by _release. Tolerances are the scenario's times loosened. */
 struct um_diagnosis_forward_run {
   struct um_model *model;
   struct um_model_trace *trace;
