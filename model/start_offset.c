@@ -14,11 +14,6 @@ enum um_status um_model_build_start_offset(struct um_context *context, struct um
     char name[512];
     const char *part = um_geometry_part_name(model->geometry, parts[i].part);
     if (parts[i].interior_offset == 0.0) continue;
-    if (!(parts[i].interior_capacity > 0.0))
-      return um_core_fail(context, UM_ERR_INPUT,
-                          "part '%s': its interior cannot begin %g K off, it stores no heat; "
-                          "accepted: a capacity_J_K above 0",
-                          part, parts[i].interior_offset);
     if (model->start_offset == NULL)
       UM_TRY(um_core_allocate(context, um_thermal_network_nodes(network), sizeof(double),
                               &model->start_offset));

@@ -80,6 +80,8 @@ void heat_refused(const char *const *overrides, const char *const *with, char *o
       .overrides = overrides, .noverride = count(overrides), .with = with, .nwith = count(with)};
   assert_int_equal(um_core_context_create(NULL, &run.context), UM_OK);
   enum um_status status = um_model_create(run.context, file_name, &options, &run.model);
+  if (status == UM_OK) status = um_model_trace_create(run.context, run.model, &run.trace);
+  if (status == UM_OK) status = um_model_run(run.context, run.model, run.trace, &run.result);
   snprintf(out, size, "%s", um_core_message(run.context));
   heat_release(&run);
   assert_int_equal(status, UM_ERR_INPUT);

@@ -163,9 +163,9 @@ static void refusals_name_the_part(void **state)
     heat_refused(NONE, LIST(bad[i][0]), message, sizeof message);
     if (strstr(message, bad[i][1]) == NULL) fail_msg("%s: '%s'", bad[i][0], message);
   }
-  heat_refused(LIST("parts.bus.interior.capacity_J_K=0"), LIST("stored_heat:bus"), message,
-               sizeof message);
-  assert_non_null(strstr(message, "part 'bus': its interior cannot begin 10 K off"));
+  heat_refused(LIST("thermal.start=isothermal", "thermal.start_temperature_K=150"),
+               LIST("stored_heat:bus,delta_K=-200"), message, sizeof message);
+  assert_non_null(strstr(message, "node 'bus.interior' begins at -50 K, -200 K off; accepted: "));
   heat_refused(LIST("environment.shadow=none"), LIST("shadow_radius"), message, sizeof message);
   assert_non_null(strstr(message, "no shadow"));
   heat_refused(LIST("environment.albedo=0.6"), LIST("albedo_level,albedo_factor=2"), message,
