@@ -97,13 +97,13 @@ static void parameters_of(const struct um_diagnosis_state *state,
     for (size_t p = 0; p < block->nfree; p++, k++) {
       const struct um_effect_parameter *of =
           &block->addition.effect->parameters[block->parameter[p]];
-      out[k] =
-          (struct um_diagnosis_fit_parameter){.start = block->addition.value[block->parameter[p]],
-                                              .minimum = of->minimum,
-                                              .maximum = of->maximum,
-                                              .prior_mean = block->prior_mean[p],
-                                              .prior_sigma = block->prior_sigma[p],
-                                              .step = block->step[p]};
+      double value = block->addition.value[block->parameter[p]];
+      out[k] = (struct um_diagnosis_fit_parameter){.start = um_diagnosis_inner(of, value),
+                                                   .minimum = um_diagnosis_inner(of, of->minimum),
+                                                   .maximum = um_diagnosis_inner(of, of->maximum),
+                                                   .prior_mean = block->prior_mean[p],
+                                                   .prior_sigma = block->prior_sigma[p],
+                                                   .step = block->step[p]};
     }
   }
 }
