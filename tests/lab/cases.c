@@ -1,0 +1,237 @@
+/* What is hidden: for each effect a target in each pass and values of plausible size (PHYSICS.md,
+ * part F), one below and one above the scenario's, chosen so that the noise does not hide it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "effects/effects.h"
+#include "tests/lab/lab.h"
+
+/* target: "" for global. below: NAN where the effect has one sign only. */
+struct entry {
+  const char *effect, *dusk, *dawn; /* targets; NULL: it does not act there */
+  size_t parameter;
+  double below, above;
+};
+
+static const struct entry entries[] = {
+    {"internal_power", "bus", "bus", 0, -30.0, 40.0},
+    {"mli_emittance", "bus", "bus", 0, 0.4, 2.5},
+    {"heat_capacity", "array", "array", 0, 0.8, 1.3},
+    {"solar_absorptance", "white", "mli", 0, -0.06, 0.08},
+    {"emittance", "cell", "cell", 0, 0.92, 1.08},
+    {"panel_extraction", "array", "array", 0, NAN, 0.18},
+    {"through_conductance", "array", "array", 0, 0.5, 2.5},
+    {"contact_conductance", "", "", 0, 0.2, 4.0},
+    {"albedo_level", "", "", 0, 0.5, 1.6},
+    {"earth_ir_level", "", "", 0, 0.9, 1.1},
+    {"earth_brightness", "", "", 0, -12.0, 12.0},
+    {"solar_irradiance", "", "", 0, 0.97, 1.034},
+    {"shadow_radius", "", "", 0, -4.0, 5.0},
+    {"band_emissivity", "cfrp", "mli", 0, 0.92, 1.08},
+    {"directional_emissivity", "cfrp", "mli", 0, -0.6, 0.8},
+    {"roughness", "cell", "cell", 0, 0.8, 1.25},
+    {"specular_level", "mli", "cell", 0, 0.8, 1.25},
+    {"diffuse_level", "white", "mli", 0, 0.9, 1.1},
+    {"area", "array", "bus", 0, 0.95, 1.05},
+    {"array_angle", "array", "array", 0, -3.0, 4.0},
+    {"attitude_offset", "", "", 1, -2.0, 2.0},
+    {"spin_period", "", NULL, 0, -0.005, 0.005},
+    {"time_tag", "", "", 0, -0.5, 0.5},
+    {"along_track", "", "", 0, -1.5, 1.5},
+    {"exposure", "", NULL, 0, NAN, 16.0},
+    {"earthshine_level", "", NULL, 0, NAN, 4.0},
+    {"earth_reflection_level", "", "", 0, 0.8, 1.25},
+    {"extinction", "vis", "lwir", 0, -0.03, 0.04},
+    {"zero_point", "vis", "lwir", 0, 0.95, 1.06},
+    {"background", "lwir", "vis", 0, -1e-12, 1e-12},
+};
+
+static const struct {
+  const char *name;
+  bool dusk, dawn;
+} switches[] = {{"albedo", true, true},      {"earth_ir", true, true},
+                {"earthshine", true, false}, {"reflected_earth_ir", true, true},
+                {"penumbra", true, true},    {"oblateness", true, true}};
+
+/* Two at once: what each does to the light should not be the other's. */
+static const struct {
+  const char *world;
+  struct lab_hidden hidden[LAB_HIDDEN];
+} twos[] = {
+    {"dusk", {{"panel_extraction", "array", 0, 0.18}, {"roughness", "cell", 0, 1.25}}},
+    {"dusk", {{"spin_period", NULL, 0, 0.005}, {"extinction", "vis", 0, 0.1}}},
+    {"dusk", {{"heat_capacity", "array", 0, 1.4}, {"zero_point", "vis", 0, 1.06}}},
+    {"dusk", {{"solar_absorptance", "white", 0, 0.1}, {"earth_ir_level", NULL, 0, 1.1}}},
+    {"dusk", {{"time_tag", NULL, 0, 0.5}, {"band_emissivity", "cfrp", 0, 0.92}}},
+    {"dawn", {{"internal_power", "bus", 0, 40.0}, {"extinction", "lwir", 0, 0.1}}},
+    {"dawn", {{"mli_emittance", "bus", 0, 2.5}, {"diffuse_level", "mli", 0, 0.9}}},
+    {"dawn", {{"shadow_radius", NULL, 0, 5.0}, {"earth_brightness", NULL, 0, -12.0}}},
+    {"dawn", {{"heat_capacity", "array", 0, 1.4}, {"background", "vis", 0, 1e-12}}},
+    {"dawn", {{"along_track", NULL, 0, 1.5}, {"panel_extraction", "array", 0, 0.18}}},
+};
+
+/* The pairs that only a tie-breaker tells apart: the hidden one, in the two worlds of the pair. */
+static const struct {
+  const char *pair;
+  struct lab_hidden hidden;
+} pairs[] = {
+    {"power-mli", {"mli_emittance", "bus", 0, 2.5}},
+    {"power-mli", {"internal_power", "bus", 0, 40.0}},
+    {"absorptance-extraction", {"panel_extraction", "array", 0, 0.12}},
+    {"absorptance-extraction", {"solar_absorptance", "cell", 0, -0.08}},
+    {"emittance-capacity", {"heat_capacity", "array", 0, 1.2}},
+    {"emittance-capacity", {"emittance", "cell", 0, 0.85}},
+    {"extinction-zero", {"extinction", "lwir", 0, 0.05}},
+    {"extinction-zero", {"zero_point", "lwir", 0, 0.94}},
+    {"clock-orbit", {"time_tag", NULL, 0, 0.7}},
+    {"clock-orbit", {"along_track", NULL, 0, 1.5}},
+    {"roughness-smear", {"roughness", "cell", 0, 1.25}},
+    {"roughness-smear", {"exposure", NULL, 0, 64.0}},
+};
+
+/* Heat that is in no catalogue: the radiator's wall, and everything inside. */
+static const struct lab_pulse pulses[] = {
+    {"bus.-x", "parts.bus.groups.-x.power_file", 500.0, 240.0, 360.0},
+    {"bus.interior", "parts.bus.interior.power_file", 2000.0, 180.0, 330.0},
+};
+
+struct list {
+  const struct lab_options *options;
+  struct lab_case *item;
+  size_t count;
+};
+
+void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size)
+{
+  snprintf(out, size, "%s%s%s", hidden->effect, hidden->target != NULL ? ":" : "",
+           hidden->target != NULL ? hidden->target : "");
+}
+
+void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT])
+{
+  out[0] = '\0';
+  for (size_t i = 0; i < c->nhidden; i++) {
+    char name[LAB_TEXT / 2];
+    lab_hidden_name(&c->hidden[i], name, sizeof name);
+    lab_append(out, LAB_TEXT, name);
+  }
+  if (c->pulse != NULL) snprintf(out, LAB_TEXT, "pulse:%s", c->pulse->place);
+  if (out[0] == '\0' && strcmp(c->part, "switches") == 0)
+    snprintf(out, LAB_TEXT, "%s", c->world->without);
+  if (out[0] == '\0') snprintf(out, LAB_TEXT, "-");
+}
+
+void lab_case_value(const struct lab_case *c, char out[LAB_TEXT])
+{
+  out[0] = '\0';
+  for (size_t i = 0; i < c->nhidden; i++) {
+    char text[32];
+    snprintf(text, sizeof text, "%.9g", c->hidden[i].value);
+    lab_append(out, LAB_TEXT, text);
+  }
+  if (c->pulse != NULL) /* energy [J] */
+    snprintf(out, LAB_TEXT, "%.9g", c->pulse->power * (c->pulse->to_s - c->pulse->from_s));
+  if (out[0] == '\0') snprintf(out, LAB_TEXT, "-");
+}
+
+static bool is_wanted(const struct lab_options *o, const struct lab_case *c)
+{
+  char hidden[LAB_TEXT];
+  if (o->part != NULL && strcmp(o->part, c->part) != 0) return false;
+  if (o->world != NULL && strcmp(o->world, c->world->name) != 0) return false;
+  lab_case_hidden(c, hidden);
+  return o->only == NULL || strstr(hidden, o->only) != NULL;
+}
+
+static void add(struct list *list, struct lab_case c)
+{
+  if (!is_wanted(list->options, &c)) return;
+  struct lab_case *more = realloc(list->item, (list->count + 1) * sizeof *more);
+  if (more == NULL) abort();
+  list->item = more;
+  list->item[list->count++] = c;
+}
+
+/* Odd seeds lie above, even ones below, so that both signs are hidden. */
+static void add_effects(struct list *list, const char *name, uint64_t seeds)
+{
+  const struct lab_world *world = lab_world_find(name);
+  for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
+    const struct entry *e = &entries[i];
+    const char *target = strcmp(name, "dusk") == 0 ? e->dusk : e->dawn;
+    if (target == NULL) continue;
+    for (int above = 1; above >= 0; above--)
+      for (uint64_t seed = 1; seed <= seeds; seed++) {
+        bool is_above = seed % 2 == 1 || isnan(e->below);
+        if (is_above != (above == 1)) continue;
+        struct lab_hidden hidden = {e->effect, target[0] == '\0' ? NULL : target, e->parameter,
+                                    is_above ? e->above : e->below};
+        add(list,
+            (struct lab_case){
+                .part = "effects", .world = world, .hidden = {hidden}, .nhidden = 1, .seed = seed});
+      }
+  }
+}
+
+static void add_switches(struct list *list, uint64_t seeds)
+{
+  for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
+    for (int dawn = 0; dawn < 2; dawn++) {
+      char name[LAB_TEXT];
+      snprintf(name, sizeof name, "%s-%s", dawn ? "dawn" : "dusk", switches[i].name);
+      for (uint64_t seed = 1; seed <= seeds && (dawn ? switches[i].dawn : switches[i].dusk); seed++)
+        add(list,
+            (struct lab_case){.part = "switches", .world = lab_world_find(name), .seed = seed});
+    }
+}
+
+static void add_two(struct list *list, uint64_t seeds)
+{
+  for (size_t i = 0; i < sizeof twos / sizeof twos[0]; i++)
+    for (uint64_t seed = 1; seed <= seeds; seed++) {
+      struct lab_case c = {.part = "two",
+                           .world = lab_world_find(twos[i].world),
+                           .nhidden = LAB_HIDDEN,
+                           .seed = 1000 + seed};
+      memcpy(c.hidden, twos[i].hidden, sizeof c.hidden);
+      add(list, c);
+    }
+}
+
+static void add_pairs(struct list *list, uint64_t seeds)
+{
+  for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+    for (int with = 0; with < 2; with++) {
+      char name[LAB_TEXT];
+      snprintf(name, sizeof name, "%s %s", pairs[i].pair, with ? "with" : "without");
+      for (uint64_t seed = 1; seed <= seeds; seed++)
+        add(list, (struct lab_case){.part = "pairs",
+                                    .world = lab_world_find(name),
+                                    .hidden = {pairs[i].hidden},
+                                    .nhidden = 1,
+                                    .seed = 2000 + seed});
+    }
+}
+
+size_t lab_cases_make(const struct lab_options *options, struct lab_case **out)
+{
+  struct list list = {.options = options};
+  const char *const passes[] = {"dusk", "dawn"};
+  uint64_t few = options->seeds < 3 ? options->seeds : 3;
+  for (size_t p = 0; p < 2; p++) add_effects(&list, passes[p], options->seeds);
+  add_switches(&list, options->seeds);
+  for (uint64_t i = 0; i < options->complete; i++)
+    add(&list, (struct lab_case){
+                   .part = "complete", .world = lab_world_find(passes[i % 2]), .seed = 10000 + i});
+  add_two(&list, few);
+  add_pairs(&list, few < 2 ? few : 2);
+  for (size_t i = 0; i < sizeof pulses / sizeof pulses[0]; i++)
+    for (uint64_t seed = 1; seed <= few; seed++)
+      add(&list, (struct lab_case){.part = "pulse",
+                                   .world = lab_world_find("pulse dawn"),
+                                   .pulse = &pulses[i],
+                                   .seed = 3000 + seed});
+  *out = list.item;
+  return list.count;
+}

@@ -1,0 +1,158 @@
+/* What really happens: the world's scenario with what is hidden, on a finer mesh with a node per
+ * facet, more samples, finer bins and tolerances than the analyst has. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/synth.h"
+#include "core/constants.h"
+#include "effects/effects.h"
+#include "orbit/time.h"
+#include "tests/lab/lab.h"
+
+/* What the analyst's mesh costs against this one: about a hundredth of the noise's chi-square. */
+static const char *const fine[] = {
+    "parts.bus.lumped=false",
+    "parts.array.lumped=false",
+    "thermal.facet_size_m=0.5",
+    "thermal.samples=16",
+    "thermal.relative_tolerance=1e-8",
+    "thermal.absolute_tolerance_K=1e-6",
+    "optics.samples=25",
+    "time.exposure_samples=5",
+    "bands.vis.bins=30",
+    "bands.lwir.bins=60",
+};
+#define NFINE (sizeof fine / sizeof fine[0])
+
+/* The pulse alone, added to what the scenario states: a jump is two rows of one time. */
+static enum um_status write_power(struct um_context *context, double start,
+                                  const struct lab_pulse *pulse, const char *path)
+{
+  const double t[] = {start - 86400.0,     start + pulse->from_s, start + pulse->from_s,
+                      start + pulse->to_s, start + pulse->to_s,   start + 86400.0};
+  const double power[] = {0.0, 0.0, pulse->power, pulse->power, 0.0, 0.0};
+  FILE *file = fopen(path, "w");
+  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: cannot be written", path);
+  fputs("time_utc,power_W\n", file);
+  for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
+    char text[32];
+    um_orbit_time_format(t[i], text);
+    fprintf(file, "%s,%.9g\n", text, power[i]);
+  }
+  bool failed = ferror(file) != 0;
+  failed |= fclose(file) != 0;
+  return failed ? um_core_fail(context, UM_ERR_IO, "%s: writing failed", path) : UM_OK;
+}
+
+static enum um_status build(struct um_context *context, const struct lab_case *c, bool plain,
+                            const char *power, struct lab_truth *out)
+{
+  const char *override[NFINE + LAB_KEYS + 1];
+  char path[LAB_TEXT * 4], with[LAB_HIDDEN][LAB_TEXT], key[LAB_TEXT * 6];
+  const char *withs[LAB_HIDDEN];
+  size_t n = 0;
+  for (size_t i = 0; i < LAB_KEYS && c->world->set[i] != NULL; i++)
+    override[n++] = c->world->set[i];
+  for (size_t i = 0; i < NFINE && !plain; i++) override[n++] = fine[i];
+  if (power != NULL) {
+    snprintf(key, sizeof key, "%s=%s", c->pulse->key, power);
+    override[n++] = key;
+  }
+  for (size_t i = 0; i < c->nhidden; i++) {
+    char name[LAB_TEXT / 2];
+    lab_hidden_name(&c->hidden[i], name, sizeof name);
+    const struct um_effect *effect = um_effects_find(c->hidden[i].effect);
+    if (effect == NULL || c->hidden[i].parameter >= effect->nparameter)
+      return um_core_fail(context, UM_ERR_INPUT, "lab: no effect '%s'", name);
+    snprintf(with[i], sizeof with[i], "%s,%s=%.17g", name,
+             effect->parameters[c->hidden[i].parameter].name, c->hidden[i].value);
+    withs[i] = with[i];
+  }
+  struct um_model_options options = {
+      .overrides = override, .noverride = n, .with = withs, .nwith = c->nhidden};
+  if (plain && c->world->without != NULL) {
+    options.without = &c->world->without;
+    options.nwithout = 1;
+  }
+  lab_world_path(c->world, path);
+  return um_model_create(context, path, &options, &out->model);
+}
+
+enum um_status lab_truth_create(struct um_context *context, const struct lab_case *c, bool plain,
+                                const char *folder, struct lab_truth *out)
+{
+  enum um_status status;
+  *out = (struct lab_truth){.world = c->world};
+  UM_CHECK(build(context, c, plain, NULL, out));
+  if (c->pulse != NULL && !plain) { /* the table needs the times of the scenario */
+    char path[LAB_TEXT * 4], *absolute = NULL;
+    snprintf(path, sizeof path, "%s/power-%s.csv", folder, c->world->folder);
+    UM_CHECK(write_power(context, out->model->scenario->time->start, c->pulse, path));
+    absolute = realpath(path, NULL);
+    um_model_destroy(context, &out->model);
+    status = build(context, c, plain, absolute, out);
+    free(absolute);
+    if (status != UM_OK) goto done;
+  }
+  UM_CHECK(um_model_trace_create(context, out->model, &out->trace));
+  UM_CHECK(um_model_run(context, out->model, out->trace, &out->result));
+done:
+  if (status != UM_OK) lab_truth_release(context, out);
+  return status;
+}
+
+void lab_truth_release(struct um_context *context, struct lab_truth *truth)
+{
+  um_model_result_destroy(context, &truth->result);
+  um_model_trace_destroy(context, &truth->trace);
+  um_model_destroy(context, &truth->model);
+}
+
+static bool is_listed(const char *list, const char *name)
+{
+  size_t n = strlen(name);
+  if (list == NULL) return true;
+  for (const char *at = list; *at != '\0';) {
+    size_t length = strcspn(at, ",");
+    if (length == n && strncmp(at, name, n) == 0) return true;
+    at += length + (at[length] == ',' ? 1 : 0);
+  }
+  return false;
+}
+
+static bool is_kept(const struct lab_truth *truth, const struct um_compare_channel *channel,
+                    size_t k, double t)
+{
+  const struct lab_filter *f = &truth->world->filter;
+  const struct um_model_trace *trace = truth->trace;
+  double since = t - trace->t_obs[0], sunlit = trace->sunlit[k];
+  double elevation = trace->look[k * trace->nsub + trace->nsub / 2].elevation / UM_DEG;
+  bool heat = channel->quantity == UM_QUANTITY_TEMPERATURE;
+  if (!is_listed(f->channels, channel->of)) return false;
+  if (f->every > 1 && k % f->every != 0) return false;
+  if (heat && f->temperatures_every > 1 && k % f->temperatures_every != 0) return false;
+  if (f->sunlit_to > 0.0 && !(sunlit >= f->sunlit_from && sunlit <= f->sunlit_to)) return false;
+  if (f->to_s > 0.0 && !(since >= f->from_s && since <= f->to_s)) return false;
+  return !(elevation < f->elevation_from_deg);
+}
+
+enum um_status lab_truth_measure(struct um_context *context, const struct lab_truth *truth,
+                                 uint64_t seed, struct um_compare_measurements **out)
+{
+  const struct lab_world *w = truth->world;
+  struct um_compare_synth options = {.relative = w->relative,
+                                     .floor = w->floor,
+                                     .seed = seed,
+                                     .place = w->place,
+                                     .temperature_sigma = w->kelvin};
+  while (options.nplace < LAB_PLACES && w->place[options.nplace] != NULL) options.nplace++;
+  UM_TRY(um_compare_synth_create(context, truth->model, truth->trace, truth->result, &options,
+                                 w->name, out));
+  for (size_t i = 0, k = 0; i < (*out)->count; i++) {
+    struct um_compare_measurement *row = &(*out)->row[i];
+    while (k + 1 < truth->trace->nobs && truth->trace->t_obs[k] < row->t_tai) k++;
+    row->flag = is_kept(truth, &(*out)->channel[row->channel], k, row->t_tai) ? 0 : 1;
+  }
+  return UM_OK;
+}

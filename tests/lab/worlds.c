@@ -1,0 +1,103 @@
+/* What the analyst has: two passes of one satellite, the same with a core switch left out, and
+ * small sets of measurements that lack the tie-breaker of a pair of effects, or have it. */
+#include <string.h>
+
+#include "tests/lab/lab.h"
+
+#define DUSK .folder = "dusk", .relative = 0.01, .floor = 1e-3
+#define DAWN .folder = "dawn", .relative = 0.01, .floor = 1e-3, .kelvin = 0.5
+#define PLACES                                                                                     \
+  .place = {"bus.interior", "bus.-x", "array.front"}, .filter = {.temperatures_every = 10}
+#define WITHOUT(s)                                                                                 \
+  {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
+
+static const struct lab_world worlds[] = {
+    {.name = "dusk", DUSK},
+    {.name = "dawn", DAWN, PLACES},
+    WITHOUT("albedo"),
+    WITHOUT("earth_ir"),
+    WITHOUT("earthshine"),
+    WITHOUT("reflected_earth_ir"),
+    WITHOUT("penumbra"),
+    WITHOUT("oblateness"),
+
+    /* Internal power or MLI emittance: the skin of the MLI, alone and in one attitude, warms with
+     * both; the interior warms with power and cools with a leak, and a radiator shows it. */
+    {.name = "power-mli without",
+     DAWN,
+     .place = {"bus.-y"},
+     .filter = {.channels = "bus.-y", .sunlit_to = 0.001, .from_s = 0, .to_s = 200}},
+    {.name = "power-mli with",
+     DAWN,
+     .place = {"bus.-y", "bus.interior", "bus.-x"},
+     .filter = {.channels = "bus.-y,bus.interior,bus.-x,lwir"}},
+
+    /* Absorptance or extraction: heat alone cannot tell, light can. */
+    {.name = "absorptance-extraction without", DUSK, .filter = {.channels = "lwir"}},
+    {.name = "absorptance-extraction with", DUSK},
+
+    /* Emittance or capacity: deep in the shadow the panel cools by their ratio; in sunlight and in
+     * the light itself they differ. */
+    {.name = "emittance-capacity without",
+     DUSK,
+     .place = {"array.front"},
+     .kelvin = 0.5,
+     .filter = {.channels = "array.front", .sunlit_to = 0.001, .from_s = 660, .to_s = 1e4}},
+    {.name = "emittance-capacity with",
+     DUSK,
+     .place = {"array.front"},
+     .kelvin = 0.5,
+     .filter = {.channels = "array.front,lwir"}},
+
+    /* Extinction or zero point: only the range of airmass tells. */
+    {.name = "extinction-zero without",
+     DUSK,
+     .filter = {.channels = "lwir", .elevation_from_deg = 50.0}},
+    {.name = "extinction-zero with", DUSK},
+
+    /* Clock or orbit: they are one where the body turns with its orbit. */
+    {.name = "clock-orbit without", DAWN, PLACES},
+    {.name = "clock-orbit with", DUSK},
+
+    /* Roughness or smear: one glint, whose level is not known, is widened by both. */
+    {.name = "roughness-smear without",
+     DUSK,
+     .nuisance = "specular_level:cell,sigma=free",
+     .filter = {.channels = "vis", .from_s = 0, .to_s = 1}},
+    {.name = "roughness-smear with", DUSK},
+
+    {.name = "pulse dawn", DAWN, .place = {"bus.interior", "bus.-x", "array.front"}},
+};
+
+const struct lab_world *lab_worlds(size_t *count)
+{
+  *count = sizeof worlds / sizeof worlds[0];
+  return worlds;
+}
+
+const struct lab_world *lab_world_find(const char *name)
+{
+  for (size_t i = 0; i < sizeof worlds / sizeof worlds[0]; i++)
+    if (strcmp(worlds[i].name, name) == 0) return &worlds[i];
+  return NULL;
+}
+
+void lab_world_path(const struct lab_world *world, char out[LAB_TEXT * 4])
+{
+  snprintf(out, LAB_TEXT * 4, "%s/scenarios/hidden-effect/%s", UMBRA_SOURCE_DIR, world->folder);
+}
+
+void lab_world_analyst(const struct lab_world *world, struct lab_analyst *out)
+{
+  *out = (struct lab_analyst){0};
+  size_t n = 0;
+  while (n < LAB_KEYS && world->set[n] != NULL) {
+    out->override[n] = world->set[n];
+    n++;
+  }
+  out->without[0] = world->without;
+  out->options = (struct um_model_options){.overrides = out->override,
+                                           .noverride = n,
+                                           .without = out->without,
+                                           .nwithout = world->without == NULL ? 0 : 1};
+}
