@@ -85,7 +85,8 @@ static void put_estimate(const struct um_diagnosis *d, const struct um_diagnosis
   um_diagnosis_estimate(candidate, &rival->score, 0, &value, &sigma);
   char text[80];
   um_diagnosis_value_text(value, sigma, "±", text);
-  fprintf(f, "   %s %s", parameter->name, text);
+  bool within = value >= parameter->minimum && value <= parameter->maximum;
+  fprintf(f, "   %s %s", parameter->name, within ? text : "beyond its range");
 }
 
 enum um_status um_diagnosis_plot_ranking(struct um_context *context,
@@ -118,8 +119,9 @@ enum um_status um_diagnosis_plot_ranking(struct um_context *context,
           190 + 34 * shown, d->forward->model->scenario->name, d->chi2, d->dof);
   fprintf(file,
           "set style fill solid noborder\nset yrange [%.1f:-0.6]\nset grid xtics linecolor rgb "
-          "'#e4e4e4'\nset tics out nomirror\nset border 3\nset key outside bottom center "
-          "horizontal maxrows 1 samplen 2\nset xlabel 'χ² explained, after nuisances; behind it "
+          "'#e4e4e4'\nset tics out nomirror\nset border 3\nset key at screen 0.5, screen "
+          "0.01 center bottom horizontal samplen 2\nset xlabel 'χ² explained, after nuisances; "
+          "behind it "
           "the linear estimate'\n"
           "set bmargin 6\nset lmargin 34\nset rmargin 4\n%sset xrange [%s:%.6g]\n",
           (double)shown - 0.4, wide ? "set logscale x\n" : "", wide ? "1" : "0",
