@@ -29,7 +29,16 @@ static void directions_release(struct um_context *context, struct directions *d)
   um_core_free(context, d->nuisance_sigma);
 }
 
-/* A switch has one column: 0 is off and 1 is on. Others in inner units. */
+/* Inner unit in which a direction is handed over: the step of its difference, so that a length says
+ * what a step does, whatever the unit of the parameter. */
+static double unit_of(const struct um_diagnosis_candidate *c, size_t k)
+{
+  if (c->is_switch || c->step[k] == 0.0) return 1.0;
+  size_t p = c->parameter[k];
+  return fabs(c->step[k]) / um_diagnosis_slope(&c->effect->parameters[p], c->null_value[p]);
+}
+
+/* A switch has one column: 0 is off and 1 is on. Others in units of their step. */
 static void bounds_of(const struct um_diagnosis_candidate *c, double *low, double *high,
                       double *prior, double *slope)
 {
@@ -40,10 +49,11 @@ static void bounds_of(const struct um_diagnosis_candidate *c, double *low, doubl
     if (c->is_switch) continue;
     const struct um_effect_parameter *of = &c->effect->parameters[c->parameter[k]];
     double null_value = c->null_value[c->parameter[k]];
-    low[k] = um_diagnosis_inner(of, of->minimum) - um_diagnosis_inner(of, null_value);
-    high[k] = um_diagnosis_inner(of, of->maximum) - um_diagnosis_inner(of, null_value);
-    prior[k] = of->prior_sigma;
-    slope[k] = um_diagnosis_slope(of, null_value);
+    double unit = unit_of(c, k);
+    low[k] = (um_diagnosis_inner(of, of->minimum) - um_diagnosis_inner(of, null_value)) / unit;
+    high[k] = (um_diagnosis_inner(of, of->maximum) - um_diagnosis_inner(of, null_value)) / unit;
+    prior[k] = of->prior_sigma / unit;
+    slope[k] = um_diagnosis_slope(of, null_value) * unit;
   }
 }
 
@@ -162,6 +172,12 @@ enum um_status um_diagnosis_rank(struct um_context *context, const struct um_dia
   UM_CHECK(um_core_allocate(context, n, sizeof *residual, &residual));
   residual_at_means(state, n, residual);
   UM_CHECK(um_diagnosis_score_test(context, n, residual, &d.nuisance, count, d.direction, score));
+  for (size_t i = 0; i < count; i++)
+    for (size_t k = 0; k < d.direction[i].ncolumn; k++) {
+      double unit = unit_of(&work->candidates->candidate[i], k);
+      score[i].estimate[k] *= unit;
+      score[i].sigma[k] *= unit;
+    }
   UM_CHECK(sort_rivals(context, work, state, score, rival, nrival));
 done:
   um_core_free(context, residual);
