@@ -24,9 +24,12 @@ struct um_diagnosis_qr {
 
 double um_diagnosis_dot(size_t n, const double *a, const double *b)
 {
-  double sum = 0.0;
-  for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
-  return sum;
+  double sum[4] = {0.0}; /* four chains that do not wait for each other */
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4)
+    for (size_t k = 0; k < 4; k++) sum[k] += a[i + k] * b[i + k];
+  for (; i < n; i++) sum[0] += a[i] * b[i];
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 static enum um_status reserve(struct um_context *context, struct um_diagnosis_qr *qr)
