@@ -1,0 +1,78 @@
+/* Which band or place of a model answers a channel of measurements. */
+#include <stdint.h>
+
+#include "compare/places_impl.h"
+#include "compare/predict_impl.h"
+#include "core/words.h"
+
+static size_t first_used(const struct um_compare_measurements *m, size_t channel)
+{
+  for (size_t i = 0; i < m->count; i++)
+    if (m->row[i].channel == channel && m->row[i].flag == 0) return i;
+  return UM_COMPARE_NOWHERE;
+}
+
+static enum um_status find_band(struct um_context *context, const struct um_model *model,
+                                const char *name, size_t *out)
+{
+  const char *nearest = NULL;
+  char accepted[320] = "";
+  size_t distance = SIZE_MAX;
+  *out = um_model_band_find(model, name);
+  if (*out != UM_COMPARE_NOWHERE) return UM_OK;
+  for (size_t b = 0; b < model->nband; b++) {
+    const char *known = model->band[b].name;
+    size_t d = um_core_words_distance(name, known);
+    um_core_words_append(accepted, sizeof accepted, known);
+    if (!um_core_words_are_near(name, known) || d >= distance) continue;
+    distance = d;
+    nearest = known;
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s%s%s; accepted: %s",
+                      name, nearest == NULL ? "" : "; did you mean '",
+                      nearest == NULL ? "" : nearest, nearest == NULL ? "" : "'?", accepted);
+}
+
+/* Of light, of which the scenario needs an observer. */
+static bool is_light(enum um_compare_quantity quantity)
+{
+  return quantity == UM_QUANTITY_BAND_IRRADIANCE || quantity == UM_QUANTITY_RADIANT_INTENSITY ||
+         quantity == UM_QUANTITY_MAGNITUDE_AB;
+}
+
+enum um_status um_compare_source_find(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_measurements *m, size_t channel,
+                                      size_t *out)
+{
+  size_t row = first_used(m, channel);
+  enum um_compare_quantity quantity = m->channel[channel].quantity;
+  const char *of = m->channel[channel].of;
+  *out = UM_COMPARE_NOWHERE;
+  if (row == UM_COMPARE_NOWHERE) return UM_OK;
+  int line = m->row[row].line;
+  if (is_light(quantity) && !model->has_observer)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column 'quantity': %s wants an observer, which the scenario has "
+                        "not; accepted: temperature",
+                        m->path, line, um_compare_quantity_name(quantity));
+  if (quantity == UM_QUANTITY_TEMPERATURE && model->points)
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s:%d: column 'quantity': temperature wants heat that is followed along an "
+        "orbit, orbit.points has none; accepted: band_irradiance, "
+        "radiant_intensity, magnitude_ab",
+        m->path, line);
+  if (is_light(quantity) || quantity == UM_QUANTITY_TEMPERATURE) {
+    enum um_status status = is_light(quantity) ? find_band(context, model, of, out)
+                                               : um_compare_place_find(context, model, of, out);
+    if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
+    return status;
+  }
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "%s:%d: column 'quantity': %s of '%s' wants a %s, which scenarios of this version do not "
+      "have; accepted: band_irradiance, radiant_intensity, magnitude_ab, temperature, or a flag "
+      "that leaves the row out",
+      m->path, line, um_compare_quantity_name(quantity), of,
+      quantity == UM_QUANTITY_COUNT_RATE ? "sensor" : "filter");
+}
