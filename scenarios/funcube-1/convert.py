@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whole-orbit telemetry of FUNcube-1 to a measurement file of Umbra.
 
-    convert.py TELEMETRY.csv OUT.csv [--channels mean|panels|chassis|all] [--sigma K]
+    convert.py TELEMETRY.csv OUT.csv [--channels mean|panels|chassis|all] [--every N] [--sigma K]
 
 Channels, comma-separated:
   mean     the four solar panels +X -X +Y -Y averaged: temperature of 'material:panel_side'
@@ -9,9 +9,11 @@ Channels, comma-separated:
   chassis  the two thermistors in the frame averaged: 'body.interior'
 Default: mean.
 
-Left out: held frames (a row like its predecessor in everything but the time: the telemetry repeats
-the last frame while no new one is stored) and second rows of one minute. Degrees Celsius become
-kelvin. sigma is one number for every row, README.md says why 1.5 K.
+Tags are whole minutes, seconds cut off (two minutes hold two frames): a row stands for the middle
+of its minute. Left out: held frames (a row like its predecessor in everything but the time: the
+last frame repeated while no new one is stored) and second rows of one minute. Degrees Celsius
+become kelvin. --every N keeps every Nth frame: residuals of neighbouring minutes repeat each other,
+those 10 min apart do not. sigma is one number for every row, README.md says why 1 K.
 """
 import argparse
 import csv
@@ -70,7 +72,8 @@ def main():
     parser.add_argument("telemetry")
     parser.add_argument("out")
     parser.add_argument("--channels", default="mean")
-    parser.add_argument("--sigma", type=float, default=1.5)
+    parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--sigma", type=float, default=1.0)
     arguments = parser.parse_args()
     wanted = set(arguments.channels.split(","))
     if "all" in wanted:
@@ -81,12 +84,16 @@ def main():
     if not arguments.sigma > 0:
         sys.exit(f"sigma {arguments.sigma} K; accepted: above 0")
 
+    if arguments.every < 1:
+        sys.exit(f"every {arguments.every} frames; accepted: 1 and more")
+
     kept, held, repeated = frames(arguments.telemetry)
+    kept = kept[:: arguments.every]
     with open(arguments.out, "w", encoding="utf-8") as out:
         out.write("# FUNcube-1 whole-orbit telemetry (AMSAT-UK), made by convert.py\n")
         out.write("time_utc,quantity,of,value,sigma\n")
         for row in kept:
-            time = row[TIME].split(".")[0].replace(" ", "T") + ".000Z"
+            time = row[TIME][:16].replace(" ", "T") + ":30.000Z"
             for place, value in channels_of(row, wanted):
                 out.write(f"{time},temperature,{place},{value:.3f},{arguments.sigma:g}\n")
     print(f"{len(kept)} frames; left out: {held} held, {repeated} second ones of a minute")
