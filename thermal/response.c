@@ -8,7 +8,8 @@
  *   dT_a = M^-1 w,   b_i = (K_ia + 4 s R_ia T_a^3) / C_i dT_a,   M = -dg/dT_a (cluster.c),
  *
  * and its own temperature is the elimination's answer to the unknowns plus dT_a. Columns are in the
- * order in which sources begin, so those that have not begun are left alone. */
+ * order in which sources begin, so those that have not begun are left alone. Wanted times need not
+ * end a step. */
 #include "thermal/response.h"
 
 #include <math.h>
@@ -28,6 +29,7 @@ struct response {
   size_t nsource;
   size_t *order;   /* [nsource] source of a column */
   double *s;       /* [nsource][nunknown] by column [K/W] */
+  double *inside;  /* [UM_THERMAL_INSIDE][nsource][nunknown] s at wanted times in a step */
   double *out;     /* [nsource][nnode] by source [K/W] */
   double *cluster; /* [n] scratch of an eliminated group */
   double *jacobian;
@@ -84,7 +86,8 @@ static size_t ends_list(const struct response *r, const double *times, size_t nt
     count++;                                                                                       \
   } while (0)
   END(r->from);
-  for (size_t k = 0; k < ntime; k++) END(times[k]);
+  END(times[ntime - 1]);
+  for (size_t k = UM_THERMAL_INSIDE; k < ntime; k += UM_THERMAL_INSIDE) END(times[k]);
   for (size_t k = 0; k < r->nsource; k++) {
     END(r->source[k].t_from);
     END(r->source[k].t_to);
@@ -204,13 +207,13 @@ static size_t begun(const struct response *r, double t)
 
 /* Responses of all nodes at t, temperatures linearised there: as they are before a source that
  * switches at t does so, at the start after it. */
-static void out_fill(struct response *r, double t)
+static void out_fill(struct response *r, double t, const double *columns)
 {
   const struct um_thermal_system *system = r->system;
   double begin = fmax(t - 2.0 * ONE_TIME, 0.0);
   for (size_t column = 0; column < r->nsource; column++) {
     const struct um_thermal_response_source *source = &r->source[r->order[column]];
-    const double *s = r->s + column * system->nunknown;
+    const double *s = columns + column * system->nunknown;
     double *out = r->out + r->order[column] * system->n;
     for (size_t k = 0; k < system->nunknown; k++) out[system->node[k]] = s[k];
     for (size_t g = 0; g < system->ncluster; g++) {
@@ -233,36 +236,63 @@ static void base_times(const struct response *r, const double *times, size_t nti
                        size_t *middle, size_t *place)
 {
   size_t at = 0, next = 0;
-  for (size_t k = 0; k <= r->nstep; k++) {
-    for (; next < ntime && times[next] - r->from <= r->grid[k] + ONE_TIME; next++) {
+  for (size_t k = 0; k < r->nstep; k++) {
+    double t = r->from + 0.5 * (r->grid[k] + r->grid[k + 1]);
+    for (; next < ntime && times[next] <= t; next++) {
       place[next] = at;
       all[at++] = times[next];
     }
-    if (k == r->nstep) break;
     middle[k] = at;
-    all[at++] = r->from + 0.5 * (r->grid[k] + r->grid[k + 1]);
+    all[at++] = t;
+  }
+  for (; next < ntime; next++) {
+    place[next] = at;
+    all[at++] = times[next];
   }
 }
 
-/* Through the grid; base: temperatures at all times of base_times. */
-static enum um_status march(struct response *r, const double *times, size_t ntime,
-                            const double *base, const size_t *middle, const size_t *place,
-                            um_thermal_response_take *take, void *user)
+/* The base and who takes what is wanted. */
+struct march {
+  const double *times; /* [ntime] */
+  size_t ntime, next;
+  const double *base;           /* temperatures at all times of base_times */
+  const size_t *middle, *place; /* of base_times */
+  um_thermal_response_take *take;
+  void *user;
+};
+
+static enum um_status hand_over(struct response *r, struct march *m, const double *columns)
 {
-  size_t next = 0, n = r->system->n;
+  const double *temperature = m->base + m->place[m->next] * r->system->n;
+  if (r->system->ncluster > 0) UM_TRY(linearize(r, temperature));
+  out_fill(r, m->times[m->next] - r->from, columns);
+  UM_TRY(m->take(m->user, m->next, temperature, r->out));
+  m->next++;
+  return UM_OK;
+}
+
+static enum um_status step_take(struct response *r, struct march *m, size_t k)
+{
+  size_t stride = r->nsource * r->system->nunknown;
+  struct um_thermal_step step = {
+      .rate = column_rate, .user = r, .taken = r->inside, .stride = stride};
+  r->begin = r->grid[k];
+  r->end = r->grid[k + 1];
+  for (size_t i = m->next; i < m->ntime && m->times[i] - r->from < r->end - ONE_TIME; i++)
+    step.inside[step.ninside++] = (m->times[i] - r->from - r->begin) / (r->end - r->begin);
+  UM_TRY(linearize(r, m->base + m->middle[k] * r->system->n));
+  UM_TRY(um_thermal_stepper_factor(r->stepper, r->jacobian, r->end - r->begin));
+  UM_TRY(um_thermal_stepper_step(r->stepper, r->s, begun(r, r->end), &step));
+  for (size_t i = 0; i < step.ninside; i++) UM_TRY(hand_over(r, m, r->inside + i * stride));
+  return UM_OK;
+}
+
+static enum um_status march(struct response *r, struct march *m)
+{
   for (size_t k = 0; k <= r->nstep; k++) {
-    for (; next < ntime && times[next] - r->from <= r->grid[k] + ONE_TIME; next++) {
-      const double *temperature = base + place[next] * n;
-      if (r->system->ncluster > 0) UM_TRY(linearize(r, temperature));
-      out_fill(r, r->grid[k]);
-      UM_TRY(take(user, next, temperature, r->out));
-    }
-    if (k == r->nstep) break;
-    r->begin = r->grid[k];
-    r->end = r->grid[k + 1];
-    UM_TRY(linearize(r, base + middle[k] * n));
-    UM_TRY(um_thermal_stepper_factor(r->stepper, r->jacobian, r->end - r->begin));
-    UM_TRY(um_thermal_stepper_step(r->stepper, r->s, begun(r, r->end), column_rate, r));
+    while (m->next < m->ntime && m->times[m->next] - r->from <= r->grid[k] + ONE_TIME)
+      UM_TRY(hand_over(r, m, r->s));
+    if (k < r->nstep) UM_TRY(step_take(r, m, k));
   }
   return UM_OK;
 }
@@ -282,6 +312,8 @@ static enum um_status storage_create(struct response *r)
   UM_TRY(um_thermal_stepper_create(system, &r->stepper));
   UM_TRY(um_core_allocate(r->context, r->nsource, sizeof *r->order, &r->order));
   UM_TRY(um_core_allocate(r->context, r->nsource * system->nunknown, sizeof(double), &r->s));
+  UM_TRY(um_core_allocate(r->context, UM_THERMAL_INSIDE * r->nsource,
+                          system->nunknown * sizeof(double), &r->inside));
   UM_TRY(um_core_allocate(r->context, r->nsource * system->n, sizeof(double), &r->out));
   UM_TRY(um_core_allocate(r->context, system->n, sizeof(double), &r->cluster));
   return um_core_allocate(r->context, system->nnonzero, sizeof(double), &r->jacobian);
@@ -291,7 +323,7 @@ static void storage_free(struct response *r)
 {
   um_thermal_stepper_destroy(&r->stepper);
   um_thermal_system_destroy(&r->system);
-  void *const block[] = {r->order, r->s, r->out, r->cluster, r->jacobian, r->grid};
+  void *const block[] = {r->order, r->s, r->inside, r->out, r->cluster, r->jacobian, r->grid};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++) um_core_free(r->context, block[k]);
 }
 
@@ -310,7 +342,8 @@ static enum um_status run(struct response *r, const double *times, size_t ntime,
   base_times(r, times, ntime, all, middle, place);
   UM_CHECK(um_thermal_solve(r->context, system->network, system->loads, &system->options, r->from,
                             all, r->nstep + ntime, &base));
-  UM_CHECK(march(r, times, ntime, base->temperature, middle, place, take, user));
+  struct march m = {times, ntime, 0, base->temperature, middle, place, take, user};
+  UM_CHECK(march(r, &m));
 done:
   um_thermal_history_destroy(r->context, &base);
   um_core_free(r->context, all);

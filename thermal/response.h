@@ -18,8 +18,8 @@ struct um_thermal_response_source {
 };
 
 struct um_thermal_response_options {
-  /* Longest step [s]; 0: a quarter of the shortest source. Wanted times, ends of sources and edges
-   * and jumps of the loads end a step in any case. */
+  /* Longest step [s]; 0: a quarter of the shortest source. Ends of sources and edges and jumps of
+   * the loads end a step in any case; wanted times need not. */
   double longest_step;
   const double *start; /* [nsource][nnode] S at the start [K/W]; NULL: 0 */
 };
@@ -33,8 +33,9 @@ typedef enum um_status um_thermal_response_take(void *user, size_t k, const doub
  * responses, and hands over times[ntime], ascending. Thermostats switch when they do in the base:
  * their answer to the change is not in S. UM_ERR_INPUT as um_thermal_solve, and sources on nodes
  * that are not there, with weights that are not finite, or that end before they begin.
- * Accuracy: order 5 in steps over time constants of what is heated, order 2 in the change of H over
- * a step; 1e-5 of the answer where steps are half a time constant (tests/thermal/response.c). */
+ * Accuracy: order 5 in steps over time constants of what is heated (4 at wanted times inside),
+ * order 2 in the change of H over a step; 1e-5 of the answer where steps are half a time constant
+ * (tests/thermal/response.c). */
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
                                    const struct um_thermal_loads *loads,

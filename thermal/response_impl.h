@@ -13,11 +13,22 @@ void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper);
 /* Factor for steps of h [s] with the Jacobian jacobian[nnonzero] [1/s]. */
 enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, const double *jacobian,
                                          double h);
-/* Columns s[ncolumn][nunknown] one step on. rate(user, column, b) fills b[nunknown] [K/s per W] and
- * returns true, or returns false where the column's source is off. */
+/* Most instants inside a step. */
+#define UM_THERMAL_INSIDE 16
+
+/* What a step needs to know of its columns. */
+struct um_thermal_step {
+  /* Fills b[nunknown] [K/s per W] and returns true, or returns false where a source is off. */
+  bool (*rate)(void *user, size_t column, double *b);
+  void *user;
+  double inside[UM_THERMAL_INSIDE]; /* instants wanted in the step, as shares of it, in (0, 1) */
+  size_t ninside;
+  double *taken; /* [ninside][stride] receives the columns there */
+  size_t stride; /* [nunknown] times as many columns as there are at most */
+};
+
+/* Columns s[ncolumn][nunknown] one step on. */
 enum um_status um_thermal_stepper_step(struct um_thermal_stepper *stepper, double *s,
-                                       size_t ncolumn,
-                                       bool (*rate)(void *user, size_t column, double *b),
-                                       void *user);
+                                       size_t ncolumn, const struct um_thermal_step *step);
 
 #endif

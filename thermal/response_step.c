@@ -15,6 +15,10 @@
  *
  *   S <- X (w_1 + X (w_2 + X (w_3 + X (w_4 + X w_5)))),   w_i = c_i S + h d_i b.
  *
+ * Instants inside, a share a of the step on, have z^j replaced by (a z)^j under the second sum
+ * only, a^(j - i), which is of order 4 there; then X^i S and X^i b are kept and summed for each
+ * instant.
+ *
  * Columns go four at a time, as KLU solves them. */
 #include "thermal/response_impl.h"
 
@@ -37,6 +41,7 @@ struct um_thermal_stepper {
   double *matrix;                 /* [nnonzero] 1 - g h J */
   double *work;                   /* [TOGETHER][nunknown] */
   double *b;                      /* [TOGETHER][nunknown] */
+  double *chain[2];               /* [STAGES][TOGETHER][nunknown] X^i S and X^i b */
   double h;                       /* [s] */
   double c[STAGES + 1], d[STAGES + 1];
 };
@@ -48,16 +53,15 @@ static double binomial(int n, int k)
   return value;
 }
 
-/* c and d of the comment above. */
-static void coefficients_set(struct um_thermal_stepper *stepper)
+/* c and d of the comment above, for a share of the step. */
+static void coefficients_set(double share, double c[STAGES + 1], double d[STAGES + 1])
 {
-  double *c = stepper->c, *d = stepper->d;
-  memset(c, 0, sizeof stepper->c);
+  memset(c, 0, (STAGES + 1) * sizeof *c);
   for (int j = 0; j < STAGES; j++) {
-    double p = 0.0, factorial = 1.0;
-    for (int i = j; i >= 0; i--) { /* (j - i)! grows */
-      if (j - i > 0) factorial *= j - i;
-      p += (i % 2 == 0 ? 1.0 : -1.0) * binomial(STAGES, i) * pow(POLE, i) / factorial;
+    double p = 0.0, term = 1.0; /* share^(j - i) / (j - i)! */
+    for (int i = j; i >= 0; i--) {
+      if (i < j) term *= share / (j - i);
+      p += (i % 2 == 0 ? 1.0 : -1.0) * binomial(STAGES, i) * pow(POLE, i) * term;
     }
     p *= pow(POLE, -j);
     for (int k = 0; k <= j; k++) /* (x - 1)^j x^(5-j) */
@@ -83,12 +87,14 @@ enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
   UM_CHECK(um_core_allocate(context, 1, sizeof *stepper, &stepper));
   stepper->system = system;
   klu_l_defaults(&stepper->common);
-  coefficients_set(stepper);
+  coefficients_set(1.0, stepper->c, stepper->d);
   UM_CHECK(um_core_allocate(context, n + 1, sizeof *stepper->column, &stepper->column));
   UM_CHECK(um_core_allocate(context, system->nnonzero, sizeof *stepper->row, &stepper->row));
   UM_CHECK(um_core_allocate(context, system->nnonzero, sizeof(double), &stepper->matrix));
   UM_CHECK(um_core_allocate(context, TOGETHER * n, sizeof(double), &stepper->work));
   UM_CHECK(um_core_allocate(context, TOGETHER * n, sizeof(double), &stepper->b));
+  for (int k = 0; k < 2; k++)
+    UM_CHECK(um_core_allocate(context, STAGES * TOGETHER * n, sizeof(double), &stepper->chain[k]));
   for (size_t k = 0; k <= n; k++) stepper->column[k] = (SuiteSparse_long)system->column[k];
   for (size_t k = 0; k < system->nnonzero; k++) stepper->row[k] = (SuiteSparse_long)system->row[k];
   stepper->symbolic =
@@ -114,6 +120,8 @@ void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper)
   um_core_free(context, s->matrix);
   um_core_free(context, s->work);
   um_core_free(context, s->b);
+  um_core_free(context, s->chain[0]);
+  um_core_free(context, s->chain[1]);
   um_core_free(context, s);
   *stepper = NULL;
 }
@@ -146,40 +154,102 @@ enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, con
                       (long)stepper->common.status);
 }
 
-/* w_i of one column into work, added to what is there. */
-static void stage_add(const struct um_thermal_stepper *stepper, int stage, const double *s,
-                      const double *b, bool on, double *work)
+/* x[count][nunknown] <- X x. */
+static enum um_status solve(struct um_thermal_stepper *stepper, size_t count, double *x)
+{
+  SuiteSparse_long n = (SuiteSparse_long)stepper->system->nunknown;
+  if (klu_l_solve(stepper->symbolic, stepper->numeric, n, (SuiteSparse_long)count, x,
+                  &stepper->common))
+    return UM_OK;
+  return um_core_fail(stepper->system->context, UM_ERR_NUMERIC,
+                      "the heat balance cannot be solved (KLU status %ld)",
+                      (long)stepper->common.status);
+}
+
+/* Horner's sum to the end of the step, in place. on: whose source is on. */
+static enum um_status advance(struct um_thermal_stepper *stepper, double *s, size_t count,
+                              const bool *on)
 {
   size_t n = stepper->system->nunknown;
-  double c = stepper->c[stage], d = stepper->h * stepper->d[stage];
-  if (on)
-    for (size_t k = 0; k < n; k++) work[k] += c * s[k] + d * b[k];
-  else
-    for (size_t k = 0; k < n; k++) work[k] += c * s[k];
+  memset(stepper->work, 0, count * n * sizeof(double));
+  for (int stage = STAGES; stage >= 1; stage--) {
+    double c = stepper->c[stage], d = stepper->h * stepper->d[stage];
+    for (size_t j = 0; j < count; j++) {
+      const double *from = s + j * n, *b = stepper->b + j * n;
+      double *work = stepper->work + j * n;
+      for (size_t k = 0; k < n; k++) work[k] += c * from[k];
+      for (size_t k = 0; on[j] && k < n; k++) work[k] += d * b[k];
+    }
+    UM_TRY(solve(stepper, count, stepper->work));
+  }
+  memcpy(s, stepper->work, count * n * sizeof(double));
+  return UM_OK;
+}
+
+/* X^i x for i = 1 to 5 into chain. */
+static enum um_status chain_make(struct um_thermal_stepper *stepper, const double *x, size_t count,
+                                 double *chain)
+{
+  size_t size = count * stepper->system->nunknown;
+  for (int stage = 0; stage < STAGES; stage++) {
+    memcpy(chain, stage == 0 ? x : chain - size, size * sizeof *x);
+    UM_TRY(solve(stepper, count, chain));
+    chain += size;
+  }
+  return UM_OK;
+}
+
+/* out = sum of c_i X^i S + h d_i X^i b of column j of the chains. */
+static void chain_sum(const struct um_thermal_stepper *stepper, const double *c, const double *d,
+                      size_t count, size_t j, bool on, double *out)
+{
+  size_t n = stepper->system->nunknown;
+  memset(out, 0, n * sizeof *out);
+  for (size_t i = 0; i < STAGES; i++) {
+    const double *s = stepper->chain[0] + (i * count + j) * n;
+    const double *b = stepper->chain[1] + (i * count + j) * n;
+    double of_s = c[i + 1], of_b = stepper->h * d[i + 1];
+    for (size_t k = 0; k < n; k++) out[k] += of_s * s[k];
+    for (size_t k = 0; on && k < n; k++) out[k] += of_b * b[k];
+  }
+}
+
+/* The same to the end of the step and to instants inside. first: number of the first column. */
+static enum um_status advance_through(struct um_thermal_stepper *stepper, double *s, size_t first,
+                                      size_t count, const bool *on,
+                                      const struct um_thermal_step *step)
+{
+  size_t n = stepper->system->nunknown;
+  bool any = false;
+  for (size_t j = 0; j < count; j++) any = any || on[j];
+  UM_TRY(chain_make(stepper, s, count, stepper->chain[0]));
+  if (any) UM_TRY(chain_make(stepper, stepper->b, count, stepper->chain[1]));
+  for (size_t q = 0; q < step->ninside; q++) {
+    double c[STAGES + 1], d[STAGES + 1];
+    coefficients_set(step->inside[q], c, d);
+    for (size_t j = 0; j < count; j++)
+      chain_sum(stepper, c, d, count, j, on[j], step->taken + q * step->stride + (first + j) * n);
+  }
+  for (size_t j = 0; j < count; j++)
+    chain_sum(stepper, stepper->c, stepper->d, count, j, on[j], s + j * n);
+  return UM_OK;
 }
 
 enum um_status um_thermal_stepper_step(struct um_thermal_stepper *stepper, double *s,
-                                       size_t ncolumn,
-                                       bool (*rate)(void *user, size_t column, double *b),
-                                       void *user)
+                                       size_t ncolumn, const struct um_thermal_step *step)
 {
   size_t n = stepper->system->nunknown;
   for (size_t first = 0; first < ncolumn; first += TOGETHER) {
     size_t count = ncolumn - first < TOGETHER ? ncolumn - first : TOGETHER;
     bool on[TOGETHER];
-    for (size_t k = 0; k < count; k++) on[k] = rate(user, first + k, stepper->b + k * n);
-    memset(stepper->work, 0, count * n * sizeof(double));
-    for (int stage = STAGES; stage >= 1; stage--) {
-      for (size_t k = 0; k < count; k++)
-        stage_add(stepper, stage, s + (first + k) * n, stepper->b + k * n, on[k],
-                  stepper->work + k * n);
-      if (!klu_l_solve(stepper->symbolic, stepper->numeric, (SuiteSparse_long)n,
-                       (SuiteSparse_long)count, stepper->work, &stepper->common))
-        return um_core_fail(stepper->system->context, UM_ERR_NUMERIC,
-                            "the heat balance cannot be solved (KLU status %ld)",
-                            (long)stepper->common.status);
+    for (size_t j = 0; j < count; j++) {
+      on[j] = step->rate(step->user, first + j, stepper->b + j * n);
+      if (!on[j]) memset(stepper->b + j * n, 0, n * sizeof(double));
     }
-    memcpy(s + first * n, stepper->work, count * n * sizeof(double));
+    if (step->ninside > 0)
+      UM_TRY(advance_through(stepper, s + first * n, first, count, on, step));
+    else
+      UM_TRY(advance(stepper, s + first * n, count, on));
   }
   return UM_OK;
 }

@@ -80,6 +80,43 @@ static void test_single_node(void **state)
   um_thermal_network_destroy(&network);
 }
 
+/* Wanted times inside steps: nothing of them changes the steps, and each is as good as a node of
+ * the grid to order 4: steps of half a time constant, a wall; and of 12, a skin that has long
+ * settled. */
+static void test_inside(void **state)
+{
+  (void)state;
+  enum { TIMES = 41 };
+  const double tau[2] = {100.0, 4.0}, one = 1.0;
+  struct um_thermal_network *network = help_network();
+  uint32_t node[2], boundary = help_boundary(network, 250.0);
+  struct um_thermal_response_source source[2];
+  for (int i = 0; i < 2; i++) {
+    node[i] = help_node(network, tau[i], 250.0);
+    OK(um_thermal_network_conductor_add(network, boundary, node[i], 1.0));
+    source[i] = (struct um_thermal_response_source){&node[i], &one, 1, 0.0, 400.0};
+  }
+  double times[TIMES];
+  for (int k = 0; k < TIMES; k++) times[k] = 9.7 * k;
+  struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 0.0);
+  const struct um_thermal_response_options how = {50.0, NULL};
+  struct kept kept = kept_create(TIMES, 2, 3);
+  OK(um_thermal_response(help_context, network, NULL, &options, 0.0, times, TIMES, source, 2, &how,
+                         keep, &kept));
+  assert_int_equal(kept.calls, TIMES);
+  double worst = 0.0, settled = 0.0;
+  for (size_t k = 0; k < TIMES; k++) {
+    worst = fmax(worst, fabs(at(&kept, k, 0, node[0]) + expm1(-times[k] / tau[0])));
+    if (times[k] > 150.0) settled = fmax(settled, fabs(at(&kept, k, 1, node[1]) - 1.0));
+  }
+  print_message("inside: wall %.1e, settled skin %.1e\n", worst, settled);
+  /* g^5 z^5 = 5e-5 at half a time constant; what three steps of 12 leave, R(-12.5)^3 */
+  NEAR("inside a step", worst, 0.0, 5e-5);
+  NEAR("settled", settled, 0.0, 2e-3);
+  kept_free(&kept);
+  um_thermal_network_destroy(&network);
+}
+
 /* Error of one step of t = 2 tau/n, n steps: order 5. */
 static void test_order(void **state)
 {
@@ -248,9 +285,8 @@ static void test_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_single_node),
-      cmocka_unit_test(test_order),
-      cmocka_unit_test(test_against_runs),
+      cmocka_unit_test(test_single_node), cmocka_unit_test(test_inside),
+      cmocka_unit_test(test_order),       cmocka_unit_test(test_against_runs),
       cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
