@@ -31,6 +31,16 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
   return UM_OK;
 }
 
+enum um_status um_diagnosis_nuisance_check(struct um_context *context,
+                                           const struct um_diagnosis_nuisance_effect *nuisance)
+{
+  if (nuisance->per == NULL || strcmp(nuisance->per, "set") == 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "nuisance '%s' per '%.40s': an effect that is free per observation fits any "
+                      "measurement; accepted: per set",
+                      nuisance->effect->name, nuisance->per);
+}
+
 enum um_status um_diagnosis_nuisances(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state)
@@ -40,11 +50,7 @@ enum um_status um_diagnosis_nuisances(struct um_context *context,
     const struct um_diagnosis_nuisance_effect *n = &options->nuisance[i];
     struct um_diagnosis_addition use = {.effect = n->effect, .target = n->target};
     struct um_diagnosis_block block;
-    if (n->per != NULL && strcmp(n->per, "set") != 0)
-      return um_core_fail(context, UM_ERR_INPUT,
-                          "nuisance '%s' per '%.40s': an effect that is free per observation fits "
-                          "any measurement; accepted: per set",
-                          n->effect->name, n->per);
+    UM_TRY(um_diagnosis_nuisance_check(context, n));
     um_diagnosis_forward_null(work->forward, n->effect, n->target, use.value);
     UM_TRY(um_diagnosis_block_wanted(context, work, &use, n->sigma, &block));
     /* free means free: no width of the effect's own */

@@ -11,6 +11,9 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
                                          const struct um_diagnosis_work *work,
                                          const struct um_diagnosis_addition *wanted, double sigma,
                                          struct um_diagnosis_block *out);
+/* UM_ERR_INPUT: one that is free per observation. */
+enum um_status um_diagnosis_nuisance_check(struct um_context *context,
+                                           const struct um_diagnosis_nuisance_effect *nuisance);
 /* The nuisances of the options, into an empty state. UM_ERR_INPUT: one that is free per
  * observation. */
 enum um_status um_diagnosis_nuisances(struct um_context *context,

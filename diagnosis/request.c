@@ -6,6 +6,7 @@
 
 #include "core/csv.h"
 #include "core/words.h"
+#include "diagnosis/nuisance_impl.h"
 #include "effects/effects.h"
 
 static bool same_target(const char *a, const char *b)
@@ -63,7 +64,7 @@ static enum um_status add_nuisance(struct um_context *context, const struct um_m
     r->nnuisance++;
   }
   r->nuisance[i] = (struct um_diagnosis_nuisance_effect){effect, target, sigma, per};
-  return UM_OK;
+  return um_diagnosis_nuisance_check(context, &r->nuisance[i]); /* before anything is computed */
 }
 
 /* ---- texts of the command line ---- */
