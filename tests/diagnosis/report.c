@@ -356,8 +356,8 @@ static void test_json(const char *path)
       "\"metrics\": [",
       "\"quantity\": \"temperature\", \"of\": \"bus.interior\", \"unit\": \"K\"",
       "\"unit\": \"mag\", \"residual_unit\": \"flux of magnitude 0\", \"all\": {\"count\": 1",
-      "{\"effect\": \"internal_power\", \"target\": \"bus\", \"parameters\": [{\"name\": "
-      "\"power_W\", \"value\": 41.5, \"sigma\": 0.7, \"unit\": \"W\"}]",
+      "{\"effect\": \"internal_power\", \"target\": \"bus\", \"parameters\": [{",
+      "\"name\": \"power_W\", \"value\": 41.5, \"sigma\": 0.7, \"unit\": \"W\"}]",
       "\"p_value\": 1e-09, \"delta_bic\": -4990, \"held_out\": {\"before\": 5000, \"after\": 130}",
       "\"indistinguishable_from\": [\"emittance:grey_white\"]",
       "\"next_measurement\": {\"what\": \"temperature of bus.+y in the umbra\"",
