@@ -1,5 +1,6 @@
-/* Nonlinear least squares with priors and bounds, by GSL's trust region; what its result says of
- * the model: uncertainty, BIC, rows held out. Knows rows and parameters, not what they are. */
+/* Nonlinear least squares with priors and bounds for models that cost seconds, on GSL's linear
+ * algebra; what its result says of the model: uncertainty, BIC, rows held out. Knows rows and
+ * parameters, not what they are. */
 #ifndef UMBRA_DIAGNOSIS_FIT_H
 #define UMBRA_DIAGNOSIS_FIT_H
 
@@ -19,12 +20,16 @@ struct um_diagnosis_fit_problem {
   const double *measured;                             /* [nrow] */
   const double *sigma;                                /* [nrow] > 0 */
   const struct um_diagnosis_fit_parameter *parameter; /* [nparameter] */
-  /* model values [nrow] at x [nparameter], always within the bounds */
+  /* model values [nrow] at x [nparameter], always within the bounds. UM_ERR_INPUT, UM_ERR_NUMERIC
+   * or a value that is not finite: the model refuses this x, which is an error at the start and a
+   * shorter step elsewhere */
   enum um_status (*evaluate)(struct um_context *context, void *user, const double *x,
                              double *value);
   void *user;
   /* [nparameter][nrow] d(value)/d(parameter) at the start, or NULL: differences. A Jacobian that is
-   * handed in is used until it no longer serves, then made anew by differences. */
+   * handed in is used, with secant updates, until a step fails or gains less than a quarter of what
+   * it should, or the solution lies where it no longer holds (5 % of the change of the rows missed,
+   * or 0.1 sigma of bias by it); then it is made anew by differences. */
   const double *jacobian;
   /* [nrow] model values at the start, or NULL */
   const double *value;
@@ -33,9 +38,13 @@ struct um_diagnosis_fit_problem {
 
 struct um_diagnosis_fit {
   size_t nrow, nparameter, iterations, evaluations;
+  /* the next step lowers chi-square by less than 1e-3, or by less than 0.1 that is lost in noise of
+   * the model */
   bool converged;
-  double *x, *sigma;  /* [nparameter]; sigma from the curvature with priors; NaN at a bound */
-  double *covariance; /* [nparameter][nparameter] */
+  /* [nparameter]; sigma from the curvature with priors, those at a bound held there; NaN at a
+   * bound, INFINITY where rows and priors do not determine it */
+  double *x, *sigma;
+  double *covariance; /* [nparameter][nparameter]; 0 where sigma is no number */
   bool *at_bound;     /* [nparameter] */
   double *value;      /* [nrow] model at x */
   double *residual;   /* [nrow] (measured - value) / sigma */
@@ -45,8 +54,9 @@ struct um_diagnosis_fit {
   double bic;         /* chi2 + chi2_prior + nparameter ln nrow */
 };
 
-/* UM_ERR_INPUT: more parameters without prior than rows, or a start outside its bounds. Errors of
- * evaluate are passed on. The caller destroys. */
+/* UM_ERR_INPUT: more parameters without prior than rows, a start outside its bounds, a sigma or a
+ * step that is not above 0. Errors of evaluate are passed on, as said above. Agrees with NIST's
+ * certified problems to 6 digits (tests/diagnosis/fit.c). The caller destroys. */
 enum um_status um_diagnosis_fit_create(struct um_context *context,
                                        const struct um_diagnosis_fit_problem *problem,
                                        struct um_diagnosis_fit **out);
@@ -54,8 +64,9 @@ void um_diagnosis_fit_destroy(struct um_context *context, struct um_diagnosis_fi
 
 /* Chi-square of rows that were not used: for every fold the parameters are fitted anew without it
  * (one Gauss-Newton step from the solution by its Jacobian, no model is computed) and its rows
- * predicted. fold: [nrow] below nfold; out: sum over the folds. Compare with the same of a rival
- * or of the model without parameters (its chi2). UM_ERR_MEMORY. */
+ * predicted. A parameter that only these rows determine goes back to its start. fold: [nrow] below
+ * nfold; out: sum over the folds. Compare with the same of a rival or of the model without
+ * parameters (its chi2). UM_ERR_MEMORY, UM_ERR_LIBRARY. */
 enum um_status um_diagnosis_fit_held_out(struct um_context *context,
                                          const struct um_diagnosis_fit_problem *problem,
                                          const struct um_diagnosis_fit *fit, const size_t *fold,

@@ -11,6 +11,7 @@
 
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
 #define NOT_MOVED 0.3  /* change of the residuals [sigma] that is no move */
+#define BIAS_MAX  0.1  /* shift of the solution [sigma] by what J misses of the slope */
 
 enum um_status um_diagnosis_descent_try(struct um_context *context,
                                         struct um_diagnosis_descent *descent, bool *happened)
@@ -93,9 +94,11 @@ void um_diagnosis_descent_update(struct um_diagnosis_descent *descent)
   descent->updates++;
 }
 
+/* Along the way from where J was made, dv = J dx + m: slope that J has not is m / |dv| per sigma of
+ * the way, which shifts the zero of the gradient by m'r / |dv| sigma, much where r is not noise. */
 bool um_diagnosis_descent_serves(struct um_diagnosis_descent *descent)
 {
-  double missed = 0.0, moved = 0.0;
+  double missed = 0.0, moved = 0.0, bias = 0.0;
   if (descent->fresh) return true;
   for (size_t i = 0; i < descent->nrow; i++) {
     double change = descent->base_r[i] - descent->r[i], miss = change;
@@ -103,6 +106,9 @@ bool um_diagnosis_descent_serves(struct um_diagnosis_descent *descent)
       miss -= descent->base_jacobian[j * descent->nrow + i] * (descent->x[j] - descent->base_x[j]);
     moved += change * change;
     missed += miss * miss;
+    bias += miss * descent->r[i];
   }
-  return sqrt(moved) < NOT_MOVED || sqrt(missed) < BEND_MAX * sqrt(moved);
+  moved = sqrt(moved);
+  if (fabs(bias) > BIAS_MAX * moved) return false;
+  return moved < NOT_MOVED || sqrt(missed) < BEND_MAX * moved;
 }

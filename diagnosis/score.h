@@ -19,17 +19,25 @@ struct um_diagnosis_direction {
 };
 
 struct um_diagnosis_score {
-  double statistic; /* chi-square that the direction explains, after the nuisances */
+  /* chi-square that the direction explains, after the nuisances; 0 against a bound. Where p
+   * underflows to 0 it still ranks */
+  double statistic;
   double dof;
-  double p;           /* one-sided where a bound is at the null value and ncolumn is 1 */
-  double p_corrected; /* family-wise over all directions that are alive (Sidak with Holm's steps) */
-  double estimate[8], sigma[8]; /* [ncolumn] linear; without prior; NaN when absorbed */
-  double kept;   /* share of the direction's length that the nuisances leave, in [0, 1] */
-  bool absorbed; /* kept < 1e-3, or length below 1e-6: the rows cannot see it */
+  double
+      p; /* one-sided where a bound is at the null value and ncolumn is 1: above 0.5 against it */
+  /* family-wise over all directions that are not absorbed (Sidak with Holm's steps); collinear ones
+   * are one test */
+  double p_corrected;
+  double estimate[8],
+      sigma[8]; /* [ncolumn] linear; without prior; NaN when absorbed or collinear */
+  double kept;  /* share of a column's length that the nuisances leave, the largest, in [0, 1] */
+  /* kept < 1e-3, or length, of one prior width where there is one, below 1e-6: the rows cannot see
+   * it. Its p are 1 */
+  bool absorbed;
 };
 
 /* Directions that may be present anyway: calibration factors, accepted effects. prior_sigma
- * INFINITY: free. */
+ * INFINITY: free; 0: known, hence none. They may be collinear or dead. */
 struct um_diagnosis_nuisance {
   size_t count;
   const double *column;      /* [count][nrow] whitened; borrowed */
@@ -58,9 +66,9 @@ enum um_status um_diagnosis_separation(struct um_context *context, size_t nrow,
                                        const struct um_diagnosis_direction *direction, double *out);
 
 /* Is the residual itself white noise of unit variance? p of chi-square (upper tail) with dof, and
- * p of the runs and autocorrelation of neighbours per channel (Ljung & Box 1978, Biometrika
- * 65:297, ten lags or a fifth of the rows), Fisher-combined over channels. channel: [nrow]. Rows of
- * a channel in order of time. */
+ * p of the autocorrelation of neighbours per channel, about zero (Ljung & Box 1978, Biometrika
+ * 65:297, ten lags or a fifth of the rows), Fisher-combined over the channels of five rows or more;
+ * 1 without such a channel. channel: [nrow]. Rows of a channel in order of time. UM_ERR_MEMORY. */
 struct um_diagnosis_whiteness {
   double chi2, dof, p_chi2;
   double p_white;
