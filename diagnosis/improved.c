@@ -199,6 +199,22 @@ static enum um_status list_effect_files(struct overrides *o, const struct um_mod
   return UM_OK;
 }
 
+/* Shared objects of --effect-file, by absolute names. */
+static enum um_status list_files(struct overrides *o, const struct um_model_options *options)
+{
+  for (size_t i = 0; i < options->neffect_file; i++) {
+    char quoted[2048], *text, *real = realpath(options->effect_files[i], NULL);
+    if (real == NULL)
+      return um_core_fail(o->context, UM_ERR_IO, "%s: %s", options->effect_files[i],
+                          strerror(errno));
+    quote(real, sizeof quoted, quoted);
+    free(real);
+    UM_TRY(um_core_asprintf(o->context, &text, "effect_files.+=%s", quoted));
+    UM_TRY(add_override(o, text));
+  }
+  return UM_OK;
+}
+
 /* ---- the text ---- */
 
 /* The scenario's text with all changes; the caller frees. */
@@ -213,6 +229,7 @@ static enum um_status make_text(struct um_context *context, const struct um_diag
   enum um_status status;
   *out = NULL;
   UM_CHECK(um_core_document_text(context, model->document, &text)); /* --set stands in it */
+  UM_CHECK(list_files(&o, &d->forward->cache->options));
   UM_CHECK(list_effects(&o, d));
   UM_CHECK(list_effect_files(&o, &d->forward->cache->options));
   UM_CHECK(um_core_document_parse(context, model->scenario->at.file, text,
