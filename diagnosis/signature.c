@@ -95,28 +95,57 @@ static bool acts_behind(const struct um_effect *effect)
   return effect->hooks.observation != NULL && memcmp(&other, &none, sizeof none) == 0;
 }
 
-/* One parameter: *step in and out, column [nrow] the difference that it makes (not yet divided). An
- * effect that refuses is dead. */
-static enum um_status difference(struct um_context *context, const struct um_diagnosis_point *point,
-                                 const struct um_diagnosis_candidate *c, const double *at, size_t p,
-                                 double *step, double *column, struct change *change)
+/* What moves: parameter p of the values, by a step. */
+struct mover {
+  struct um_context *context;
+  const struct um_diagnosis_point *point;
+  const struct um_diagnosis_candidate *candidate;
+  const double *at; /* [nparameter] */
+  size_t p;
+  double *column; /* [nrow] the difference that it makes */
+};
+
+static enum um_status move(const struct mover *m, double step, struct change *change)
 {
-  const struct um_effect_parameter *parameter = &c->effect->parameters[p];
   double values[UM_EFFECT_PARAMETERS_MAX];
-  memcpy(values, at, sizeof values);
-  values[p] = at[p] + *step;
-  UM_TRY(step_to(context, point, c, values, column, change));
-  for (int growths = 0; growths < 2 && too_small(change, point->noise); growths++) {
-    double more = longer(parameter, at[p], *step);
+  memcpy(values, m->at, sizeof values);
+  values[m->p] += step;
+  return step_to(m->context, m->point, m->candidate, values, m->column, change);
+}
+
+/* The first step, or the same the other way where that is refused (a row would fall below the
+ * horizon, a factor pass 1). */
+static enum um_status move_first(const struct mover *m, double *step, struct change *change)
+{
+  const struct um_effect_parameter *parameter = &m->candidate->effect->parameters[m->p];
+  double other = m->at[m->p] - *step;
+  enum um_status status = move(m, *step, change);
+  if (status != UM_ERR_INPUT || !(other >= parameter->minimum && other <= parameter->maximum))
+    return status;
+  um_core_message_clear(m->context);
+  *step = -*step;
+  return move(m, *step, change);
+}
+
+/* *step in and out; the column is not yet divided by it. */
+static enum um_status difference(const struct mover *m, double *step, struct change *change)
+{
+  const struct um_effect_parameter *parameter = &m->candidate->effect->parameters[m->p];
+  UM_TRY(move_first(m, step, change));
+  for (int growths = 0; growths < 2 && too_small(change, m->point->noise); growths++) {
+    double more = longer(parameter, m->at[m->p], *step);
     if (!(fabs(more) > fabs(*step))) break;
+    enum um_status status = move(m, more, change);
+    if (status == UM_ERR_INPUT) { /* too far: what was before stands */
+      um_core_message_clear(m->context);
+      return move(m, *step, change);
+    }
+    UM_TRY(status);
     *step = more;
-    values[p] = at[p] + *step;
-    UM_TRY(step_to(context, point, c, values, column, change));
   }
-  if (change->rms > FAR && !acts_behind(c->effect)) {
+  if (change->rms > FAR && !acts_behind(m->candidate->effect)) {
     *step /= GROWTH;
-    values[p] = at[p] + *step;
-    UM_TRY(step_to(context, point, c, values, column, change));
+    UM_TRY(move(m, *step, change));
   }
   return UM_OK;
 }
@@ -168,7 +197,8 @@ static enum um_status make_columns(struct um_context *context,
     struct change change;
     double step = first_step(&c->effect->parameters[p], at[p]);
     double *column = c->signature + c->ncolumn * n;
-    UM_TRY(difference(context, point, c, at, p, &step, column, &change));
+    const struct mover mover = {context, point, c, at, p, column};
+    UM_TRY(difference(&mover, &step, &change));
     if (!alive(&change, point->noise)) continue;
     divide(column, n, step);
     c->parameter[c->ncolumn] = p;
@@ -210,7 +240,8 @@ static enum um_status find_amplitude(struct um_context *context,
     UM_TRY(step_to(context, point, c, at, c->signature, &none));
     if (alive(&none, point->noise)) continue;
     double step = first_step(&c->effect->parameters[p], at[p]);
-    UM_TRY(difference(context, point, c, at, p, &step, c->signature, &change));
+    const struct mover mover = {context, point, c, at, p, c->signature};
+    UM_TRY(difference(&mover, &step, &change));
     if (!alive(&change, point->noise)) continue;
     divide(c->signature, point->forward->nrow, step);
     memcpy(c->null_value, at, n * sizeof *at);
@@ -275,8 +306,8 @@ enum um_status um_diagnosis_signature_renew(struct um_context *context,
   for (size_t k = 0; k < c->ncolumn; k++) {
     struct change change;
     double *column = c->signature + k * n;
-    UM_TRY(difference(context, point, c, c->null_value, c->parameter[k], &c->step[k], column,
-                      &change));
+    const struct mover mover = {context, point, c, c->null_value, c->parameter[k], column};
+    UM_TRY(difference(&mover, &c->step[k], &change));
     divide(column, n, c->step[k]);
   }
   return UM_OK;

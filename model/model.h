@@ -197,7 +197,8 @@ struct um_model_heat;
 /* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from there,
  * which takes an orbit or two in place of many; the state found differs within the tolerance of
  * the search (0.01 K). It does not touch an isothermal start. loosened: factor >= 1 on the
- * tolerances of the integration. Errors of the thermal solvers. The caller destroys. */
+ * tolerances of the integration; above 1 the run goes on from the end of the periodic orbit where
+ * it can, without drift of the places and with an audit of the observations alone. Errors of the thermal solvers. The caller destroys. */
 enum um_status um_model_heat_create(struct um_context *context, const struct um_model *model,
                                     const struct um_model_trace *trace,
                                     const struct um_model_heat *warm, double loosened,

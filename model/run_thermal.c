@@ -85,6 +85,19 @@ static enum um_status hold_start(struct um_context *context, struct um_model_hea
   return UM_OK;
 }
 
+/* Is the periodic orbit over when the observations begin? Its end is then a state to go on from,
+ * which saves following it again; what is lost is the audit of that orbit and the row before. Not
+ * with a thermostat, which remembers whether it was on, nor where the run begins off the periodic
+ * state. */
+static bool goes_on(const struct um_model_heat *heat)
+{
+  const struct um_model_trace *trace = heat->trace;
+  return heat->options.loosened > 1.0 && !isnan(heat->periodic_drift) &&
+         heat->model->start_offset == NULL &&
+         um_thermal_network_thermostats(heat->model->body->network) == 0 &&
+         trace->t_periodic_end <= trace->sample[0].t_tai + 1e-6;
+}
+
 /* From the start through the observations. */
 static enum um_status follow(struct um_context *context, struct um_model_heat *heat)
 {
@@ -94,13 +107,13 @@ static enum um_status follow(struct um_context *context, struct um_model_heat *h
   struct um_model_heat_run *run = &heat->run;
   double *times = NULL;
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
-  double before = trace->t_first - trace->period;
-  run->before = before >= trace->t_start - 1e-6;
+  double before = trace->t_first - trace->period, from = trace->t_start;
+  if (goes_on(heat)) from = fmin(trace->t_periodic_end, trace->sample[0].t_tai);
+  run->before = from <= trace->t_start && before >= trace->t_start - 1e-6;
   if (run->before) times[0] = fmax(before, trace->t_start);
   for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = trace->sample[i].t_tai;
-  UM_CHECK(um_thermal_solve(context, heat->model->body->network, trace->loads, &heat->options,
-                            trace->t_start, times, ninstant + (run->before ? 1 : 0),
-                            &run->history));
+  UM_CHECK(um_thermal_solve(context, heat->model->body->network, trace->loads, &heat->options, from,
+                            times, ninstant + (run->before ? 1 : 0), &run->history));
 done:
   um_core_free(context, times);
   return status;

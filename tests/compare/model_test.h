@@ -6,7 +6,7 @@
 
 #include "compare/compare.h"
 #include "compare/synth.h"
-#include "compare_test.h"
+#include "tests/compare/compare_test.h"
 
 static const char *const scenario_text =
     "schema: 1\n"

@@ -1,0 +1,192 @@
+/* Which candidates there are, and that their signatures are derivatives. */
+#include "forward_test.h"
+
+static struct um_diagnosis_candidates *candidates_of(struct um_diagnosis_forward *f,
+                                                     const char *const *only, size_t nonly)
+{
+  struct um_diagnosis_candidates_options o = {.only = only, .nonly = nonly};
+  struct um_diagnosis_candidates *list;
+  assert_ok(um_diagnosis_candidates_create(context, f, NULL, 0, &o, &list));
+  return list;
+}
+
+static const struct um_diagnosis_candidate *named(const struct um_diagnosis_candidates *list,
+                                                  const char *name)
+{
+  for (size_t i = 0; i < list->count; i++)
+    if (strcmp(list->candidate[i].name, name) == 0) return &list->candidate[i];
+  fail_msg("no candidate %s", name);
+  return NULL;
+}
+
+/* Parts; groups where a part has several, beside the part; materials in use; bands where there is
+ * more than one; places of contacts that touch different ones; switches that are off. What is one
+ * thing under two names is there once: the contact of bus.interior and panel goes by "panel", that
+ * of +x and -x by "bus.+x"; "bus" touches both. */
+static void test_list(void **state)
+{
+  (void)state;
+  static const char *const only[] = {
+      "internal_power",      "zero_point",    "roughness", "time_tag",
+      "contact_conductance", "mli_emittance", "albedo",    "earth_ir"};
+  static const char *const expected[] = {"albedo",
+                                         "internal_power:bus",
+                                         "internal_power:panel",
+                                         "mli_emittance:bus",
+                                         "mli_emittance:bus.+x",
+                                         "mli_emittance:bus.-x",
+                                         "mli_emittance:bus.+y",
+                                         "mli_emittance:bus.-y",
+                                         "mli_emittance:bus.+z",
+                                         "mli_emittance:bus.-z",
+                                         "mli_emittance:panel",
+                                         "contact_conductance:bus",
+                                         "contact_conductance:panel",
+                                         "contact_conductance:bus.+x",
+                                         "roughness:grey_white",
+                                         "roughness:grey_panel",
+                                         "roughness:grey_metal",
+                                         "time_tag",
+                                         "zero_point:vis",
+                                         "zero_point:lwir"};
+  static const char *const off[] = {"albedo"};
+  const struct um_model_options options = {.without = off, .nwithout = 1};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_diagnosis_forward *f = forward_of(&options, m, UM_DIAGNOSIS_LOOSENED);
+  struct um_diagnosis_candidates *list = candidates_of(f, only, sizeof only / sizeof only[0]);
+  assert_int_equal(list->count, sizeof expected / sizeof expected[0]);
+  for (size_t i = 0; i < list->count; i++)
+    assert_string_equal(list->candidate[i].name, expected[i]);
+  const struct um_diagnosis_candidate *c = named(list, "internal_power:panel");
+  assert_true(c->dead);
+  assert_string_equal(c->why, "effect 'internal_power': the part 'panel' has no interior that "
+                              "could take the power; accepted: a part with interior");
+  assert_string_equal(um_core_message(context), "");
+  c = named(list, "albedo");
+  assert_true(c->is_switch && !c->dead && c->ncolumn == 1);
+  /* albedo warms: the whole change of a temperature row is above 0 */
+  assert_true(c->signature[3] > 0.0);
+  um_diagnosis_candidates_destroy(context, &list);
+  assert_null(list);
+
+  /* additions are not listed again; what is excluded neither */
+  struct um_diagnosis_addition a = addition_of("zero_point", "vis", 0.9);
+  static const char *const two[] = {"zero_point", "extinction"}, *const one[] = {"extinction:lwir"};
+  struct um_diagnosis_candidates_options o = {two, 2, one, 1};
+  assert_ok(um_diagnosis_candidates_create(context, f, &a, 1, &o, &list));
+  assert_int_equal(list->count, 2);
+  assert_string_equal(list->candidate[0].name, "extinction:vis");
+  assert_string_equal(list->candidate[1].name, "zero_point:lwir");
+  um_diagnosis_candidates_destroy(context, &list);
+  static const char *const wrong[] = {"zero_pont:vis"};
+  o = (struct um_diagnosis_candidates_options){wrong, 1, NULL, 0};
+  um_core_message_clear(context);
+  assert_int_equal(um_diagnosis_candidates_create(context, f, NULL, 0, &o, &list), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(context), "no effect is called 'zero_pont'; accepted: "));
+  um_diagnosis_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* Calibrations are linear: d(f E)/df = E and d(E + b)/db = 1, to the rounding of the difference
+ * (E of 16 digits, moved by a hundredth of it). */
+static void test_linear(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"zero_point:lwir", "background:lwir"};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_diagnosis_forward *f = forward_of(NULL, m, UM_DIAGNOSIS_LOOSENED);
+  struct um_diagnosis_candidates *list = candidates_of(f, only, 2);
+  const double *zero = named(list, "zero_point:lwir")->signature;
+  const double *background = named(list, "background:lwir")->signature;
+  for (size_t j = 0; j < f->nrow; j++) {
+    bool lwir = strcmp(m->channel[f->channel[j]].of, "lwir") == 0;
+    assert_true(fabs(zero[j] - (lwir ? list->base[j] : 0.0)) <= 1e-12 * fabs(list->base[j]));
+    assert_true(fabs(background[j] - (lwir ? 1.0 : 0.0)) <= 1e-12);
+  }
+  um_diagnosis_candidates_destroy(context, &list);
+  um_diagnosis_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* Against central differences of runs of their own, of half the step: the one-sided difference is
+ * off by its curvature, h f''/2, and the heat by the search for the periodic state (0.04 sigma, see
+ * forward.c). Steps are a fifth of a prior width; where a response goes like a power of a factor
+ * between -2 and 2 that is at most a tenth of it. In the mean over the rows, as the score takes
+ * them. */
+static void test_central(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"internal_power:bus", "emittance:grey_panel", "area:panel",
+                                     "time_tag"};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_diagnosis_forward *f = forward_of(NULL, m, UM_DIAGNOSIS_LOOSENED);
+  struct um_diagnosis_candidates *list = candidates_of(f, only, 4);
+  assert_int_equal(list->count, 4);
+  for (size_t i = 0; i < list->count; i++) {
+    const struct um_diagnosis_candidate *c = &list->candidate[i];
+    double low[48], high[48], h = 0.5 * fabs(c->step[0]), off = 0.0, length = 0.0;
+    assert_true(!c->dead && c->ncolumn == 1);
+    struct um_diagnosis_addition a = addition_of(c->effect->name, c->target, c->null_value[0] - h);
+    assert_ok(fresh_values(NULL, f, &a, 1, low));
+    a.value[0] = c->null_value[0] + h;
+    assert_ok(fresh_values(NULL, f, &a, 1, high));
+    for (size_t j = 0; j < f->nrow; j++) {
+      double central = (high[j] - low[j]) / f->sigma[j];
+      double own = c->signature[j] * 2.0 * h / f->sigma[j];
+      off += (own - central) * (own - central) / (double)f->nrow;
+      length += central * central / (double)f->nrow;
+    }
+    if (!(sqrt(off) <= 0.1 * sqrt(length) + 0.04))
+      fail_msg("%s: %g of %g sigma", c->name, sqrt(off), sqrt(length));
+  }
+  um_diagnosis_candidates_destroy(context, &list);
+  um_diagnosis_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* A parameter at its upper bound is moved down; three angles are one candidate of three columns;
+ * anew on a model that has something added, a signature stands at that model. */
+static void test_steps(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"panel_extraction:panel", "attitude_offset", "zero_point:vis"};
+  put_world("effects:\n  - {effect: panel_extraction, target: panel, efficiency: 0.4}\n");
+  struct um_compare_measurements *m = measured();
+  struct um_diagnosis_forward *f = forward_of(NULL, m, UM_DIAGNOSIS_LOOSENED);
+  struct um_diagnosis_candidates *list = candidates_of(f, only, 3);
+  const struct um_diagnosis_candidate *c = named(list, "panel_extraction:panel");
+  const struct um_effect_parameter *p = &c->effect->parameters[0];
+  assert_true(c->null_value[0] == 0.4 && !c->dead);
+  assert_true(c->null_value[0] + c->step[0] <= p->maximum);
+  assert_true(c->null_value[0] + c->step[0] >= p->minimum);
+  /* electricity is heat that is missing: the panel's front is row 2 */
+  assert_true(c->signature[2] < 0.0);
+  assert_int_equal(named(list, "attitude_offset")->ncolumn, 3);
+  struct um_diagnosis_candidate *zero = &list->candidate[list->count - 1];
+  assert_string_equal(zero->name, "zero_point:vis");
+  double before = zero->signature[45], base[48];
+  struct um_diagnosis_addition a = addition_of("diffuse_level", "grey_white", 1.5);
+  assert_ok(um_diagnosis_forward_evaluate(context, f, &a, 1, base));
+  assert_ok(um_diagnosis_candidate_refresh(context, f, &a, 1, base, zero));
+  assert_true(zero->signature[45] != before);
+  for (size_t j = 0; j < f->nrow; j++)
+    if (strcmp(m->channel[f->channel[j]].of, "vis") == 0)
+      assert_true(fabs(zero->signature[j] - base[j]) <= 1e-12 * base[j]);
+  um_diagnosis_candidates_destroy(context, &list);
+  um_diagnosis_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_list, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_linear, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_central, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_steps, model_set_up, model_tear_down),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
