@@ -29,6 +29,11 @@ struct um_app_options {
   int width, samples;          /* --width, --samples */
   /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
   const char *noise, *seed, *temperatures, *temperature_sigma;
+  /* of diagnose and fit: --only, --exclude, --nuisance, --add, --level, --steps */
+  const char **only, **exclude, **nuisance, **add;
+  size_t nonly, nexclude, nnuisance, nadd;
+  double level; /* 0: not said */
+  int steps;    /* 0: not said */
   bool force, json, thermal, optics, no_plots;
   char *command; /* the command as typed */
 };
@@ -41,6 +46,16 @@ struct um_app_verb {
   int (*run)(struct um_context *context, const struct um_app_options *options);
 };
 
+/* Room for the options of argc arguments, of which no option comes more often; false: no memory. */
+bool um_app_options_allocate(struct um_app_options *options, int argc);
+void um_app_options_release(struct um_app_options *options);
+/* What stands behind the verb. UM_APP_MISUSE: said what is wrong; -1: help was asked for and
+ * printed. */
+int um_app_options_parse(struct um_context *context, const struct um_app_verb *verb, int argc,
+                         char **argv, struct um_app_options *options);
+/* Say what is wrong, with the usage of the verb, or NULL; returns UM_APP_MISUSE. format: a literal
+ * with one %s for what. */
+int um_app_misuse(const struct um_app_verb *verb, const char *format, const char *what);
 /* Print the context's message as "umbra: message" on stderr; returns UM_APP_FAILED. */
 int um_app_fail(struct um_context *context);
 /* The part of the options that changes a scenario. */

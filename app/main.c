@@ -1,14 +1,10 @@
-/* umbra: the command. Options are parsed once; each verb is a file of its own. */
+/* umbra: the command. Each verb is a file of its own. */
 #include <errno.h>
-#include <getopt.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "core/csv.h"
 
 static const struct um_app_verb verbs[] = {
     {"run",
@@ -89,195 +85,6 @@ static void print_help(FILE *file)
         file);
 }
 
-static int misuse(const struct um_app_verb *verb, const char *format, const char *what)
-{
-  fputs("umbra: ", stderr);
-  fprintf(stderr, format, what); /* NOLINT: formats are literals of this file */
-  fputc('\n', stderr);
-  if (verb != NULL)
-    fprintf(stderr, "usage: %s\n", verb->usage);
-  else
-    fputs("umbra --help lists the commands\n", stderr);
-  return UM_APP_MISUSE;
-}
-
-enum option_id {
-  OUT = 256,
-  SET,
-  WITH,
-  WITHOUT,
-  EFFECT_FILE,
-  TIME,
-  BAND,
-  WIDTH,
-  SAMPLES,
-  NOISE,
-  SEED,
-  TEMPERATURES,
-  TEMPERATURE_SIGMA,
-  FORCE,
-  JSON,
-  THERMAL,
-  OPTICS,
-  NO_PLOTS,
-  THREADS,
-  HELP
-};
-static const struct option long_options[] = {
-    {"out", required_argument, NULL, OUT},
-    {"set", required_argument, NULL, SET},
-    {"with", required_argument, NULL, WITH},
-    {"without", required_argument, NULL, WITHOUT},
-    {"effect-file", required_argument, NULL, EFFECT_FILE},
-    {"time", required_argument, NULL, TIME},
-    {"band", required_argument, NULL, BAND},
-    {"width", required_argument, NULL, WIDTH},
-    {"samples", required_argument, NULL, SAMPLES},
-    {"noise", required_argument, NULL, NOISE},
-    {"seed", required_argument, NULL, SEED},
-    {"temperatures", required_argument, NULL, TEMPERATURES},
-    {"temperature-sigma", required_argument, NULL, TEMPERATURE_SIGMA},
-    {"force", no_argument, NULL, FORCE},
-    {"json", no_argument, NULL, JSON},
-    {"thermal", no_argument, NULL, THERMAL},
-    {"optics", no_argument, NULL, OPTICS},
-    {"no-plots", no_argument, NULL, NO_PLOTS},
-    {"threads", required_argument, NULL, THREADS},
-    {"help", no_argument, NULL, HELP},
-    {NULL, 0, NULL, 0}};
-
-static bool accepted(const struct um_app_verb *verb, const char *name)
-{
-  size_t n = strlen(name);
-  for (const char *at = verb->accepts; (at = strstr(at, name)) != NULL; at += n)
-    if ((at == verb->accepts || at[-1] == ' ') && (at[n] == ' ' || at[n] == '\0')) return true;
-  return strcmp(name, "threads") == 0 || strcmp(name, "help") == 0;
-}
-
-static bool positive_integer(const char *text, int limit, int *out)
-{
-  double value;
-  if (!um_core_number_parse(text, &value) || !(value >= 1.0 && value <= limit) ||
-      value != (double)(int)value)
-    return false;
-  *out = (int)value;
-  return true;
-}
-
-/* One option into the struct; false when its value is refused. */
-static bool take(struct um_context *context, struct um_app_options *o, int id, const char *value)
-{
-  int threads = 0;
-  switch (id) {
-  case OUT:
-    o->out = value;
-    return true;
-  case SET:
-    o->set[o->nset++] = value;
-    return strchr(value, '=') != NULL;
-  case WITH:
-    o->with[o->nwith++] = value;
-    return true;
-  case WITHOUT:
-    o->without[o->nwithout++] = value;
-    return true;
-  case EFFECT_FILE:
-    o->effect_file[o->neffect_file++] = value;
-    return true;
-  case TIME:
-    o->time_utc = value;
-    return true;
-  case BAND:
-    o->band = value;
-    return true;
-  case WIDTH:
-    return positive_integer(value, 8192, &o->width);
-  case SAMPLES:
-    return positive_integer(value, 65536, &o->samples);
-  case NOISE:
-    o->noise = value;
-    return true;
-  case SEED:
-    o->seed = value;
-    return true;
-  case TEMPERATURES:
-    o->temperatures = value;
-    return true;
-  case TEMPERATURE_SIGMA:
-    o->temperature_sigma = value;
-    return true;
-  case FORCE:
-    o->force = true;
-    return true;
-  case JSON:
-    o->json = true;
-    return true;
-  case THERMAL:
-    o->thermal = true;
-    return true;
-  case OPTICS:
-    o->optics = true;
-    return true;
-  case NO_PLOTS:
-    o->no_plots = true;
-    return true;
-  case THREADS:
-    if (!positive_integer(value, 4096, &threads)) return false;
-    um_core_context_set_threads(context, threads);
-    return true;
-  default:
-    return true;
-  }
-}
-
-/* The next option, -1 for a positional argument at optind; behind "--" there are only those. */
-static int next_option(int argc, char **argv, bool *literal, int *index)
-{
-  if (!*literal && optind < argc && strcmp(argv[optind], "--") == 0) {
-    *literal = true;
-    optind++;
-  }
-  return *literal ? -1 : getopt_long(argc, argv, "+o:h", long_options, index);
-}
-
-/* The positional argument of that number, as the usage line calls it: behind "umbra verb ". */
-static int missing(const struct um_app_verb *verb, int number)
-{
-  char name[64];
-  const char *at = verb->usage + strlen("umbra ") + strlen(verb->name) + 1;
-  for (int i = 0; i < number; i++) at += strcspn(at, " ") + 1;
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(at, " "), at);
-  return misuse(verb, "%s is missing", name);
-}
-
-static int parse(struct um_context *context, const struct um_app_verb *verb, int argc, char **argv,
-                 struct um_app_options *o)
-{
-  int id, index = 0;
-  bool literal = false;
-  opterr = 0;
-  optind = 2;
-  while ((id = next_option(argc, argv, &literal, &index)) != -1 || optind < argc) {
-    if (id == -1) { /* options may follow it */
-      if (o->npositional == verb->npositional_max)
-        return misuse(verb, "too many arguments: '%s'", argv[optind]);
-      o->positional[o->npositional++] = argv[optind++];
-      continue;
-    }
-    if (id == '?') return misuse(verb, "unknown option or missing value: '%s'", argv[optind - 1]);
-    const char *name = id == 'o' ? "out" : id == 'h' ? "help" : long_options[index].name;
-    if (id == 'h' || id == HELP) {
-      printf("%s\n  %s\n", verb->usage, verb->summary);
-      return -1;
-    }
-    if (!accepted(verb, name)) return misuse(verb, "this command does not take --%s", name);
-    if (!take(context, o, id == 'o' ? OUT : id, optarg))
-      return misuse(verb, "value of an option not understood: '%s'", optarg);
-  }
-  if (o->npositional < verb->npositional_min) return missing(verb, o->npositional);
-  return UM_APP_DONE;
-}
-
 static char *join(int argc, char **argv)
 {
   size_t n = 16;
@@ -295,25 +102,20 @@ static char *join(int argc, char **argv)
 static int dispatch(struct um_context *context, const struct um_app_verb *verb, int argc,
                     char **argv)
 {
-  struct um_app_options o = {0};
-  o.set = calloc((size_t)argc * 4, sizeof *o.set);
-  o.command = join(argc, argv);
+  struct um_app_options o = {.command = join(argc, argv)};
   int code = UM_APP_FAILED;
-  if (o.set == NULL || o.command == NULL) {
+  if (o.command == NULL || !um_app_options_allocate(&o, argc)) {
     fputs("umbra: out of memory\n", stderr);
   } else {
-    o.with = o.set + argc;
-    o.without = o.with + argc;
-    o.effect_file = o.without + argc;
-    code = parse(context, verb, argc, argv, &o);
+    code = um_app_options_parse(context, verb, argc, argv, &o);
     if (code == UM_APP_DONE) {
       code = verb->run(context, &o);
       if (code == UM_APP_MISUSE) fprintf(stderr, "usage: %s\n", verb->usage);
     }
     if (code == -1) code = UM_APP_DONE;
   }
+  um_app_options_release(&o);
   free(o.command);
-  free((void *)o.set);
   return code;
 }
 
@@ -353,5 +155,5 @@ int main(int argc, char **argv)
     um_core_context_destroy(&context);
     return flush(code);
   }
-  return misuse(NULL, "unknown command '%s'", argv[1]);
+  return um_app_misuse(NULL, "unknown command '%s'", argv[1]);
 }
