@@ -1,10 +1,11 @@
 # make demo   install what is missing, build, compute ENVISAT's pass of 2016-09-21 in both bands
 # make test   build and run the tests
+# make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
 BUILD ?= build
 JOBS ?= $(shell nproc)
 
-.PHONY: all deps build demo test bench check clean
+.PHONY: all deps build demo test lab bench check clean
 
 all: build
 
@@ -22,6 +23,9 @@ demo: build
 
 test: build
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+lab: build
+	$(BUILD)/tests/lab/lab --out out/lab $(LAB)
 
 bench: build
 	tools/bench $(BUILD) $(BENCH)

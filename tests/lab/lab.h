@@ -78,7 +78,7 @@ struct lab_row {
   double chi2_before, chi2_after;         /* reduced */
   double rms_before, rms_after;           /* worst channel, in sigmas */
   double start_error_s;                   /* of a pulse; NaN otherwise */
-  double seconds;
+  double seconds;                         /* of computing */
   char note[LAB_TEXT];
 };
 
@@ -98,6 +98,10 @@ void lab_case_value(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size);
 
 /* worlds.c */
+/* Keys that make the truth's mesh, samples, bins and tolerances finer than the analyst's,
+ * KEY=VALUE. tests/scenarios/hidden_effect.c holds what the analyst's cost against them. */
+#define LAB_FINE 10
+extern const char *const lab_fine[LAB_FINE];
 const struct lab_world *lab_world_find(const char *name);
 const struct lab_world *lab_worlds(size_t *count);
 /* Path of its scenario; static size. */

@@ -10,21 +10,6 @@
 #include "orbit/time.h"
 #include "tests/lab/lab.h"
 
-/* What the analyst's mesh costs against this one: about a hundredth of the noise's chi-square. */
-static const char *const fine[] = {
-    "parts.bus.lumped=false",
-    "parts.array.lumped=false",
-    "thermal.facet_size_m=0.5",
-    "thermal.samples=16",
-    "thermal.relative_tolerance=1e-8",
-    "thermal.absolute_tolerance_K=1e-6",
-    "optics.samples=25",
-    "time.exposure_samples=5",
-    "bands.vis.bins=30",
-    "bands.lwir.bins=60",
-};
-#define NFINE (sizeof fine / sizeof fine[0])
-
 /* The pulse alone, added to what the scenario states: a jump is two rows of one time. */
 static enum um_status write_power(struct um_context *context, double start,
                                   const struct lab_pulse *pulse, const char *path)
@@ -48,13 +33,13 @@ static enum um_status write_power(struct um_context *context, double start,
 static enum um_status build(struct um_context *context, const struct lab_case *c, bool plain,
                             const char *power, struct lab_truth *out)
 {
-  const char *override[NFINE + LAB_KEYS + 1];
+  const char *override[LAB_FINE + LAB_KEYS + 1];
   char path[LAB_TEXT * 4], with[LAB_HIDDEN][LAB_TEXT], key[LAB_TEXT * 6];
   const char *withs[LAB_HIDDEN];
   size_t n = 0;
   for (size_t i = 0; i < LAB_KEYS && c->world->set[i] != NULL; i++)
     override[n++] = c->world->set[i];
-  for (size_t i = 0; i < NFINE && !plain; i++) override[n++] = fine[i];
+  for (size_t i = 0; i < LAB_FINE && !plain; i++) override[n++] = lab_fine[i];
   if (power != NULL) {
     snprintf(key, sizeof key, "%s=%s", c->pulse->key, power);
     override[n++] = key;

@@ -69,6 +69,19 @@ static const struct lab_world worlds[] = {
     {.name = "pulse dawn", DAWN, .place = {"bus.interior", "bus.-x", "array.front"}},
 };
 
+const char *const lab_fine[LAB_FINE] = {
+    "parts.bus.lumped=false",
+    "parts.array.lumped=false",
+    "thermal.facet_size_m=0.5",
+    "thermal.samples=16",
+    "thermal.relative_tolerance=1e-8",
+    "thermal.absolute_tolerance_K=1e-6",
+    "optics.samples=25",
+    "time.exposure_samples=5",
+    "bands.vis.bins=30",
+    "bands.lwir.bins=60",
+};
+
 const struct lab_world *lab_worlds(size_t *count)
 {
   *count = sizeof worlds / sizeof worlds[0];

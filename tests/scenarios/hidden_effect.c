@@ -1,0 +1,87 @@
+/* scenarios/hidden-effect: what the laboratory takes for granted of its two passes.
+ *
+ * Nothing hides anything from the station or the Sun, so that light needs no sampling and small
+ * turns change it smoothly: its standard error is 0. Sunlight, penumbra and umbra are there, and a
+ * range of airmass that tells extinction from a zero point. The analyst's mesh, samples, bins and
+ * tolerances against the finer ones of the truth, with the laboratory's noise (1 % and 1/1000 of
+ * the peak),
+ *
+ *   sum ((model - fine) / sigma)^2 <= 0.01 rows,
+ *
+ * a tenth of what the sum of as many noise terms wanders by (sqrt(2 rows), 242 rows). */
+#include "tests/scenarios/support.h"
+
+#include "core/constants.h"
+#include "tests/lab/lab.h"
+
+static void is_seen_whole(const struct support_run *run)
+{
+  size_t lit = 0, penumbra = 0, dark = 0;
+  double high = 0.0, low = 90.0;
+  for (size_t k = 0; k < run->result->nobs; k++) {
+    double sunlit = run->trace->sunlit[k];
+    double elevation = run->trace->look[k * run->trace->nsub].elevation / UM_DEG;
+    *(sunlit == 1.0 ? &lit : sunlit == 0.0 ? &dark : &penumbra) += 1;
+    high = fmax(high, elevation);
+    low = fmin(low, elevation);
+    for (size_t b = 0; b < run->result->nband; b++)
+      support_close("standard error", run->result->standard_error[k * run->result->nband + b], 0.0,
+                    1e-12);
+  }
+  print_message("%zu lit, %zu in the penumbra, %zu in the umbra; elevation %.1f to %.1f deg\n", lit,
+                penumbra, dark, low, high);
+  assert_true(lit >= 20 && penumbra >= 1 && dark >= 20);
+  assert_true(low < 15.0 && high > 45.0);
+}
+
+static double difference(const struct support_run *run, const struct support_run *fine)
+{
+  double sum = 0.0;
+  for (size_t b = 0; b < run->result->nband; b++) {
+    size_t nband = run->result->nband, n = run->result->nobs;
+    double peak = 0.0, band = 0.0;
+    for (size_t k = 0; k < n; k++) peak = fmax(peak, fine->result->irradiance[k * nband + b]);
+    for (size_t k = 0; k < n; k++) {
+      double e = fine->result->irradiance[k * nband + b];
+      double r = (run->result->irradiance[k * nband + b] - e) / hypot(0.01 * e, 1e-3 * peak);
+      band += r * r;
+    }
+    print_message("%s: chi-square of the discretisation %.3g of %zu rows\n",
+                  run->model->band[b].name, band, n);
+    sum += band;
+  }
+  return sum;
+}
+
+static void holds(const char *name)
+{
+  char path[LAB_TEXT * 4];
+  struct support_run run, fine;
+  lab_world_path(lab_world_find(name), path);
+  support_compute(path, NULL, 0, &run);
+  is_seen_whole(&run);
+  support_compute(path, lab_fine, LAB_FINE, &fine);
+  assert_int_equal(run.result->nobs, fine.result->nobs);
+  support_close("chi-square of the discretisation per row",
+                difference(&run, &fine) / (double)(run.result->nobs * run.result->nband), 0.0,
+                0.01);
+  support_release(&fine);
+  support_release(&run);
+}
+
+static void dusk(void **state)
+{
+  (void)state;
+  holds("dusk");
+}
+static void dawn(void **state)
+{
+  (void)state;
+  holds("dawn");
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(dusk), cmocka_unit_test(dawn)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
