@@ -7,14 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/document_impl.h"
-
-/* Text that grows. */
-struct builder {
-  struct um_context *context;
-  char *text;
-  size_t length, capacity;
-};
+#include "core/emit_impl.h"
 
 struct edit {
   size_t from, to;   /* bytes of the source to be replaced */
@@ -25,152 +18,11 @@ struct edits {
   const char *source;
   size_t length;              /* of the source */
   const struct um_node *root; /* of the tree as read */
-  struct builder pool;        /* replacements */
+  struct um_emitter pool;     /* replacements */
   struct edit *list;
   size_t count, capacity;
   bool possible;
 };
-
-static enum um_status put_bytes(struct builder *b, const char *text, size_t length)
-{
-  if (b->length + length + 1 > b->capacity) {
-    size_t capacity = 2 * b->capacity + length + 256;
-    UM_TRY(um_core_reallocate(b->context, capacity, 1, &b->text));
-    b->capacity = capacity;
-  }
-  if (length > 0) memcpy(b->text + b->length, text, length);
-  b->length += length;
-  b->text[b->length] = '\0';
-  return UM_OK;
-}
-
-static enum um_status put(struct builder *b, const char *text)
-{
-  return put_bytes(b, text, strlen(text));
-}
-
-static enum um_status put_indent(struct builder *b, size_t columns)
-{
-  for (size_t i = 0; i < columns; i++) UM_TRY(put(b, " "));
-  return UM_OK;
-}
-
-/* Double-quoted YAML. */
-static enum um_status put_quoted(struct builder *b, const char *text)
-{
-  UM_TRY(put(b, "\""));
-  for (const char *p = text; *p != '\0'; p++) {
-    char escape[8];
-    unsigned char c = (unsigned char)*p;
-    if (c == '"' || c == '\\')
-      snprintf(escape, sizeof escape, "\\%c", c);
-    else if (c == '\n')
-      snprintf(escape, sizeof escape, "\\n");
-    else if (c < 0x20 || c == 0x7f)
-      snprintf(escape, sizeof escape, "\\x%02x", c);
-    else
-      snprintf(escape, sizeof escape, "%c", c);
-    UM_TRY(put(b, escape));
-  }
-  return put(b, "\"");
-}
-
-/* A plain scalar keeps its text; in brackets some characters would end it. */
-static enum um_status put_scalar(struct builder *b, const struct um_node *node, bool flow)
-{
-  if (node->kind == UM_NODE_NULL) return put(b, "null");
-  if (node->plain && !(flow && strpbrk(node->text, ",[]{}") != NULL)) return put(b, node->text);
-  return put_quoted(b, node->text);
-}
-
-static enum um_status put_key(struct builder *b, const char *key)
-{
-  static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./";
-  if (strspn(key, plain) == strlen(key)) return put(b, key);
-  return put_quoted(b, key);
-}
-
-/* A whole subtree on one line. */
-static enum um_status put_flow(struct builder *b, const struct um_node *node, bool inside)
-{
-  if (node->kind == UM_NODE_SCALAR || node->kind == UM_NODE_NULL)
-    return put_scalar(b, node, inside);
-  bool map = node->kind == UM_NODE_MAP;
-  UM_TRY(put(b, map ? "{" : "["));
-  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
-    if (n != node->first) UM_TRY(put(b, ", "));
-    if (map) {
-      UM_TRY(put_key(b, n->key));
-      UM_TRY(put(b, ": "));
-    }
-    UM_TRY(put_flow(b, n, true));
-  }
-  return put(b, map ? "}" : "]");
-}
-
-/* Can the text stand as a literal block ("|")? */
-static bool is_block_text(const struct um_node *node)
-{
-  if (node->kind != UM_NODE_SCALAR || node->plain) return false;
-  const char *text = node->text;
-  size_t n = strlen(text);
-  if (n < 2 || text[n - 1] != '\n' || text[n - 2] == '\n' || text[0] == '\n' || text[0] == ' ' ||
-      text[0] == '\t')
-    return false;
-  for (const char *p = text; *p != '\0'; p++)
-    if (((unsigned char)*p < 0x20 && *p != '\n') || *p == 0x7f) return false;
-  return true;
-}
-
-static enum um_status put_block_text(struct builder *b, const char *text, size_t indent)
-{
-  UM_TRY(put(b, "|\n"));
-  while (*text != '\0') {
-    size_t n = strcspn(text, "\n");
-    if (n > 0) UM_TRY(put_indent(b, indent));
-    UM_TRY(put_bytes(b, text, n + 1));
-    text += n + 1;
-  }
-  return UM_OK;
-}
-
-/* A subtree in block layout; the writer stands at column `indent`. Ends with a newline. */
-static enum um_status put_block(struct builder *b, const struct um_node *node, size_t indent)
-{
-  bool map = node->kind == UM_NODE_MAP;
-  for (const struct um_node *n = node->first; n != NULL; n = n->next) {
-    if (n != node->first) UM_TRY(put_indent(b, indent));
-    if (map)
-      UM_TRY(put_key(b, n->key));
-    else
-      UM_TRY(put(b, "-"));
-    if (map) UM_TRY(put(b, ":"));
-    bool block = n->count > 0 && !n->flow;
-    if (block && map) {
-      UM_TRY(put(b, "\n"));
-      UM_TRY(put_indent(b, indent + 2));
-      UM_TRY(put_block(b, n, indent + 2));
-    } else if (block) {
-      UM_TRY(put(b, " "));
-      UM_TRY(put_block(b, n, indent + 2));
-    } else if (is_block_text(n)) {
-      UM_TRY(put(b, " "));
-      UM_TRY(put_block_text(b, n->text, indent + 2));
-    } else {
-      UM_TRY(put(b, " "));
-      UM_TRY(put_flow(b, n, false));
-      UM_TRY(put(b, "\n"));
-    }
-  }
-  return UM_OK;
-}
-
-static enum um_status put_document(struct builder *b, const struct um_node *root)
-{
-  if (root->count > 0 && !root->flow) return put_block(b, root, 0);
-  UM_TRY(put_flow(b, root, false));
-  return put(b, "\n");
-}
 
 static enum um_status add_edit(struct edits *e, size_t from, size_t to, size_t at)
 {
@@ -191,11 +43,11 @@ static enum um_status insert_key(struct edits *e, const struct um_node *last,
                                  const struct um_node *node, bool flow)
 {
   size_t at = e->pool.length;
-  UM_TRY(put_key(&e->pool, node->key));
-  UM_TRY(put(&e->pool, ": "));
-  UM_TRY(put_flow(&e->pool, node, flow));
-  UM_TRY(put(&e->pool, flow ? ", " : "\n"));
-  if (!flow) UM_TRY(put_indent(&e->pool, last->key_place.column));
+  UM_TRY(um_core_emit_key(&e->pool, node->key));
+  UM_TRY(um_core_emit(&e->pool, ": "));
+  UM_TRY(um_core_emit_flow(&e->pool, node, flow));
+  UM_TRY(um_core_emit(&e->pool, flow ? ", " : "\n"));
+  if (!flow) UM_TRY(um_core_emit_indent(&e->pool, last->key_place.column));
   return add_edit(e, last->key_place.from, last->key_place.from, at);
 }
 
@@ -203,14 +55,14 @@ static enum um_status insert_key(struct edits *e, const struct um_node *last,
 static enum um_status append_list(struct edits *e, const struct um_node *node)
 {
   size_t at = e->pool.length;
-  if (e->length > 0 && e->source[e->length - 1] != '\n') UM_TRY(put(&e->pool, "\n"));
-  UM_TRY(put_key(&e->pool, node->key));
-  UM_TRY(put(&e->pool, ":"));
+  if (e->length > 0 && e->source[e->length - 1] != '\n') UM_TRY(um_core_emit(&e->pool, "\n"));
+  UM_TRY(um_core_emit_key(&e->pool, node->key));
+  UM_TRY(um_core_emit(&e->pool, ":"));
   for (const struct um_node *n = node->first; n != NULL; n = n->next) {
-    UM_TRY(put(&e->pool, "\n  - "));
-    UM_TRY(put_flow(&e->pool, n, false));
+    UM_TRY(um_core_emit(&e->pool, "\n  - "));
+    UM_TRY(um_core_emit_flow(&e->pool, n, false));
   }
-  UM_TRY(put(&e->pool, "\n"));
+  UM_TRY(um_core_emit(&e->pool, "\n"));
   return add_edit(e, e->length, e->length, at);
 }
 
@@ -248,12 +100,12 @@ static enum um_status append_elements(struct edits *e, const struct um_node *lis
   size_t column = flow ? 0 : dash_column(e, list->last);
   e->possible = e->possible && end > 0 && column != SIZE_MAX;
   while (e->possible && !flow && end < e->length && e->source[end - 1] != '\n') end++;
-  if (!flow && end > 0 && e->source[end - 1] != '\n') UM_TRY(put(&e->pool, "\n"));
+  if (!flow && end > 0 && e->source[end - 1] != '\n') UM_TRY(um_core_emit(&e->pool, "\n"));
   for (; e->possible && node != NULL; node = node->next) {
-    if (!flow) UM_TRY(put_indent(&e->pool, column));
-    UM_TRY(put(&e->pool, flow ? ", " : "- "));
-    UM_TRY(put_flow(&e->pool, node, flow));
-    if (!flow) UM_TRY(put(&e->pool, "\n"));
+    if (!flow) UM_TRY(um_core_emit_indent(&e->pool, column));
+    UM_TRY(um_core_emit(&e->pool, flow ? ", " : "- "));
+    UM_TRY(um_core_emit_flow(&e->pool, node, flow));
+    if (!flow) UM_TRY(um_core_emit(&e->pool, "\n"));
   }
   return e->possible ? add_edit(e, end, end, at) : UM_OK;
 }
@@ -265,7 +117,7 @@ static enum um_status collect_edits(struct edits *e, const struct um_node *old,
   if (um_core_node_equal(old, node)) return UM_OK;
   if (old->kind == UM_NODE_SCALAR) {
     size_t at = e->pool.length;
-    UM_TRY(put_flow(&e->pool, node, flow));
+    UM_TRY(um_core_emit_flow(&e->pool, node, flow));
     return add_edit(e, old->place.from, old->place.to, at);
   }
   flow = flow || old->flow;
@@ -288,16 +140,16 @@ static enum um_status collect_edits(struct edits *e, const struct um_node *old,
   return UM_OK;
 }
 
-static enum um_status apply_edits(struct builder *out, const struct edits *e, const char *source,
+static enum um_status apply_edits(struct um_emitter *out, const struct edits *e, const char *source,
                                   size_t length)
 {
   size_t done = 0;
   for (size_t i = 0; i < e->count; i++) {
-    UM_TRY(put_bytes(out, source + done, e->list[i].from - done));
-    UM_TRY(put_bytes(out, e->pool.text + e->list[i].at, e->list[i].length));
+    UM_TRY(um_core_emit_bytes(out, source + done, e->list[i].from - done));
+    UM_TRY(um_core_emit_bytes(out, e->pool.text + e->list[i].at, e->list[i].length));
     done = e->list[i].to;
   }
-  return put_bytes(out, source + done, length - done);
+  return um_core_emit_bytes(out, source + done, length - done);
 }
 
 /* Same tree, whatever the order of keys and the quotes of texts that no type mistakes. */
@@ -315,7 +167,7 @@ static bool same_meaning(const struct um_node *a, const struct um_node *b)
 }
 
 /* Edit the source; *good tells whether the result reads back as the tree. */
-static enum um_status edit_source(const struct um_document *document, struct builder *out,
+static enum um_status edit_source(const struct um_document *document, struct um_emitter *out,
                                   bool *good)
 {
   struct um_context *context = document->context;
@@ -356,13 +208,13 @@ enum um_status um_core_document_text(struct um_context *context, const struct um
 {
   *out = NULL;
   if (document->set_count == 0) return um_core_strdup(context, document->source, out);
-  struct builder b = {.context = context};
+  struct um_emitter b = {.context = context};
   bool good;
   enum um_status status;
   UM_CHECK(edit_source(document, &b, &good));
   if (!good) {
     b.length = 0;
-    UM_CHECK(put_document(&b, document->root));
+    UM_CHECK(um_core_emit_document(&b, document->root));
   }
   *out = b.text;
   b.text = NULL;
