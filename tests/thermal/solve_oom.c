@@ -2,6 +2,7 @@
  * once: the answer is "out of memory", nothing is left behind, and the next try works. */
 #include "tests/support/allocator.h"
 #include "tests/thermal/box_help.h"
+#include "thermal/response.h"
 
 struct subject {
   struct um_context *context;
@@ -41,6 +42,44 @@ static enum um_status read(const struct subject *s)
 {
   struct um_thermal_network *network = NULL;
   enum um_status status = um_thermal_network_read(s->context, s->nodes, s->links, &network);
+  um_thermal_network_destroy(&network);
+  return status;
+}
+
+static enum um_status take(void *user, size_t k, const double *temperature, const double *response)
+{
+  (void)user, (void)k, (void)temperature, (void)response;
+  return UM_OK;
+}
+static enum um_status respond(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  const uint32_t node = 0;
+  const double t[2] = {300.0, 600.0}, weight = 1.0;
+  const struct um_thermal_response_source source = {&node, &weight, 1, 100.0, 500.0};
+  return um_thermal_response(s->context, s->network, s->loads, &options, 0.0, t, 2, &source, 1,
+                             NULL, take, NULL);
+}
+
+/* A power history and a thermostat on `node`. */
+static enum um_status warm(struct um_thermal_network *network, uint32_t node)
+{
+  const double weight = 1.0, t[2] = {50.0, 150.0}, power[2] = {10.0, 20.0};
+  const struct um_thermal_source source = {&node, &weight, 1, t, power, 2, false};
+  const struct um_thermal_thermostat thermostat = {
+      .node = &node, .weight = &weight, .nnode = 1, .power = 30.0, .on = 280.0, .off = 282.0};
+  UM_TRY(um_thermal_network_source_add(network, &source));
+  return um_thermal_network_thermostat_add(network, &thermostat);
+}
+static enum um_status build(const struct subject *s)
+{
+  uint32_t node;
+  struct um_thermal_network *network = NULL;
+  UM_TRY(um_thermal_network_create(s->context, &network));
+  enum um_status status =
+      um_thermal_network_node_add(network, "box", UM_NODE_DIFFUSIVE, 1.0, 300.0, 0.0, &node);
+  if (status == UM_OK) status = warm(network, node);
   um_thermal_network_destroy(&network);
   return status;
 }
@@ -89,6 +128,12 @@ static void test_every_allocation(void **state)
   fail_everywhere(periodic, s);
   fail_everywhere(steady, s);
   fail_everywhere(read, s);
+  fail_everywhere(respond, s);
+  fail_everywhere(build, s);
+  OK(warm(network, interior));
+  fail_everywhere(run, s);
+  fail_everywhere(periodic, s);
+  fail_everywhere(steady, s);
   um_thermal_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
   for (int k = 0; k < 2; k++) remove(path[k]);
