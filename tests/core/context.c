@@ -153,6 +153,38 @@ static void test_progress(void **state)
   um_core_progress_set_sink(context, NULL, NULL);
 }
 
+/* Inner work is not reported and does not log, but may be cancelled as part of the outer. */
+static void test_quiet(void **state)
+{
+  (void)state;
+  struct progress p = {0, 0, 100};
+  um_core_progress_set_sink(context, progress_sink, &p);
+  um_core_progress_begin(context, "tracing", 10);
+  assert_int_equal(um_core_progress_step(context, 4), UM_OK);
+  um_core_quiet_begin(context);
+  um_core_quiet_begin(context);
+  um_core_progress_begin(context, "inner", 1000);
+  assert_int_equal(um_core_progress_step(context, 500), UM_OK);
+  um_core_progress_end(context);
+  um_core_log(context, UM_LOG_WARNING, "hidden");
+  um_core_log(context, UM_LOG_ERROR, "shown");
+  um_core_quiet_end(context);
+  um_core_log(context, UM_LOG_INFO, "hidden");
+  um_core_quiet_end(context);
+  assert_int_equal(p.last, 4);
+  assert_null(strstr(um_core_log_text(context), "hidden"));
+  assert_non_null(strstr(um_core_log_text(context), "error: shown\n"));
+  assert_int_equal(um_core_progress_step(context, 2), UM_OK);
+  assert_int_equal(p.last, 6);
+  p.stop_at = 0;
+  um_core_quiet_begin(context);
+  um_core_message_clear(context);
+  assert_int_equal(um_core_progress_step(context, 1), UM_ERR_CANCELLED);
+  um_core_quiet_end(context);
+  um_core_progress_end(context);
+  um_core_progress_set_sink(context, NULL, NULL);
+}
+
 static void test_threads(void **state)
 {
   (void)state;
@@ -168,7 +200,8 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_status_texts), cmocka_unit_test(test_messages),
       cmocka_unit_test(test_memory),       cmocka_unit_test(test_log),
-      cmocka_unit_test(test_progress),     cmocka_unit_test(test_threads),
+      cmocka_unit_test(test_progress),     cmocka_unit_test(test_quiet),
+      cmocka_unit_test(test_threads),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
