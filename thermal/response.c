@@ -13,34 +13,11 @@
 #include "thermal/response.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "thermal/response_impl.h"
 
-#define ONE_TIME      1e-9 /* [s] nearer times are one */
-#define SHARE_OF_TIME 0.25 /* of the shortest source: the default step */
-
-struct response {
-  struct um_context *context;
-  struct um_thermal_system *system;
-  struct um_thermal_stepper *stepper;
-  const struct um_thermal_response_source *source; /* [nsource] */
-  size_t nsource;
-  size_t *order;   /* [nsource] source of a column */
-  double *s;       /* [nsource][nunknown] by column [K/W] */
-  double *inside;  /* [UM_THERMAL_INSIDE][nsource][nunknown] s at wanted times in a step */
-  double *out;     /* [nsource][nnode] by source [K/W] */
-  double *cluster; /* [n] scratch of an eliminated group */
-  double *jacobian;
-  double from;
-  double begin, end; /* of the step [s from `from`] */
-  double *grid;      /* [nstep + 1] [s from `from`] */
-  size_t nstep;
-  bool begun; /* every column moves from the start, whenever its source begins */
-};
-
-static enum um_status sources_check(const struct response *r)
+static enum um_status sources_check(const struct um_thermal_response_run *r)
 {
   for (size_t k = 0; k < r->nsource; k++) {
     const struct um_thermal_response_source *source = &r->source[k];
@@ -58,14 +35,8 @@ static enum um_status sources_check(const struct response *r)
   return UM_OK;
 }
 
-static int time_compare(const void *pa, const void *pb)
-{
-  double a = *(const double *)pa, b = *(const double *)pb;
-  return (a > b) - (a < b);
-}
-
 /* Columns by the begin of their sources, equal ones as they are listed. */
-static void columns_order(struct response *r)
+static void columns_order(struct um_thermal_response_run *r)
 {
   for (size_t k = 0; k < r->nsource; k++) {
     size_t at = k;
@@ -75,69 +46,8 @@ static void columns_order(struct response *r)
   }
 }
 
-/* Times at which a step ends, not sorted, from 0; times NULL: only counts. */
-static size_t ends_list(const struct response *r, const double *times, size_t ntime, double *end)
-{
-  const struct um_thermal_loads *loads = r->system->loads;
-  size_t count = 0;
-#define END(t)                                                                                     \
-  do {                                                                                             \
-    if (end != NULL) end[count] = (t)-r->from;                                                     \
-    count++;                                                                                       \
-  } while (0)
-  END(r->from);
-  END(times[ntime - 1]);
-  for (size_t k = UM_THERMAL_INSIDE; k < ntime; k += UM_THERMAL_INSIDE) END(times[k]);
-  for (size_t k = 0; k < r->nsource; k++) {
-    END(r->source[k].t_from);
-    END(r->source[k].t_to);
-  }
-  for (size_t k = 0; loads != NULL && k < loads->nedge; k++) END(loads->edge[k]);
-  for (size_t k = 1; loads != NULL && k < loads->ntime; k++)
-    if (loads->t[k] <= loads->t[k - 1]) END(loads->t[k]);
-#undef END
-  return count;
-}
-
-static double step_limit(const struct response *r, const struct um_thermal_response_options *how)
-{
-  if (how != NULL && how->longest_step > 0.0) return how->longest_step;
-  double shortest = INFINITY;
-  for (size_t k = 0; k < r->nsource; k++)
-    if (r->source[k].t_to > r->source[k].t_from)
-      shortest = fmin(shortest, r->source[k].t_to - r->source[k].t_from);
-  return SHARE_OF_TIME * shortest;
-}
-
-static enum um_status grid_build(struct response *r, const double *times, size_t ntime,
-                                 const struct um_thermal_response_options *how)
-{
-  enum um_status status;
-  double *end = NULL, last = times[ntime - 1] - r->from, limit = step_limit(r, how);
-  size_t count = ends_list(r, times, ntime, NULL), kept = 0;
-  UM_CHECK(um_core_allocate(r->context, count, sizeof *end, &end));
-  ends_list(r, times, ntime, end);
-  qsort(end, count, sizeof *end, time_compare);
-  for (size_t k = 0; k < count; k++)
-    if (end[k] >= 0.0 && end[k] <= last && (kept == 0 || end[k] > end[kept - 1] + ONE_TIME))
-      end[kept++] = end[k];
-  for (size_t k = 1; k < kept; k++)
-    r->nstep += (size_t)fmax(1.0, ceil((end[k] - end[k - 1]) / limit - 1e-9));
-  UM_CHECK(um_core_allocate(r->context, r->nstep + 1, sizeof(double), &r->grid));
-  size_t at = 0;
-  for (size_t k = 1; k < kept; k++) {
-    size_t n = (size_t)fmax(1.0, ceil((end[k] - end[k - 1]) / limit - 1e-9));
-    for (size_t i = 0; i < n; i++)
-      r->grid[at++] = end[k - 1] + (end[k] - end[k - 1]) * (double)i / (double)n;
-  }
-  r->grid[at] = end[kept - 1];
-done:
-  um_core_free(r->context, end);
-  return status;
-}
-
 /* State and Jacobian at given temperatures [n]; eliminated groups are linearised. */
-static enum um_status linearize(struct response *r, const double *temperature)
+static enum um_status linearize(struct um_thermal_response_run *r, const double *temperature)
 {
   struct um_thermal_system *system = r->system;
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
@@ -150,7 +60,8 @@ static enum um_status linearize(struct response *r, const double *temperature)
 static bool acts(const struct um_thermal_response_source *source, double from, double begin,
                  double end)
 {
-  return source->t_from - from <= begin + ONE_TIME && source->t_to - from >= end - ONE_TIME;
+  return source->t_from - from <= begin + UM_THERMAL_ONE_TIME &&
+         source->t_to - from >= end - UM_THERMAL_ONE_TIME;
 }
 
 /* What a source puts into the nodes of an eliminated group becomes their changes [K/W]; false: none
@@ -172,7 +83,7 @@ static bool group_answer(const struct um_thermal_response_source *source,
 
 static bool column_rate(void *user, size_t column, double *b)
 {
-  struct response *r = user;
+  struct um_thermal_response_run *r = user;
   const struct um_thermal_system *system = r->system;
   const struct um_thermal_response_source *source = &r->source[r->order[column]];
   if (!acts(source, r->from, r->begin, r->end)) return false;
@@ -198,19 +109,19 @@ static bool column_rate(void *user, size_t column, double *b)
 }
 
 /* Sources that have begun before t. */
-static size_t begun(const struct response *r, double t)
+static size_t begun(const struct um_thermal_response_run *r, double t)
 {
   size_t n = r->begun ? r->nsource : 0;
-  while (n < r->nsource && r->source[r->order[n]].t_from - r->from < t - ONE_TIME) n++;
+  while (n < r->nsource && r->source[r->order[n]].t_from - r->from < t - UM_THERMAL_ONE_TIME) n++;
   return n;
 }
 
 /* Responses of all nodes at t, temperatures linearised there: as they are before a source that
  * switches at t does so, at the start after it. */
-static void out_fill(struct response *r, double t, const double *columns)
+static void out_fill(struct um_thermal_response_run *r, double t, const double *columns)
 {
   const struct um_thermal_system *system = r->system;
-  double begin = fmax(t - 2.0 * ONE_TIME, 0.0);
+  double begin = fmax(t - 2.0 * UM_THERMAL_ONE_TIME, 0.0);
   for (size_t column = 0; column < r->nsource; column++) {
     const struct um_thermal_response_source *source = &r->source[r->order[column]];
     const double *s = columns + column * system->nunknown;
@@ -218,7 +129,7 @@ static void out_fill(struct response *r, double t, const double *columns)
     for (size_t k = 0; k < system->nunknown; k++) out[system->node[k]] = s[k];
     for (size_t g = 0; g < system->ncluster; g++) {
       const struct um_thermal_cluster *cluster = &system->cluster[g];
-      bool heated = acts(source, r->from, begin, begin + 2.0 * ONE_TIME) &&
+      bool heated = acts(source, r->from, begin, begin + 2.0 * UM_THERMAL_ONE_TIME) &&
                     group_answer(source, cluster, r->cluster);
       for (size_t a = 0; a < cluster->m; a++) {
         double sum = heated ? r->cluster[a] : 0.0;
@@ -230,38 +141,18 @@ static void out_fill(struct response *r, double t, const double *columns)
   }
 }
 
-/* Times at which the base is wanted: middles of steps and what the caller wants, ascending. place
- * [ntime]: of the latter, middle [nstep]: of the former. */
-static void base_times(const struct response *r, const double *times, size_t ntime, double *all,
-                       size_t *middle, size_t *place)
-{
-  size_t at = 0, next = 0;
-  for (size_t k = 0; k < r->nstep; k++) {
-    double t = r->from + 0.5 * (r->grid[k] + r->grid[k + 1]);
-    for (; next < ntime && times[next] <= t; next++) {
-      place[next] = at;
-      all[at++] = times[next];
-    }
-    middle[k] = at;
-    all[at++] = t;
-  }
-  for (; next < ntime; next++) {
-    place[next] = at;
-    all[at++] = times[next];
-  }
-}
-
 /* The base and who takes what is wanted. */
 struct march {
   const double *times; /* [ntime] */
   size_t ntime, next;
-  const double *base;           /* temperatures at all times of base_times */
-  const size_t *middle, *place; /* of base_times */
+  const double *base;           /* temperatures at all times of um_thermal_response_times */
+  const size_t *middle, *place; /* of the same */
   um_thermal_response_take *take;
   void *user;
 };
 
-static enum um_status hand_over(struct response *r, struct march *m, const double *columns)
+static enum um_status hand_over(struct um_thermal_response_run *r, struct march *m,
+                                const double *columns)
 {
   const double *temperature = m->base + m->place[m->next] * r->system->n;
   if (r->system->ncluster > 0) UM_TRY(linearize(r, temperature));
@@ -271,14 +162,15 @@ static enum um_status hand_over(struct response *r, struct march *m, const doubl
   return UM_OK;
 }
 
-static enum um_status step_take(struct response *r, struct march *m, size_t k)
+static enum um_status step_take(struct um_thermal_response_run *r, struct march *m, size_t k)
 {
   size_t stride = r->nsource * r->system->nunknown;
   struct um_thermal_step step = {
       .rate = column_rate, .user = r, .taken = r->inside, .stride = stride};
   r->begin = r->grid[k];
   r->end = r->grid[k + 1];
-  for (size_t i = m->next; i < m->ntime && m->times[i] - r->from < r->end - ONE_TIME; i++)
+  for (size_t i = m->next; i < m->ntime && m->times[i] - r->from < r->end - UM_THERMAL_ONE_TIME;
+       i++)
     step.inside[step.ninside++] = (m->times[i] - r->from - r->begin) / (r->end - r->begin);
   UM_TRY(linearize(r, m->base + m->middle[k] * r->system->n));
   UM_TRY(um_thermal_stepper_factor(r->stepper, r->jacobian, r->end - r->begin));
@@ -287,17 +179,17 @@ static enum um_status step_take(struct response *r, struct march *m, size_t k)
   return UM_OK;
 }
 
-static enum um_status march(struct response *r, struct march *m)
+static enum um_status march(struct um_thermal_response_run *r, struct march *m)
 {
   for (size_t k = 0; k <= r->nstep; k++) {
-    while (m->next < m->ntime && m->times[m->next] - r->from <= r->grid[k] + ONE_TIME)
+    while (m->next < m->ntime && m->times[m->next] - r->from <= r->grid[k] + UM_THERMAL_ONE_TIME)
       UM_TRY(hand_over(r, m, r->s));
     if (k < r->nstep) UM_TRY(step_take(r, m, k));
   }
   return UM_OK;
 }
 
-static void start_take(struct response *r, const double *start)
+static void start_take(struct um_thermal_response_run *r, const double *start)
 {
   r->begun = true;
   for (size_t column = 0; column < r->nsource; column++)
@@ -306,7 +198,7 @@ static void start_take(struct response *r, const double *start)
           start[r->order[column] * r->system->n + r->system->node[k]];
 }
 
-static enum um_status storage_create(struct response *r)
+static enum um_status storage_create(struct um_thermal_response_run *r)
 {
   const struct um_thermal_system *system = r->system;
   UM_TRY(um_thermal_stepper_create(system, &r->stepper));
@@ -319,7 +211,7 @@ static enum um_status storage_create(struct response *r)
   return um_core_allocate(r->context, system->nnonzero, sizeof(double), &r->jacobian);
 }
 
-static void storage_free(struct response *r)
+static void storage_free(struct um_thermal_response_run *r)
 {
   um_thermal_stepper_destroy(&r->stepper);
   um_thermal_system_destroy(&r->system);
@@ -328,7 +220,7 @@ static void storage_free(struct response *r)
 }
 
 /* The base along the grid, then the responses. */
-static enum um_status run(struct response *r, const double *times, size_t ntime,
+static enum um_status run(struct um_thermal_response_run *r, const double *times, size_t ntime,
                           um_thermal_response_take *take, void *user)
 {
   enum um_status status;
@@ -339,7 +231,7 @@ static enum um_status run(struct response *r, const double *times, size_t ntime,
   UM_CHECK(um_core_allocate(r->context, r->nstep + ntime, sizeof *all, &all));
   UM_CHECK(um_core_allocate(r->context, r->nstep, sizeof *middle, &middle));
   UM_CHECK(um_core_allocate(r->context, ntime, sizeof *place, &place));
-  base_times(r, times, ntime, all, middle, place);
+  um_thermal_response_times(r, times, ntime, all, middle, place);
   UM_CHECK(um_thermal_solve(r->context, system->network, system->loads, &system->options, r->from,
                             all, r->nstep + ntime, &base));
   struct march m = {times, ntime, 0, base->temperature, middle, place, take, user};
@@ -376,7 +268,8 @@ enum um_status um_thermal_response(struct um_context *context,
                                    um_thermal_response_take *take, void *user)
 {
   enum um_status status;
-  struct response r = {.context = context, .source = source, .nsource = nsource, .from = from};
+  struct um_thermal_response_run r = {
+      .context = context, .source = source, .nsource = nsource, .from = from};
   UM_TRY(times_check(context, from, times, ntime));
   UM_CHECK(
       um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_RUN, &r.system));
@@ -384,7 +277,7 @@ enum um_status um_thermal_response(struct um_context *context,
   UM_CHECK(storage_create(&r));
   columns_order(&r);
   if (how != NULL && how->start != NULL) start_take(&r, how->start);
-  UM_CHECK(grid_build(&r, times, ntime, how));
+  UM_CHECK(um_thermal_response_grid(&r, times, ntime, how));
   UM_CHECK(run(&r, times, ntime, take, user));
 done:
   storage_free(&r);

@@ -1,9 +1,40 @@
-/* Private to thermal/: steps of dS/dt = J S + b for many columns with one factorisation, the only
- * place that knows KLU itself. */
+/* Private to thermal/: a run of responses; its steps of dS/dt = J S + b for many columns with one
+ * factorisation, the only place that knows KLU itself. */
 #ifndef UMBRA_THERMAL_RESPONSE_IMPL_H
 #define UMBRA_THERMAL_RESPONSE_IMPL_H
 
+#include "thermal/response.h"
 #include "thermal/system_impl.h"
+
+#define UM_THERMAL_ONE_TIME 1e-9 /* [s] nearer times are one */
+
+struct um_thermal_response_run {
+  struct um_context *context;
+  struct um_thermal_system *system;
+  struct um_thermal_stepper *stepper;
+  const struct um_thermal_response_source *source; /* [nsource] */
+  size_t nsource;
+  size_t *order;   /* [nsource] source of a column */
+  double *s;       /* [nsource][nunknown] by column [K/W] */
+  double *inside;  /* [UM_THERMAL_INSIDE][nsource][nunknown] s at wanted times in a step */
+  double *out;     /* [nsource][nnode] by source [K/W] */
+  double *cluster; /* [n] scratch of an eliminated group */
+  double *jacobian;
+  double from;
+  double begin, end; /* of the step [s from `from`] */
+  double *grid;      /* [nstep + 1] [s from `from`] */
+  size_t nstep;
+  bool begun; /* every column moves from the start, whenever its source begins */
+};
+
+/* response_grid.c: grid and nstep for wanted times; how NULL: the default. */
+enum um_status um_thermal_response_grid(struct um_thermal_response_run *r, const double *times,
+                                        size_t ntime,
+                                        const struct um_thermal_response_options *how);
+/* Times at which the base is wanted: middles of steps and what the caller wants, ascending in all
+ * [nstep + ntime]. place [ntime]: of the latter, middle [nstep]: of the former. */
+void um_thermal_response_times(const struct um_thermal_response_run *r, const double *times,
+                               size_t ntime, double *all, size_t *middle, size_t *place);
 
 struct um_thermal_stepper;
 

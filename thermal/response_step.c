@@ -25,7 +25,7 @@
 #include <math.h>
 #include <string.h>
 
-#include <suitesparse/klu.h>
+#include <klu.h>
 
 #define STAGES      5
 #define POLE        0.27805384
