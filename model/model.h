@@ -13,7 +13,7 @@
 #include "orbit/observer.h"
 #include "orbit/trajectory.h"
 #include "thermal/body.h"
-#include "thermal/solve.h"
+#include "thermal/response.h"
 
 struct um_effects_registry;
 
@@ -198,7 +198,8 @@ struct um_model_heat;
  * which takes an orbit or two in place of many; the state found differs within the tolerance of
  * the search (0.01 K). It does not touch an isothermal start. loosened: factor >= 1 on the
  * tolerances of the integration; above 1 the run goes on from the end of the periodic orbit where
- * it can, without drift of the places and with an audit of the observations alone. Errors of the thermal solvers. The caller destroys. */
+ * it can, without drift of the places and with an audit of the observations alone. Errors of the
+ * thermal solvers. The caller destroys. */
 enum um_status um_model_heat_create(struct um_context *context, const struct um_model *model,
                                     const struct um_model_trace *trace,
                                     const struct um_model_heat *warm, double loosened,
@@ -212,6 +213,18 @@ bool um_model_heat_matches(const struct um_model_heat *heat, const struct um_mod
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
                                  const struct um_model_trace *trace,
                                  const struct um_model_heat *heat, struct um_model_result **out);
+/* The same with the light of every surface made at its temperature plus offset[nsurface] [K], for
+ * derivatives. Nodes and their places stay as they are, means of materials move along. */
+enum um_status um_model_run_warmer(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_trace *trace,
+                                   const struct um_model_heat *heat, const double *offset,
+                                   struct um_model_result **out);
+/* How node temperatures answer to small heat from the first instant of the trace on, along this
+ * history: um_thermal_response at the trace's instants [nobs * nsub]. UM_ERR_INPUT for points. */
+enum um_status um_model_heat_response(struct um_context *context, const struct um_model_heat *heat,
+                                      const struct um_thermal_response_source *source,
+                                      size_t nsource, const struct um_thermal_response_options *how,
+                                      um_thermal_response_take *take, void *user);
 /* Radiant intensity of one observation and band, all materials together [W/sr]; mechanism < 0: all.
  */
 double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,

@@ -1,0 +1,96 @@
+/* Missing heat: how rows answer to heat of a place, the best pulse, the history. Private to
+ * diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_HEAT_IMPL_H
+#define UMBRA_DIAGNOSIS_HEAT_IMPL_H
+
+#include "diagnosis/projection_impl.h"
+#include "diagnosis/unexplained.h"
+
+/* --- heat_rows.c: from heat to rows */
+
+/* A scenario with its additions, run, and the answer of its light to temperatures. */
+struct um_diagnosis_heat_base {
+  struct um_diagnosis_forward *forward; /* borrowed */
+  struct um_model *own_model;           /* owned; NULL: the forward's own parts serve */
+  struct um_model_trace *own_trace;
+  struct um_model_heat *own_heat;
+  const struct um_model *model;
+  const struct um_model_trace *trace;
+  const struct um_model_heat *heat;
+  struct um_model_result *result;
+  size_t *first, *row; /* rows of observation k: row[first[k]] .. row[first[k + 1] - 1] */
+  /* Regions: surfaces whose light is taken to answer to the mean of their temperatures, weighted by
+   * what the observer sees of them; groups and sides, materials where the optics take their means
+   */
+  size_t nregion;
+  uint32_t *region; /* [nsurface] */
+  double *slope;    /* [nregion][nrow] d(row / sigma)/dT [1/K]; 0 for temperatures */
+};
+/* Errors of the runs. The caller releases what was begun, after an error too. */
+enum um_status um_diagnosis_heat_base_create(struct um_context *context,
+                                             struct um_diagnosis_forward *forward,
+                                             const struct um_diagnosis_addition *addition,
+                                             size_t naddition, struct um_diagnosis_heat_base *out);
+void um_diagnosis_heat_base_release(struct um_context *context,
+                                    struct um_diagnosis_heat_base *base);
+
+/* Where heat may be: nodes with shares of sum 1. */
+struct um_diagnosis_heat_place {
+  char *name;
+  uint32_t *node;
+  double *weight;
+  size_t nnode;
+};
+/* The wall of every group ("part.group", "part" where it has one group) and every interior. */
+enum um_status um_diagnosis_heat_places_create(struct um_context *context,
+                                               const struct um_model *model,
+                                               struct um_diagnosis_heat_place **out,
+                                               size_t *nplace);
+void um_diagnosis_heat_places_destroy(struct um_context *context,
+                                      struct um_diagnosis_heat_place **place, size_t nplace);
+
+/* Change of the rows per watt in each bin: column [nbin][nrow] [sigma/W]; edge: [nbin + 1] t_tai.
+ */
+enum um_status um_diagnosis_heat_columns(struct um_context *context,
+                                         const struct um_diagnosis_heat_base *base,
+                                         const struct um_diagnosis_heat_place *place, size_t nbin,
+                                         const double *edge, double *column);
+
+/* --- heat_pulse.c: what fits */
+
+/* Rows after the nuisances against bins of heat. */
+struct um_diagnosis_heat_bins {
+  size_t nbin, nleft;
+  double *edge;   /* [nbin + 1] t_tai [s] */
+  double *column; /* [nbin][nleft] */
+  /* sums over the bins before: of the products of projected columns, of whole ones, and with the
+   * residual; [nbin + 1][nbin + 1], the same, [nbin + 1] */
+  double *product, *whole, *with;
+};
+/* column: [nbin][nrow], taken as it is; residual: [nleft] projected. */
+enum um_status um_diagnosis_heat_bins_create(struct um_context *context,
+                                             struct um_diagnosis_projection *projection,
+                                             const double *residual, size_t nbin,
+                                             const double *edge, const double *column,
+                                             struct um_diagnosis_heat_bins *out);
+void um_diagnosis_heat_bins_release(struct um_context *context,
+                                    struct um_diagnosis_heat_bins *bins);
+
+struct um_diagnosis_heat_pulse {
+  size_t from, to; /* edges */
+  double chi2;     /* explained */
+  double power;    /* [W] */
+  double start_sigma, energy_sigma;
+};
+/* The best of all pulses between two edges. Sigmas about it, with all pulses weighed by their
+ * likelihood. */
+void um_diagnosis_heat_pulse_find(const struct um_diagnosis_heat_bins *bins,
+                                  struct um_diagnosis_heat_pulse *out);
+
+/* --- heat_history.c */
+/* Heat of every bin and its sigma, both [nbin]. */
+enum um_status um_diagnosis_heat_history(struct um_context *context,
+                                         const struct um_diagnosis_heat_bins *bins,
+                                         const double *residual, double *heat, double *sigma);
+
+#endif

@@ -1,0 +1,322 @@
+/* What no effect of the catalogue explains: where the residual lives, and the heat that would
+ * explain it. Every place is tried with every pulse between two times of observation, on at most
+ * BINS_MAX bins; where times lie denser, the best places again with all of them about the edges
+ * found. Bonferroni's correction counts every place and pair of edges as a test of its own, which
+ * they are not: "found" is said too rarely rather than too often. A pulse that is significant but
+ * leaves most of what is too much in chi-square is not the explanation. */
+#include "diagnosis/unexplained.h"
+
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+#include "compare/compare.h"
+#include "diagnosis/algebra_impl.h"
+#include "diagnosis/distributions_impl.h"
+#include "diagnosis/heat_impl.h"
+
+#define BINS_MAX 60
+#define REFINED  3    /* best places that are looked at again */
+#define ABOUT    2    /* bins about an edge that are looked at again */
+#define LEVEL    0.01 /* of false alarm */
+#define MOST     0.5  /* of chi-square above its expectation */
+
+/* --- where the residual lives ---------------------------------------------------------------- */
+
+static double excess(const struct um_compare_channel_comparison *c)
+{
+  return (c->all.chi2 - (double)c->count) / sqrt(2.0 * (double)c->count);
+}
+
+static enum um_status find_coordinate(struct um_context *context,
+                                      const struct um_diagnosis_heat_base *base, double fitted,
+                                      struct um_diagnosis_unexplained *out)
+{
+  enum um_status status;
+  const struct um_compare_measurements *m = base->forward->measurements;
+  struct um_compare_run run = {base->model, base->forward->plan, base->trace, base->result};
+  struct um_compare_comparison *comparison = NULL;
+  const struct um_compare_channel_comparison *worst = NULL;
+  const struct um_compare_correlation *most = NULL;
+  out->p = NAN;
+  UM_CHECK(um_compare_create(context, &run, fitted, &comparison));
+  for (size_t c = 0; c < comparison->nchannel; c++)
+    if (worst == NULL || excess(&comparison->channel[c]) > excess(worst))
+      worst = &comparison->channel[c];
+  if (worst == NULL) goto done;
+  UM_CHECK(um_core_asprintf(context, &out->channel, "%s %s",
+                            um_compare_quantity_name(m->channel[worst->channel].quantity),
+                            m->channel[worst->channel].of));
+  for (size_t i = 0; i < worst->ncorrelation; i++) {
+    const struct um_compare_correlation *c = &worst->correlation[i];
+    if (isnan(c->p)) continue;
+    /* where p underflows, the correlation itself */
+    if (most == NULL || c->p < most->p || (c->p == most->p && fabs(c->value) > fabs(most->value)))
+      most = c;
+  }
+  if (most == NULL) goto done;
+  out->p = most->p;
+  UM_CHECK(um_core_strdup(context, most->name, &out->coordinate));
+done:
+  um_compare_destroy(context, &comparison);
+  return status;
+}
+
+/* --- missing heat ---------------------------------------------------------------------------- */
+
+struct search {
+  struct um_diagnosis_heat_base base;
+  struct um_diagnosis_heat_place *place;
+  size_t nplace;
+  struct um_diagnosis_projection projection;
+  double *residual; /* [nleft] */
+  double *column;   /* [nbin_max][nrow] */
+  size_t nobs;
+  double *t;                             /* [nobs] at the satellite */
+  size_t *edge;                          /* [nbin + 1] of the observations */
+  size_t nbin;                           /* of the first look */
+  double *time;                          /* [nobs] scratch of edges */
+  bool *wanted;                          /* [nobs] scratch */
+  size_t *origin;                        /* [heat] place of each result */
+  struct um_diagnosis_heat_pulse *pulse; /* [heat] of the first look */
+};
+
+static void search_release(struct um_context *context, struct search *s)
+{
+  um_diagnosis_heat_base_release(context, &s->base);
+  um_diagnosis_heat_places_destroy(context, &s->place, s->nplace);
+  um_diagnosis_projection_destroy(context, &s->projection);
+  um_core_free(context, s->residual);
+  um_core_free(context, s->column);
+  um_core_free(context, s->t);
+  um_core_free(context, s->edge);
+  um_core_free(context, s->time);
+  um_core_free(context, s->wanted);
+  um_core_free(context, s->origin);
+  um_core_free(context, s->pulse);
+}
+
+/* Residual after the nuisances, and its chi-square before. */
+static enum um_status project(struct um_context *context, struct search *s, const double *value,
+                              const double *nuisance, size_t nnuisance, double *chi2)
+{
+  enum um_status status;
+  const struct um_diagnosis_forward *f = s->base.forward;
+  double *whole = NULL, *width = NULL;
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *whole, &whole));
+  UM_CHECK(um_core_allocate(context, nnuisance, sizeof *width, &width));
+  for (size_t j = 0; j < nnuisance; j++) width[j] = INFINITY;
+  for (size_t j = 0; j < f->nrow; j++) whole[j] = (f->measured[j] - value[j]) / f->sigma[j];
+  *chi2 = um_diagnosis_dot(f->nrow, whole, whole);
+  struct um_diagnosis_nuisance n = {nnuisance, nuisance, width};
+  UM_CHECK(um_diagnosis_projection_create(context, f->nrow, &n, &s->projection));
+  UM_CHECK(um_core_allocate(context, s->projection.nleft, sizeof *s->residual, &s->residual));
+  um_diagnosis_projection_apply(&s->projection, whole, s->residual);
+done:
+  um_core_free(context, whole);
+  um_core_free(context, width);
+  return status;
+}
+
+/* Times of the observations at the satellite, and edges of the first look. */
+static enum um_status find_edges(struct um_context *context, struct search *s)
+{
+  const struct um_model_trace *trace = s->base.trace;
+  size_t n = s->nobs = trace->nobs;
+  s->nbin = n - 1 < BINS_MAX ? n - 1 : BINS_MAX;
+  UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->time, &s->time));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->wanted, &s->wanted));
+  UM_TRY(um_core_allocate(context, s->nbin + 1, sizeof *s->edge, &s->edge));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->origin, &s->origin));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->pulse, &s->pulse));
+  for (size_t k = 0; k < n; k++) s->t[k] = trace->sample[k * trace->nsub + trace->nsub / 2].t_tai;
+  for (size_t b = 0; b <= s->nbin; b++) s->edge[b] = (b * (n - 1) + s->nbin / 2) / s->nbin;
+  return UM_OK;
+}
+
+static enum um_status bins_of(struct um_context *context, struct search *s, size_t place,
+                              size_t nbin, const double *edge, struct um_diagnosis_heat_bins *out)
+{
+  UM_TRY(um_core_reallocate(context, nbin * s->base.forward->nrow, sizeof *s->column, &s->column));
+  UM_TRY(um_diagnosis_heat_columns(context, &s->base, &s->place[place], nbin, edge, s->column));
+  return um_diagnosis_heat_bins_create(context, &s->projection, s->residual, nbin, edge, s->column,
+                                       out);
+}
+
+static void take_pulse(const struct um_diagnosis_heat_bins *bins,
+                       const struct um_diagnosis_heat_pulse *pulse, struct um_diagnosis_heat *heat)
+{
+  heat->chi2_explained = pulse->chi2;
+  heat->start = bins->edge[pulse->from];
+  heat->stop = bins->edge[pulse->to];
+  heat->power = pulse->power;
+  heat->energy = pulse->power * (heat->stop - heat->start);
+  heat->start_sigma = pulse->start_sigma;
+  heat->energy_sigma = pulse->energy_sigma;
+}
+
+/* A place on the bins of the first look: pulse and history. */
+static enum um_status look(struct um_context *context, struct search *s, size_t place,
+                           struct um_diagnosis_heat *heat)
+{
+  enum um_status status;
+  struct um_diagnosis_heat_bins bins = {0};
+  s->origin[place] = place;
+  for (size_t b = 0; b <= s->nbin; b++) s->time[b] = s->t[s->edge[b]];
+  UM_CHECK(um_core_strdup(context, s->place[place].name, &heat->place));
+  UM_CHECK(bins_of(context, s, place, s->nbin, s->time, &bins));
+  um_diagnosis_heat_pulse_find(&bins, &s->pulse[place]);
+  take_pulse(&bins, &s->pulse[place], heat);
+  heat->nbin = s->nbin;
+  UM_CHECK(um_core_allocate(context, s->nbin + 1, sizeof *heat->t, &heat->t));
+  UM_CHECK(um_core_allocate(context, s->nbin, sizeof *heat->heat, &heat->heat));
+  UM_CHECK(um_core_allocate(context, s->nbin, sizeof *heat->sigma, &heat->sigma));
+  memcpy(heat->t, s->time, (s->nbin + 1) * sizeof *heat->t);
+  UM_CHECK(um_diagnosis_heat_history(context, &bins, s->residual, heat->heat, heat->sigma));
+done:
+  um_diagnosis_heat_bins_release(context, &bins);
+  return status;
+}
+
+/* Observations about an edge of the first look. */
+static void want(struct search *s, size_t edge)
+{
+  size_t from = s->edge[edge > ABOUT ? edge - ABOUT : 0];
+  size_t to = s->edge[edge + ABOUT < s->nbin ? edge + ABOUT : s->nbin];
+  for (size_t k = from; k <= to; k++) s->wanted[k] = true;
+}
+
+/* The same place with all times about the edges of its best pulse. What the first look says of its
+ * scatter stays, where it is more. */
+static enum um_status look_again(struct um_context *context, struct search *s,
+                                 struct um_diagnosis_heat_pulse *first, size_t place,
+                                 struct um_diagnosis_heat *heat)
+{
+  enum um_status status;
+  struct um_diagnosis_heat_bins bins = {0};
+  struct um_diagnosis_heat_pulse pulse;
+  size_t n = 0;
+  memset(s->wanted, 0, s->nobs * sizeof *s->wanted);
+  s->wanted[0] = s->wanted[s->nobs - 1] = true;
+  want(s, first->from);
+  want(s, first->to);
+  for (size_t k = 0; k < s->nobs; k++)
+    if (s->wanted[k]) s->time[n++] = s->t[k];
+  UM_CHECK(bins_of(context, s, place, n - 1, s->time, &bins));
+  um_diagnosis_heat_pulse_find(&bins, &pulse);
+  double width = heat->t[1] - heat->t[0];
+  pulse.start_sigma =
+      fmax(pulse.start_sigma,
+           sqrt(fmax(0.0, first->start_sigma * first->start_sigma - width * width / 12.0)));
+  pulse.energy_sigma = fmax(pulse.energy_sigma, first->energy_sigma);
+  take_pulse(&bins, &pulse, heat);
+done:
+  um_diagnosis_heat_bins_release(context, &bins);
+  return status;
+}
+
+static void sort(struct um_diagnosis_unexplained *u, size_t *origin)
+{
+  for (size_t i = 1; i < u->nheat; i++)
+    for (size_t k = i; k > 0 && u->heat[k].chi2_explained > u->heat[k - 1].chi2_explained; k--) {
+      struct um_diagnosis_heat heat = u->heat[k];
+      size_t place = origin[k];
+      u->heat[k] = u->heat[k - 1];
+      origin[k] = origin[k - 1];
+      u->heat[k - 1] = heat;
+      origin[k - 1] = place;
+    }
+}
+
+static enum um_status look_everywhere(struct um_context *context, struct search *s,
+                                      struct um_diagnosis_unexplained *out)
+{
+  enum um_status status = UM_OK;
+  um_core_progress_begin(context, "looking for missing heat", s->nplace);
+  for (size_t p = 0; p < s->nplace && status == UM_OK; p++) {
+    out->nheat = p + 1;
+    um_core_quiet_begin(context);
+    status = look(context, s, p, &out->heat[p]);
+    um_core_quiet_end(context);
+    if (status == UM_OK) status = um_core_progress_step(context, 1);
+  }
+  um_core_progress_end(context);
+  return status;
+}
+
+static enum um_status find_heat(struct um_context *context, struct search *s,
+                                struct um_diagnosis_unexplained *out)
+{
+  enum um_status status = UM_OK;
+  UM_TRY(um_diagnosis_heat_places_create(context, s->base.model, &s->place, &s->nplace));
+  UM_TRY(find_edges(context, s));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *out->heat, &out->heat));
+  UM_TRY(look_everywhere(context, s, out));
+  sort(out, s->origin);
+  um_core_quiet_begin(context);
+  for (size_t i = 0; i < out->nheat && i < REFINED && s->nbin < s->nobs - 1; i++)
+    if (status == UM_OK && out->heat[i].chi2_explained > 0.0)
+      status = look_again(context, s, &s->pulse[s->origin[i]], s->origin[i], &out->heat[i]);
+  um_core_quiet_end(context);
+  sort(out, s->origin);
+  return status;
+}
+
+/* Whether the best pulse is an explanation. */
+static bool is_found(const struct um_diagnosis_unexplained *u, size_t nbin, double dof)
+{
+  if (u->nheat == 0) return false;
+  double tests = (double)u->nheat * 0.5 * (double)nbin * (double)(nbin + 1);
+  double p = um_diagnosis_chi2_q(u->heat[0].chi2_explained, 1.0);
+  return p * tests < LEVEL && u->heat[0].chi2_explained > MOST * (u->chi2_before - dof);
+}
+
+enum um_status um_diagnosis_unexplained_create(struct um_context *context,
+                                               struct um_diagnosis_forward *forward,
+                                               const struct um_diagnosis_addition *addition,
+                                               size_t naddition, const double *value,
+                                               const double *nuisance, size_t nnuisance,
+                                               struct um_diagnosis_unexplained **out)
+{
+  enum um_status status;
+  double begin = omp_get_wtime();
+  struct um_diagnosis_unexplained *u = NULL;
+  struct search s = {0};
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *u, &u));
+  um_core_quiet_begin(context);
+  status = um_diagnosis_heat_base_create(context, forward, addition, naddition, &s.base);
+  um_core_quiet_end(context);
+  if (status != UM_OK) goto done;
+  UM_CHECK(find_coordinate(context, &s.base, (double)nnuisance, u));
+  UM_CHECK(project(context, &s, value, nuisance, nnuisance, &u->chi2_before));
+  if (!s.base.trace->points && s.base.trace->nobs > 1) UM_CHECK(find_heat(context, &s, u));
+  u->chi2_after = u->chi2_before - (u->nheat > 0 ? u->heat[0].chi2_explained : 0.0);
+  u->found = is_found(u, s.nbin, (double)forward->nrow - (double)nnuisance);
+  *out = u;
+  u = NULL;
+done:
+  forward->seconds += omp_get_wtime() - begin;
+  search_release(context, &s);
+  um_diagnosis_unexplained_destroy(context, &u);
+  return status;
+}
+
+void um_diagnosis_unexplained_destroy(struct um_context *context,
+                                      struct um_diagnosis_unexplained **unexplained)
+{
+  if (unexplained == NULL || *unexplained == NULL) return;
+  struct um_diagnosis_unexplained *u = *unexplained;
+  for (size_t i = 0; i < u->nheat; i++) {
+    um_core_free(context, u->heat[i].place);
+    um_core_free(context, u->heat[i].t);
+    um_core_free(context, u->heat[i].heat);
+    um_core_free(context, u->heat[i].sigma);
+  }
+  um_core_free(context, u->heat);
+  um_core_free(context, u->coordinate);
+  um_core_free(context, u->channel);
+  um_core_free(context, u);
+  *unexplained = NULL;
+}
