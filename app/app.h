@@ -75,6 +75,8 @@ int um_app_render(struct um_context *context, const struct um_app_options *optio
 int um_app_compare(struct um_context *context, const struct um_app_options *options);
 int um_app_period(struct um_context *context, const struct um_app_options *options);
 int um_app_import(struct um_context *context, const struct um_app_options *options);
+int um_app_diagnose(struct um_context *context, const struct um_app_options *options);
+int um_app_fit(struct um_context *context, const struct um_app_options *options);
 int um_app_synth(struct um_context *context, const struct um_app_options *options);
 int um_app_validate(struct um_context *context, const struct um_app_options *options);
 int um_app_schema(struct um_context *context, const struct um_app_options *options);

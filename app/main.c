@@ -29,6 +29,20 @@ static const struct um_app_verb verbs[] = {
      " [--without EFFECT]... [--effect-file FILE]... [--force] [--no-plots] [--json]",
      "a scenario beside measurements: how far off, when, and what the residual goes with", 2, 2,
      "out set with without effect-file force no-plots json", um_app_compare},
+    {"diagnose",
+     "umbra diagnose SCENARIO MEASURED [--out DIR] [--set KEY=VALUE]... [--with EFFECT]..."
+     " [--without EFFECT]... [--effect-file FILE]... [--only EFFECT[:TARGET]]..."
+     " [--exclude EFFECT[:TARGET]]... [--nuisance EFFECT[:TARGET][,sigma=S]]... [--level P]"
+     " [--steps N] [--force] [--no-plots] [--json]",
+     "which physical effect the scenario lacks, or that the measurements cannot tell", 2, 2,
+     "out set with without effect-file only exclude nuisance level steps force no-plots json",
+     um_app_diagnose},
+    {"fit",
+     "umbra fit SCENARIO MEASURED --add EFFECT[:TARGET][,NAME=START]... [--out DIR]"
+     " [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]... [--effect-file FILE]..."
+     " [--nuisance EFFECT[:TARGET][,sigma=S]]... [--force] [--no-plots] [--json]",
+     "parameters of chosen effects, fitted to measurements", 2, 2,
+     "out set with without effect-file add nuisance force no-plots json", um_app_fit},
     {"synth",
      "umbra synth SCENARIO --noise REL[,FLOOR] --seed N -o measured.csv [--temperatures PLACE,...]"
      " [--temperature-sigma K] [--set KEY=VALUE]... [--with EFFECT]... [--without EFFECT]..."

@@ -1,0 +1,53 @@
+/* What umbra diagnose and umbra fit share: reading, writing. */
+#include "app/diagnosis.h"
+
+#include "app/terminal.h"
+
+enum um_status um_app_diagnosis_begin(struct um_context *context,
+                                      const struct um_app_options *options,
+                                      struct um_app_diagnosis *work)
+{
+  const struct um_diagnosis_request_texts texts = {
+      .nuisance = options->nuisance,
+      .nnuisance = options->nnuisance,
+      .exclude = options->exclude,
+      .nexclude = options->nexclude,
+      .wanted = options->add,
+      .nwanted = options->nadd,
+  };
+  work->changes = um_app_model_options(options);
+  UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
+  UM_TRY(um_diagnosis_forward_create(context, options->positional[0], &work->changes,
+                                     work->measurements, 1.0, &work->forward));
+  UM_TRY(um_diagnosis_request_make(context, work->forward->model, &texts, &work->request));
+  if (options->out != NULL)
+    UM_TRY(um_core_strdup(context, options->out, &work->out));
+  else
+    UM_TRY(um_core_asprintf(context, &work->out, "out/%s", work->forward->model->scenario->name));
+  return um_core_folder_begin(context, work->out, options->force, &work->folder);
+}
+
+enum um_status um_app_diagnosis_finish(struct um_context *context,
+                                       const struct um_app_options *options,
+                                       struct um_app_diagnosis *work)
+{
+  const struct um_diagnosis *d = work->diagnosis;
+  UM_TRY(um_diagnosis_write(context, d, options->command, UM_APP_VERSION, work->folder));
+  if (!options->no_plots) UM_TRY(um_diagnosis_plot(context, d, um_core_folder_path(work->folder)));
+  UM_TRY(um_core_folder_commit(context, &work->folder));
+  um_app_terminal_clear();
+  if (options->json)
+    return um_diagnosis_write_json(context, d, options->command, UM_APP_VERSION, stdout);
+  return um_app_diagnosis_print(context, d, work->out);
+}
+
+void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work)
+{
+  um_core_folder_abort(&work->folder);
+  um_diagnosis_destroy(context, &work->diagnosis);
+  um_diagnosis_candidates_destroy(context, &work->candidates);
+  um_diagnosis_request_release(context, &work->request);
+  um_diagnosis_forward_destroy(context, &work->forward);
+  um_compare_measurements_destroy(context, &work->measurements);
+  um_core_free(context, work->out);
+}

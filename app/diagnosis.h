@@ -1,0 +1,35 @@
+/* What umbra diagnose and umbra fit share. */
+#ifndef UMBRA_APP_DIAGNOSIS_H
+#define UMBRA_APP_DIAGNOSIS_H
+
+#include "app/app.h"
+#include "core/file.h"
+#include "diagnosis/diagnose.h"
+#include "diagnosis/request.h"
+
+struct um_app_diagnosis {
+  struct um_model_options changes; /* of the scenario; the forward borrows it */
+  struct um_compare_measurements *measurements;
+  struct um_diagnosis_forward *forward;
+  struct um_diagnosis_request request;
+  struct um_diagnosis_candidates *candidates;
+  struct um_diagnosis *diagnosis;
+  struct um_core_folder *folder;
+  char *out; /* the folder's place */
+};
+
+/* Measurements, forward, request and folder; all zero before. */
+enum um_status um_app_diagnosis_begin(struct um_context *context,
+                                      const struct um_app_options *options,
+                                      struct um_app_diagnosis *work);
+/* Write, draw, put in place, print. */
+enum um_status um_app_diagnosis_finish(struct um_context *context,
+                                       const struct um_app_options *options,
+                                       struct um_app_diagnosis *work);
+void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work);
+
+/* The tables for a person (diagnosis_print.c). */
+enum um_status um_app_diagnosis_print(struct um_context *context,
+                                      const struct um_diagnosis *diagnosis, const char *folder);
+
+#endif

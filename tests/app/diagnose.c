@@ -1,0 +1,157 @@
+/* umbra diagnose and umbra fit: the files they make, verdicts that are right, and that what is
+ * wrong is said in one line and leaves nothing behind. A lumped box over 3 minutes; few candidates.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/json.h"
+#include "tests/app/table.h"
+
+#define BOX        "box.yaml", "--set", "time.step_s=6", "--set", "time.start_utc=2016-09-06T18:08:00Z"
+#define SYNTH(...) "synth", BOX, "--noise", "0.01,0.001", "--temperatures", "bus", __VA_ARGS__, NULL
+#define FEW                                                                                        \
+  "--only", "emittance", "--only", "area:bus", "--only", "zero_point", "--only", "albedo_level"
+
+static int enter(void **state)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data("box.yaml");
+  return 0;
+}
+
+/* The number behind "key": from `from` on. */
+static double number_behind(const char *text, const char *from, const char *key)
+{
+  const char *at = strstr(text, from);
+  if (at != NULL) at = strstr(at, key);
+  if (at == NULL) fail_msg("no %s behind %s in:\n%s", key, from, text);
+  return strtod(at + strlen(key), NULL);
+}
+
+/* A hidden emittance of 0.8 of the scenario's is found: value within three of its sigmas; reduced
+ * chi-square of 93 rows of white noise within 1 +- 3 sqrt(2/93); the improved scenario alone has it
+ * too. */
+static void test_found(void **state)
+{
+  (void)state;
+  const char *where;
+  command_expect(0, SYNTH("--seed", "5", "-o", "m.csv", "--with",
+                          "emittance:grey_white,emittance_factor=0.8"));
+  struct command c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, "--json", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  char *json = command_read("out/diagnosis.json");
+  assert_string_equal(json, c.out);
+  if (!json_is_valid(json, &where)) fail_msg("not JSON from here on: %.60s", where);
+  assert_non_null(strstr(json, "\"verdict\": \"found\""));
+  double value = number_behind(json, "\"steps\"", "\"emittance_factor\", \"value\": ");
+  double sigma = number_behind(json, "\"steps\"", "\"sigma\": ");
+  assert_true(fabs(value - 0.8) <= 3.0 * sigma && sigma < 0.01);
+  assert_true(number_behind(json, "\"baseline\"", "\"chi2_red\": ") > 10.0);
+  assert_close(number_behind(json, "\"final\"", "\"chi2_red\": "), 1.0, 3.0 * sqrt(2.0 / 93.0));
+  free(json);
+  command_release(&c);
+  static const char *const made[] = {"ranking.csv", "fit.csv", "improved/scenario.yaml",
+                                     "plots.gp"};
+  for (size_t i = 0; i < sizeof made / sizeof made[0]; i++) {
+    char path[64];
+    snprintf(path, sizeof path, "out/%s", made[i]);
+    if (!command_exists(path)) fail_msg("no %s", path);
+  }
+  c = command_run("compare", "out/improved", "m.csv", "--no-plots", "--out", "two", "--json", NULL);
+  assert_int_equal(c.code, 0);
+  assert_close(number_behind(c.out, "{", "\"chi2_red\": "), 1.0, 3.0 * sqrt(2.0 / 93.0));
+  command_release(&c);
+  struct table t = table_read("out/fit.csv");
+  assert_int_equal(t.nrow, 93);
+  table_release(&t);
+}
+
+/* A complete model is called so, and a person can read it. */
+static void test_complete(void **state)
+{
+  (void)state;
+  command_expect(0, SYNTH("--seed", "6", "-o", "m.csv"));
+  struct command c = command_run("diagnose", BOX, "m.csv", "--only", "emittance", "--only",
+                                 "zero_point", "--no-plots", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  assert_non_null(strstr(c.out, "box against m.csv: 93 rows, "));
+  assert_non_null(strstr(c.out, "\nbaseline: reduced chi-square "));
+  assert_non_null(strstr(c.out, "\n  temperature bus "));
+  assert_non_null(strstr(c.out, "\nverdict: complete\n"));
+  assert_non_null(strstr(c.out, "results in out/box, "));
+  assert_true(command_exists("out/box/improved/scenario.yaml"));
+  assert_false(command_exists("out/box/plots.gp"));
+  command_release(&c);
+}
+
+/* A chosen effect beside a nuisance: both in the improved scenario. */
+static void test_fit(void **state)
+{
+  (void)state;
+  command_expect(0, SYNTH("--seed", "7", "-o", "m.csv", "--with",
+                          "emittance:grey_white,emittance_factor=0.8"));
+  struct command c =
+      command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white,emittance_factor=0.9",
+                  "--nuisance", "zero_point:vis,sigma=0.1", "--out", "out", "--no-plots", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  assert_non_null(strstr(c.out, "\nfitted: emittance:grey_white\n"));
+  assert_non_null(strstr(c.out, "\nfitted along: zero_point:vis\n"));
+  assert_false(command_exists("out/ranking.csv"));
+  char *text = command_read("out/improved/scenario.yaml");
+  assert_non_null(strstr(text, "step_s: 6"));
+  assert_non_null(strstr(text, "effects:\n  - {effect: zero_point, target: vis, factor: "));
+  double value = number_behind(text, "effect: emittance", "emittance_factor: ");
+  assert_close(value, 0.8, 0.03); /* sigma is below 0.01 */
+  free(text);
+  command_release(&c);
+}
+
+/* One line, exit 1, nothing written. */
+static void refused(const char *says, const char *verb, const char *option, const char *value)
+{
+  char *before = command_snapshot(".");
+  struct command c = command_run(verb, BOX, "m.csv", "--out", "out", option, value, NULL);
+  char *after = command_snapshot(".");
+  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
+      strstr(c.err, says) == NULL)
+    fail_msg("exit %d, said:\n%s%s, expected '%s'", c.code, c.out, c.err, says);
+  assert_string_equal(before, after);
+  free(before);
+  free(after);
+  command_release(&c);
+}
+
+static void test_refused(void **state)
+{
+  (void)state;
+  command_expect(0, SYNTH("--seed", "6", "-o", "m.csv"));
+  refused("--only gravity: no effect is called 'gravity'", "diagnose", "--only", "gravity");
+  refused("--exclude gravity: no effect is called 'gravity'", "diagnose", "--exclude", "gravity");
+  refused("--nuisance gravity: no effect is called 'gravity'", "diagnose", "--nuisance", "gravity");
+  refused("--nuisance zero_point:swir: nothing that 'zero_point' acts on is called 'swir'",
+          "diagnose", "--nuisance", "zero_point:swir");
+  refused("--nuisance zero_point:vis,sigma=0: sigma '0'; accepted: ", "diagnose", "--nuisance",
+          "zero_point:vis,sigma=0");
+  refused("--add internal_power: effect 'internal_power' needs a target", "fit", "--add",
+          "internal_power");
+  refused("fits any measurement; accepted: per set", "diagnose", "--nuisance",
+          "attitude_offset,sigma=free,per=observation");
+  refused("measurements.nuisance", "diagnose", "--set",
+          "measurements={nuisance: [{effect: gravity}]}");
+  command_write("m.csv", "time_utc,quantity,of,value,sigma\n"
+                         "2016-09-06T18:10:00Z,temperature,wing,280,1\n");
+  refused("m.csv:2: column 'of': the scenario has no place 'wing'", "diagnose", "--level", "0.05");
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_found, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_refused, enter, command_leave)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
