@@ -5,6 +5,7 @@
 #include "app/diagnosis.h"
 #include "compare/figures.h"
 #include "diagnosis/channels.h"
+#include "orbit/time.h"
 
 #define WIDTH 96     /* of the sentence [characters] */
 #define TINY  1e-300 /* smaller p are not told apart */
@@ -147,14 +148,14 @@ static void print_unexplained(const struct um_diagnosis_unexplained *u)
   printf("\n");
   for (size_t i = 0; i < u->nheat && i < 3; i++) {
     const struct um_diagnosis_heat *h = &u->heat[i];
-    char start[40];
-    um_compare_time_text(h->start, start);
-    printf("  %s %s: %.4g +- %.2g J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
+    char start[32], energy[80];
+    um_orbit_time_format(h->start, start);
+    um_diagnosis_value_text(h->energy, h->energy_sigma, "+-", energy);
+    printf("  %s %s: %s J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
            i == 0 && u->found ? "missing heat of"
            : i == 0           ? "at most heat of"
                               : "or of",
-           h->place, h->energy, h->energy_sigma, start, h->start_sigma, h->stop - h->start,
-           h->chi2_explained);
+           h->place, energy, start, h->start_sigma, h->stop - h->start, h->chi2_explained);
   }
 }
 

@@ -120,7 +120,8 @@ enum um_status um_diagnosis_plot_ranking(struct um_context *context,
   fprintf(file,
           "set style fill solid noborder\nset yrange [%.1f:-0.6]\nset grid xtics linecolor rgb "
           "'#e4e4e4'\nset tics out nomirror\nset border 3\nset key at screen 0.5, screen "
-          "0.01 center bottom horizontal samplen 2\nset xlabel 'χ² explained, after nuisances; "
+          "0.01 center bottom horizontal samplen 2 width -2\nset xlabel 'χ² explained, after "
+          "nuisances; "
           "behind it "
           "the linear estimate'\n"
           "set bmargin 6\nset lmargin 34\nset rmargin 4\n%sset xrange [%s:%.6g]\n",
