@@ -125,9 +125,10 @@ static enum um_status go_forward(struct um_context *context, const struct um_dia
     d->nstep++;
     UM_TRY(um_core_allocate(context, n, sizeof *step->value, &step->value));
     memcpy(step->value, state->fit->value, n * sizeof *step->value);
+    if (state->nblock - state->nnuisance > 1) UM_TRY(um_diagnosis_exchange(context, work, state));
     UM_TRY(um_diagnosis_backward(context, work, state, d));
   }
-  return UM_OK;
+  return um_diagnosis_conditional(context, work, state, d);
 }
 
 static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,

@@ -100,12 +100,52 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         const double *signal, struct um_diagnosis_step *step);
 
+/* --- rivals.c */
+/* The state with candidates added at their null values and all fitted. UM_ERR_INPUT,
+ * UM_ERR_NUMERIC: an effect refuses such values. */
+enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state, const size_t *candidate,
+                                 size_t ncandidate, struct um_diagnosis_state *out);
+/* Fit rivals of a step in their order until those left are out of reach; sort them by evidence.
+ * best: the state with the best of those fitted here, or as it was. */
+enum um_status um_diagnosis_fit_rivals(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *state,
+                                       struct um_diagnosis_step *step,
+                                       struct um_diagnosis_state *best);
+
 /* --- select.c */
+/* Figures of a step from the state before it to the best one after, and the winner's group. */
+enum um_status um_diagnosis_step_fill(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      const struct um_diagnosis_state *state,
+                                      const struct um_diagnosis_state *best,
+                                      struct um_diagnosis_step *step);
 /* One step of forward selection: rank, fit rivals, add the winner to the state. *added: false when
  * nothing is significant or nothing helps. */
 enum um_status um_diagnosis_select(struct um_context *context, const struct um_diagnosis_work *work,
                                    struct um_diagnosis_state *state, struct um_diagnosis_step *step,
                                    bool *added);
+/* --- exchange.c */
+/* Two effects may explain together what the best single one only resembles: try pairs in place of
+ * the effect added last and one before it; the better pair stays. */
+enum um_status um_diagnosis_exchange(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state);
+
+/* --- conditional.c */
+/* Steps anew, each effect as the last one beside the others that stayed: its rivals, its group, its
+ * p; an effect that a rival betters is replaced. In falling order of what they explain. */
+enum um_status um_diagnosis_conditional(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        struct um_diagnosis_state *state, struct um_diagnosis *d);
+/* The state without a block, fitted. */
+enum um_status um_diagnosis_without(struct um_context *context,
+                                    const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, size_t b,
+                                    struct um_diagnosis_state *out);
+
+/* --- backward.c */
 /* Take out effects that are no longer needed; marks their steps. */
 enum um_status um_diagnosis_backward(struct um_context *context,
                                      const struct um_diagnosis_work *work,

@@ -1,0 +1,82 @@
+/* Effects that are no longer worth their parameters are taken out again. */
+#include <math.h>
+
+#include "diagnosis/diagnose_impl.h"
+
+#define CLEAR 6.0 /* sigmas from null that need no second look */
+
+/* A free parameter of the block stands many sigmas from where it does nothing: it is needed. */
+static bool is_clear(const struct um_diagnosis_state *state, size_t b)
+{
+  size_t k = 0;
+  for (size_t i = 0; i < b; i++) k += state->block[i].nfree;
+  for (size_t p = 0; p < state->block[b].nfree; p++)
+    if (fabs(state->fit->x[k + p] - state->block[b].prior_mean[p]) >
+        CLEAR * state->fit->sigma[k + p])
+      return true;
+  return false;
+}
+
+static enum um_status jacobian_without(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *state, size_t omit,
+                                       double **out)
+{
+  size_t n = work->forward->nrow, kept = 0;
+  UM_TRY(um_core_allocate(context, state->nparameter * n, sizeof **out, out));
+  for (size_t b = 0, k = 0; b < state->nblock; b++)
+    for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
+      if (b == omit) continue;
+      for (size_t j = 0; j < n; j++)
+        (*out)[kept * n + j] = state->fit->jacobian[k * n + j] * work->forward->sigma[j];
+      kept++;
+    }
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_without(struct um_context *context,
+                                    const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, size_t b,
+                                    struct um_diagnosis_state *out)
+{
+  enum um_status status;
+  double *jacobian = NULL;
+  UM_CHECK(um_diagnosis_state_copy(context, state, b, out));
+  UM_CHECK(jacobian_without(context, work, state, b, &jacobian));
+  UM_CHECK(um_diagnosis_state_fit(context, work, out, NULL, jacobian));
+done:
+  um_core_free(context, jacobian);
+  if (status != UM_OK) um_diagnosis_state_release(context, out);
+  return status;
+}
+
+static enum um_status try_without(struct um_context *context, const struct um_diagnosis_work *work,
+                                  struct um_diagnosis_state *state, size_t b, bool *removed)
+{
+  struct um_diagnosis_state trial = {0};
+  *removed = false;
+  UM_TRY(um_diagnosis_without(context, work, state, b, &trial));
+  if (trial.fit->bic <= state->fit->bic) {
+    um_diagnosis_state_release(context, state);
+    *state = trial;
+    trial = (struct um_diagnosis_state){0};
+    *removed = true;
+  }
+  um_diagnosis_state_release(context, &trial);
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_backward(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  for (size_t b = state->nnuisance; b + 1 < state->nblock;) {
+    bool removed = false;
+    size_t candidate = state->block[b].candidate;
+    if (!is_clear(state, b)) UM_TRY(try_without(context, work, state, b, &removed));
+    if (!removed) b++;
+    for (size_t s = 0; s < d->nstep && removed; s++)
+      if (d->step[s].candidate == candidate) d->step[s].removed = true;
+  }
+  return UM_OK;
+}
