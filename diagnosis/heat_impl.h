@@ -10,8 +10,10 @@
 
 /* A scenario with its additions, run, and the answer of its light to temperatures. */
 struct um_diagnosis_heat_base {
-  struct um_diagnosis_forward *forward; /* borrowed */
-  struct um_model *own_model;           /* owned; NULL: the forward's own parts serve */
+  struct um_diagnosis_forward *forward;         /* borrowed */
+  const struct um_diagnosis_addition *addition; /* [naddition] borrowed */
+  size_t naddition;
+  struct um_model *own_model; /* owned; NULL: the forward's own parts serve */
   struct um_model_trace *own_trace;
   struct um_model_heat *own_heat;
   const struct um_model *model;
@@ -33,6 +35,11 @@ enum um_status um_diagnosis_heat_base_create(struct um_context *context,
                                              size_t naddition, struct um_diagnosis_heat_base *out);
 void um_diagnosis_heat_base_release(struct um_context *context,
                                     struct um_diagnosis_heat_base *base);
+
+/* Values over sigma of the rows in use of a run on the base's trace. */
+enum um_status um_diagnosis_heat_predict(struct um_context *context,
+                                         const struct um_diagnosis_heat_base *base,
+                                         const struct um_model_result *result, double *out);
 
 /* Where heat may be: nodes with shares of sum 1. */
 struct um_diagnosis_heat_place {
@@ -86,6 +93,16 @@ struct um_diagnosis_heat_pulse {
  * likelihood. */
 void um_diagnosis_heat_pulse_find(const struct um_diagnosis_heat_bins *bins,
                                   struct um_diagnosis_heat_pulse *out);
+
+/* --- heat_change.c */
+/* Power of a pulse by the model itself, and the chi-square that it explains, from a power that the
+ * linear response gave. residual: [nleft]. Errors of the runs. */
+enum um_status um_diagnosis_heat_change(struct um_context *context,
+                                        const struct um_diagnosis_heat_base *base,
+                                        struct um_diagnosis_projection *projection,
+                                        const double *residual,
+                                        const struct um_diagnosis_heat_place *place, double from,
+                                        double to, double *power, double *chi2);
 
 /* --- heat_history.c */
 /* Heat of every bin and its sigma, both [nbin]. */

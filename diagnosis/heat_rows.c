@@ -20,19 +20,24 @@
 
 /* --- the base -------------------------------------------------------------------------------- */
 
-/* Linear values over sigma of the rows in use. */
-static enum um_status predict(struct um_context *context, const struct um_diagnosis_heat_base *base,
-                              const struct um_model_result *result, double *whole, double *out)
+enum um_status um_diagnosis_heat_predict(struct um_context *context,
+                                         const struct um_diagnosis_heat_base *base,
+                                         const struct um_model_result *result, double *out)
 {
+  enum um_status status;
   const struct um_diagnosis_forward *f = base->forward;
   const struct um_compare_measurements *m = f->measurements;
-  UM_TRY(um_compare_predict(context, f->plan, base->trace, result, whole));
+  double *whole = NULL;
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *whole, &whole));
+  UM_CHECK(um_compare_predict(context, f->plan, base->trace, result, whole));
   for (size_t j = 0; j < f->nrow; j++) {
     double unused;
     um_compare_linear(m->channel[f->channel[j]].quantity, whole[f->row[j]], NAN, &out[j], &unused);
     out[j] /= f->sigma[j];
   }
-  return UM_OK;
+done:
+  um_core_free(context, whole);
+  return status;
 }
 
 static bool is_light(const struct um_diagnosis_forward *f, size_t row)
@@ -57,7 +62,7 @@ static enum um_status find_regions(struct um_context *context, struct um_diagnos
 
 /* One region; a region without surfaces is left at 0. */
 static enum um_status find_slope(struct um_context *context, struct um_diagnosis_heat_base *base,
-                                 size_t region, double *offset, double *whole, const double *cold)
+                                 size_t region, double *offset, const double *cold)
 {
   size_t nsurface = um_geometry_mesh(base->model->geometry)->nsurface, n = 0;
   double *slope = base->slope + region * base->forward->nrow;
@@ -69,7 +74,7 @@ static enum um_status find_slope(struct um_context *context, struct um_diagnosis
   if (n == 0) return UM_OK;
   UM_TRY(um_model_run_warmer(context, base->model, base->trace, base->heat, offset, &result));
   base->forward->evaluations++;
-  enum um_status status = predict(context, base, result, whole, slope);
+  enum um_status status = um_diagnosis_heat_predict(context, base, result, slope);
   um_model_result_destroy(context, &result);
   for (size_t j = 0; j < base->forward->nrow; j++)
     slope[j] = is_light(base->forward, j) ? (slope[j] - cold[j]) / WARMER : 0.0;
@@ -80,20 +85,17 @@ static enum um_status find_slopes(struct um_context *context, struct um_diagnosi
 {
   enum um_status status = UM_OK;
   const struct um_diagnosis_forward *f = base->forward;
-  double *whole = NULL, *cold = NULL, *offset = NULL;
+  double *cold = NULL, *offset = NULL;
   bool light = false;
   for (size_t j = 0; j < f->nrow; j++) light |= is_light(f, j);
   UM_CHECK(um_core_allocate(context, base->nregion * f->nrow, sizeof *base->slope, &base->slope));
   if (!light || base->trace->view == NULL) goto done;
-  UM_CHECK(um_core_allocate(context, f->measurements->count, sizeof *whole, &whole));
   UM_CHECK(um_core_allocate(context, f->nrow, sizeof *cold, &cold));
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->model->geometry)->nsurface,
                             sizeof *offset, &offset));
-  UM_CHECK(predict(context, base, base->result, whole, cold));
-  for (size_t g = 0; g < base->nregion; g++)
-    UM_CHECK(find_slope(context, base, g, offset, whole, cold));
+  UM_CHECK(um_diagnosis_heat_predict(context, base, base->result, cold));
+  for (size_t g = 0; g < base->nregion; g++) UM_CHECK(find_slope(context, base, g, offset, cold));
 done:
-  um_core_free(context, whole);
   um_core_free(context, cold);
   um_core_free(context, offset);
   return status;
@@ -120,6 +122,8 @@ enum um_status um_diagnosis_heat_base_create(struct um_context *context,
 {
   struct um_diagnosis_forward_cache *cache = forward->cache;
   *out = (struct um_diagnosis_heat_base){.forward = forward,
+                                         .addition = addition,
+                                         .naddition = naddition,
                                          .model = forward->model,
                                          .trace = cache->own.trace,
                                          .heat = cache->own.heat};

@@ -3,7 +3,7 @@
  * BINS_MAX bins; where times lie denser, the best places again with all of them about the edges
  * found. Bonferroni's correction counts every place and pair of edges as a test of its own, which
  * they are not: "found" is said too rarely rather than too often. A pulse that is significant but
- * leaves most of what is too much in chi-square is not the explanation. */
+ * leaves more than a twentieth of what is too much in chi-square is not the explanation. */
 #include "diagnosis/unexplained.h"
 
 #include <math.h>
@@ -18,8 +18,9 @@
 #define BINS_MAX 60
 #define REFINED  3    /* best places that are looked at again */
 #define ABOUT    2    /* bins about an edge that are looked at again */
+#define RIVAL    0.5  /* of the best chi-square, below which a place is not looked at again */
 #define LEVEL    0.01 /* of false alarm */
-#define MOST     0.5  /* of chi-square above its expectation */
+#define LEFT     0.05 /* of chi-square above its expectation, that an explanation may leave */
 
 /* --- where the residual lives ---------------------------------------------------------------- */
 
@@ -96,7 +97,7 @@ static void search_release(struct um_context *context, struct search *s)
   um_core_free(context, s->pulse);
 }
 
-/* Residual after the nuisances, and its chi-square before. */
+/* Residual after the nuisances, and its chi-square. */
 static enum um_status project(struct um_context *context, struct search *s, const double *value,
                               const double *nuisance, size_t nnuisance, double *chi2)
 {
@@ -107,11 +108,11 @@ static enum um_status project(struct um_context *context, struct search *s, cons
   UM_CHECK(um_core_allocate(context, nnuisance, sizeof *width, &width));
   for (size_t j = 0; j < nnuisance; j++) width[j] = INFINITY;
   for (size_t j = 0; j < f->nrow; j++) whole[j] = (f->measured[j] - value[j]) / f->sigma[j];
-  *chi2 = um_diagnosis_dot(f->nrow, whole, whole);
   struct um_diagnosis_nuisance n = {nnuisance, nuisance, width};
   UM_CHECK(um_diagnosis_projection_create(context, f->nrow, &n, &s->projection));
   UM_CHECK(um_core_allocate(context, s->projection.nleft, sizeof *s->residual, &s->residual));
   um_diagnosis_projection_apply(&s->projection, whole, s->residual);
+  *chi2 = um_diagnosis_dot(s->projection.nleft, s->residual, s->residual);
 done:
   um_core_free(context, whole);
   um_core_free(context, width);
@@ -216,6 +217,29 @@ done:
   return status;
 }
 
+/* Power of the pulse by the model itself, its sigma in proportion; what the bend moved it by is
+ * added, since the edges are those of the straight response. A place that the model refuses a
+ * source in keeps what the linear response says. */
+static enum um_status check(struct um_context *context, struct search *s, size_t place,
+                            struct um_diagnosis_heat *heat)
+{
+  double power = heat->power, chi2 = heat->chi2_explained;
+  enum um_status status =
+      um_diagnosis_heat_change(context, &s->base, &s->projection, s->residual, &s->place[place],
+                               heat->start, heat->stop, &power, &chi2);
+  if (status == UM_ERR_INPUT || status == UM_ERR_NUMERIC) {
+    um_core_message_clear(context);
+    return UM_OK;
+  }
+  UM_TRY(status);
+  double bent = power / heat->power;
+  heat->chi2_explained = chi2;
+  heat->energy_sigma = hypot(bent * heat->energy_sigma, (bent - 1.0) * heat->energy);
+  heat->energy *= bent;
+  heat->power = power;
+  return UM_OK;
+}
+
 static void sort(struct um_diagnosis_unexplained *u, size_t *origin)
 {
   for (size_t i = 1; i < u->nheat; i++)
@@ -255,21 +279,26 @@ static enum um_status find_heat(struct um_context *context, struct search *s,
   UM_TRY(look_everywhere(context, s, out));
   sort(out, s->origin);
   um_core_quiet_begin(context);
-  for (size_t i = 0; i < out->nheat && i < REFINED && s->nbin < s->nobs - 1; i++)
-    if (status == UM_OK && out->heat[i].chi2_explained > 0.0)
-      status = look_again(context, s, &s->pulse[s->origin[i]], s->origin[i], &out->heat[i]);
+  for (size_t i = 0; i < out->nheat && i < REFINED && status == UM_OK; i++) {
+    size_t place = s->origin[i];
+    if (!(out->heat[i].chi2_explained > RIVAL * out->heat[0].chi2_explained)) continue;
+    if (s->nbin < s->nobs - 1)
+      status = look_again(context, s, &s->pulse[place], place, &out->heat[i]);
+    if (status == UM_OK) status = check(context, s, place, &out->heat[i]);
+  }
   um_core_quiet_end(context);
   sort(out, s->origin);
   return status;
 }
 
-/* Whether the best pulse is an explanation. */
+/* Whether the best pulse is an explanation: significant, and little is left but noise. */
 static bool is_found(const struct um_diagnosis_unexplained *u, size_t nbin, double dof)
 {
   if (u->nheat == 0) return false;
   double tests = (double)u->nheat * 0.5 * (double)nbin * (double)(nbin + 1);
   double p = um_diagnosis_chi2_q(u->heat[0].chi2_explained, 1.0);
-  return p * tests < LEVEL && u->heat[0].chi2_explained > MOST * (u->chi2_before - dof);
+  double left = fmax(LEFT * (u->chi2_before - dof), 3.0 * sqrt(2.0 * dof));
+  return p * tests < LEVEL && u->chi2_after - dof < left;
 }
 
 enum um_status um_diagnosis_unexplained_create(struct um_context *context,

@@ -5,14 +5,16 @@
 
 #include "diagnosis/forward.h"
 
-/* Missing heat of one place. */
+/* Missing heat of one place: the wall of a group ("bus.+y"; "panel" where a part has one group) or
+ * an interior. Pulses begin and end at times of observation, at the satellite; heat before the
+ * first is not looked for. */
 struct um_diagnosis_heat {
   char *place;           /* "bus.+y", "bus.interior" */
   double chi2_explained; /* by the best pulse; falls along the list */
   double start, stop;    /* t_tai of the best pulse [s] */
   double start_sigma;    /* [s] from the chi-square of its neighbours */
-  double power, energy;  /* [W], [J] of the best pulse */
-  double energy_sigma;   /* [J] */
+  double power, energy;  /* [W], [J] of the best pulse; below 0: heat that goes */
+  double energy_sigma;   /* [J] over all pulses that fit, and how far from straight the answer is */
   /* regularised history: second differences damped until chi-square meets its expectation */
   size_t nbin;
   double *t;     /* [nbin + 1] edges, t_tai [s] */
@@ -25,12 +27,17 @@ struct um_diagnosis_unexplained {
   double p;         /* of that correlation */
   size_t nheat;
   struct um_diagnosis_heat *heat; /* [nheat] by chi2_explained, falling */
-  double chi2_before, chi2_after; /* with the best pulse of heat[0] */
-  bool found; /* the best pulse is significant (1 % over all places and times) */
+  double chi2_before, chi2_after; /* after the nuisances; with the best pulse of heat[0] */
+  /* the best pulse is significant (1 % over all places and times) and leaves no more than a
+   * twentieth of chi-square above its expectation, or three sigmas of that */
+  bool found;
 };
 
-/* value: [nrow] model values of the rows with the additions. nuisance columns as in score.h,
- * whitened. */
+/* value: [nrow] model values of the rows with the additions. nuisance: [nnuisance][nrow] whitened
+ * columns as in score.h, taken as free. Answers of the rows to heat are linear along the model's
+ * history; powers of the best three pulses are then those of the model itself. Costs about as much
+ * as the light of a run per group and side, and up to nine runs. No heat is looked for with
+ * orbit.points, where it is not followed. Errors of the runs. The caller destroys. */
 enum um_status um_diagnosis_unexplained_create(struct um_context *context,
                                                struct um_diagnosis_forward *forward,
                                                const struct um_diagnosis_addition *addition,
