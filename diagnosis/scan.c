@@ -50,8 +50,8 @@ static double modelled_cold(const struct um_model_result *result, const char *ta
     if (strcmp(place->name, target) != 0) continue;
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < result->nobs; k++) {
-      low = fmin(low, place->minimum[k]);
-      high = fmax(high, place->maximum[k]);
+      low = fmin(low, place->mean[k]); /* which the thermostat senses */
+      high = fmax(high, place->mean[k]);
     }
     return low + COLD_SHARE * (high - low);
   }

@@ -4,8 +4,8 @@
  *
  * h begins at a fifth of the prior width (a tenth of it moves a derivative of a smooth model by
  * some percent, less than it matters for a score), or the way to the fallback value without a
- * prior. It grows where the rows hardly move beside the noise that an integration of the same heat
- * anew makes, and shrinks once where they move by tens of sigma.
+ * prior. It grows once where the rows hardly move beside the noise that an integration of the same
+ * heat anew makes, and shrinks once where they move by tens of sigma.
  *
  * A parameter that changes nothing alone, while another one of the effect does, is one of shape (a
  * period, a delay): it is not free but stays at its fallback value. Where no parameter changes
@@ -17,13 +17,15 @@
 #include "diagnosis/forward_impl.h"
 
 #define SHARE_OF_PRIOR 0.2
-#define PRIORS_MAX     2.0  /* widths that a step may reach */
-#define GROWTH         10.0 /* of a step, twice at most */
-#define SEEN           1e-3 /* largest change of a row [sigma] that a step makes at least */
-#define ABOVE_NOISE    20.0 /* and how often the noise it is */
-#define FAR            30.0 /* rms change [sigma] at which a step is far from a derivative */
-#define NOTHING        1e-6 /* largest change [sigma] that is none */
-#define LOST           3.0  /* changes below so many times the noise are not seen */
+#define PRIORS_MAX     2.0   /* widths that a step may reach */
+#define LONGEST        100.0 /* factor on a first step that is too short */
+#define MARGIN         1.5   /* beyond what is asked of a longer one */
+#define SHORTER        10.0  /* divides a step that goes too far */
+#define SEEN           1e-3  /* largest change of a row [sigma] that a step makes at least */
+#define ABOVE_NOISE    10.0  /* and how often the noise it is */
+#define FAR            30.0  /* rms change [sigma] at which a step is far from a derivative */
+#define NOTHING        1e-6  /* largest change [sigma] that is none */
+#define LOST           3.0   /* changes below so many times the noise are not seen */
 
 /* Changes of the rows that one step makes. */
 struct change {
@@ -69,21 +71,26 @@ static double first_step(const struct um_effect_parameter *p, double null)
   return p->maximum - null > null - p->minimum ? p->maximum - null : p->minimum - null;
 }
 
-/* A longer step within range and credibility; the same when there is none. */
-static double longer(const struct um_effect_parameter *p, double null, double step)
+/* What the largest change of a row should be [sigma]. */
+static double wanted(const struct change *change, double noise)
 {
-  double size = GROWTH * fabs(step), room = step > 0.0 ? p->maximum - null : null - p->minimum;
+  return change->fresh ? fmax(SEEN, ABOVE_NOISE * noise) : SEEN;
+}
+
+/* The step that moves the rows enough, from how far they moved, within range and credibility; the
+ * same when it does or when there is none. What changes nothing at all, with the same heat, is not
+ * reached by a longer step either. */
+static double longer(const struct um_effect_parameter *p, double null, double step,
+                     const struct change *change, double noise)
+{
+  double aim = wanted(change, noise), size = fabs(step);
+  if (change->largest >= aim || (change->largest == 0.0 && !change->fresh)) return step;
+  double room = step > 0.0 ? p->maximum - null : null - p->minimum;
+  size *= fmin(LONGEST, fmax(2.0, MARGIN * aim / change->largest));
   if (isfinite(p->prior_sigma))
     size = fmin(
         size, fmax(fabs(step), PRIORS_MAX * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0)));
   return copysign(fmin(size, room), step);
-}
-
-/* What changes nothing at all, with the same heat, is not reached by a longer step either. */
-static bool too_small(const struct change *change, double noise)
-{
-  if (change->largest == 0.0 && !change->fresh) return false;
-  return change->largest < SEEN || (change->fresh && change->largest < ABOVE_NOISE * noise);
 }
 
 /* Calibrations that only add or scale are linear in their parameter as far as one likes. */
@@ -132,9 +139,8 @@ static enum um_status difference(const struct mover *m, double *step, struct cha
 {
   const struct um_effect_parameter *parameter = &m->candidate->effect->parameters[m->p];
   UM_TRY(move_first(m, step, change));
-  for (int growths = 0; growths < 2 && too_small(change, m->point->noise); growths++) {
-    double more = longer(parameter, m->at[m->p], *step);
-    if (!(fabs(more) > fabs(*step))) break;
+  double more = longer(parameter, m->at[m->p], *step, change, m->point->noise);
+  if (fabs(more) > fabs(*step)) {
     enum um_status status = move(m, more, change);
     if (status == UM_ERR_INPUT) { /* too far: what was before stands */
       um_core_message_clear(m->context);
@@ -144,7 +150,7 @@ static enum um_status difference(const struct mover *m, double *step, struct cha
     *step = more;
   }
   if (change->rms > FAR && !acts_behind(m->candidate->effect)) {
-    *step /= GROWTH;
+    *step /= SHORTER;
     UM_TRY(move(m, *step, change));
   }
   return UM_OK;
@@ -224,21 +230,32 @@ static bool put_shapes(struct um_diagnosis_candidate *c)
   return any;
 }
 
-/* The one parameter whose null value makes the effect vanish whatever the others are. */
+/* Fallback values of all parameters, but temperatures where the scan put them. */
+static void fall_back(const struct um_diagnosis_candidate *c, double *at)
+{
+  for (size_t k = 0; k < c->effect->nparameter; k++)
+    at[k] = c->effect->parameters[k].is_temperature ? c->null_value[k]
+                                                    : c->effect->parameters[k].fallback;
+}
+
+/* The one parameter whose null value makes the effect vanish whatever the others are. Where not
+ * even all fallback values together do something, there is none. */
 static enum um_status find_amplitude(struct um_context *context,
                                      const struct um_diagnosis_point *point,
                                      struct um_diagnosis_candidate *c)
 {
   size_t n = c->effect->nparameter;
+  double at[UM_EFFECT_PARAMETERS_MAX];
+  struct change change;
+  fall_back(c, at);
+  UM_TRY(step_to(context, point, c, at, c->signature, &change));
+  if (!alive(&change, point->noise)) return UM_OK;
   for (size_t p = 0; p < n; p++) {
-    double at[UM_EFFECT_PARAMETERS_MAX];
-    struct change change, none;
-    for (size_t k = 0; k < n; k++)
-      at[k] = c->effect->parameters[k].is_temperature ? c->null_value[k]
-                                                      : c->effect->parameters[k].fallback;
+    fall_back(c, at);
     at[p] = c->null_value[p];
-    UM_TRY(step_to(context, point, c, at, c->signature, &none));
-    if (alive(&none, point->noise)) continue;
+    if (memcmp(at, c->null_value, n * sizeof *at) == 0) continue; /* tried */
+    UM_TRY(step_to(context, point, c, at, c->signature, &change));
+    if (!(change.largest < NOTHING)) continue; /* noise of the heat is not nothing */
     double step = first_step(&c->effect->parameters[p], at[p]);
     const struct mover mover = {context, point, c, at, p, c->signature};
     UM_TRY(difference(&mover, &step, &change));

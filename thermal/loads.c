@@ -154,11 +154,17 @@ static void trace_earth(const struct tracer *t, size_t k, const struct um_therma
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap.point);
   if (scene->row != NULL) um_thermal_cap_spread(&cap);
+  struct um_thermal_half half;
+  size_t halved = SIZE_MAX; /* normal of `half`: surfaces of one are mostly neighbours */
   for (size_t s = 0; s < t->mesh->nsurface; s++) {
-    const struct um_environment_earth_flux *f = &flux[t->normal_of[s]];
+    size_t of = t->normal_of[s];
+    const struct um_environment_earth_flux *f = &flux[of];
     double albedo = 1.0, planet = 1.0;
-    if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s))
-      um_thermal_cap_shares(t->mesh, scene, s, normal[t->normal_of[s]], &cap, &albedo, &planet);
+    if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s)) {
+      if (of != halved) um_thermal_cap_halve(&cap, normal[of], scene->row != NULL, &half);
+      halved = of;
+      um_thermal_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &albedo, &planet);
+    }
     size_t at = k * t->mesh->nsurface + s;
     t->loads->albedo[at] = (float)(f->albedo * albedo);
     t->loads->planet[at] = (float)(f->planet * planet);

@@ -83,23 +83,40 @@ void um_thermal_cap_spread(struct um_thermal_cap *cap)
   }
 }
 
-/* How free the directions of the cap are from a surface, by the sky of a rigid body. */
-static void look_at_sky(const struct um_thermal_scene *scene, size_t surface, struct um_vec3 normal,
-                        const struct um_thermal_cap *cap, double *free_of)
+void um_thermal_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
+                          struct um_thermal_half *out)
 {
-  const uint8_t *freedom = scene->freedom + scene->row[surface];
+  out->n = 0;
+  out->albedo = out->planet = 0.0;
   for (size_t i = 0; i < cap->n; i++) {
-    int sum = 0, n = 0;
-    for (int j = 0; j < 4; j++) {
-      if (!(um_vec3_dot(cap->four[i][j], normal) > 0.0)) continue;
-      sum += freedom[cap->cell[i][j]];
-      n++;
-    }
-    free_of[i] = n > 0 ? sum / (255.0 * n) : 0.0;
+    double cosine = um_vec3_dot(normal, cap->point[i].direction);
+    if (!(cosine > 0.0)) continue;
+    size_t k = out->n++;
+    out->weight[k] = cosine * cap->point[i].solid_angle;
+    out->radiance[k] = cap->point[i].albedo_radiance;
+    out->albedo += out->weight[k] * out->radiance[k];
+    out->planet += out->weight[k];
+    out->ncell[k] = 0;
+    for (int j = 0; four && j < 4; j++)
+      if (um_vec3_dot(cap->four[i][j], normal) > 0.0)
+        out->cell[k][out->ncell[k]++] = (uint16_t)cap->cell[i][j];
   }
 }
 
-/* The same by rays, each from a point of the facet of its own. */
+/* How free the directions of the half are from a surface, by the sky of a rigid body. */
+static void look_at_sky(const struct um_thermal_scene *scene, size_t surface,
+                        const struct um_thermal_half *half, double *free_of)
+{
+  const uint8_t *freedom = scene->freedom + scene->row[surface];
+  for (size_t k = 0; k < half->n; k++) {
+    int sum = 0;
+    for (size_t j = 0; j < half->ncell[k]; j++) sum += freedom[half->cell[k][j]];
+    free_of[k] = half->ncell[k] > 0 ? sum / (255.0 * (double)half->ncell[k]) : 0.0;
+  }
+}
+
+/* The same by rays, each from a point of the facet of its own. The directions are those of the
+ * half, in its order. */
 static void look_by_rays(const struct um_geometry_mesh *mesh, const struct um_thermal_scene *scene,
                          size_t surface, struct um_vec3 normal, const struct um_thermal_cap *cap,
                          double *free_of)
@@ -121,35 +138,30 @@ static void look_by_rays(const struct um_geometry_mesh *mesh, const struct um_th
       ray[n] = (struct um_geometry_ray){origin, cap->point[i].direction, INFINITY, facet};
     }
   }
+  if (n == 0) return;
   um_geometry_visibility_occluded(scene->visibility, ray, n, occluded);
-  n = 0;
-  for (size_t i = 0; i < cap->n; i++) {
-    free_of[i] = 0.0;
-    if (!(um_vec3_dot(normal, cap->point[i].direction) > 0.0)) continue;
-    for (size_t j = 0; j < CAP_RAYS; j++) free_of[i] += (1.0 - occluded[n++]) / CAP_RAYS;
+  for (size_t k = 0; k < n / CAP_RAYS; k++) {
+    free_of[k] = 0.0;
+    for (size_t j = 0; j < CAP_RAYS; j++)
+      free_of[k] += (1.0 - occluded[k * CAP_RAYS + j]) / CAP_RAYS;
   }
 }
 
 /* Free shares of the cap before a surface, for the reflected and for the emitted part. */
 void um_thermal_cap_shares(const struct um_geometry_mesh *mesh,
                            const struct um_thermal_scene *scene, size_t surface,
-                           struct um_vec3 normal, const struct um_thermal_cap *cap, double *albedo,
-                           double *planet)
+                           struct um_vec3 normal, const struct um_thermal_cap *cap,
+                           const struct um_thermal_half *half, double *albedo, double *planet)
 {
-  double all[2] = {0.0, 0.0}, open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS] = {0.0};
+  double open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS];
   if (scene->row != NULL)
-    look_at_sky(scene, surface, normal, cap, free_of);
+    look_at_sky(scene, surface, half, free_of);
   else
     look_by_rays(mesh, scene, surface, normal, cap, free_of);
-  for (size_t i = 0; i < cap->n; i++) {
-    double cosine = um_vec3_dot(normal, cap->point[i].direction);
-    if (!(cosine > 0.0)) continue;
-    double w = cosine * cap->point[i].solid_angle;
-    all[0] += w * cap->point[i].albedo_radiance;
-    open[0] += free_of[i] * w * cap->point[i].albedo_radiance;
-    all[1] += w;
-    open[1] += free_of[i] * w;
+  for (size_t k = 0; k < half->n; k++) {
+    open[0] += free_of[k] * half->weight[k] * half->radiance[k];
+    open[1] += free_of[k] * half->weight[k];
   }
-  *planet = all[1] > 0.0 ? open[1] / all[1] : 1.0;
-  *albedo = all[0] > 0.0 ? open[0] / all[0] : *planet;
+  *planet = half->planet > 0.0 ? open[1] / half->planet : 1.0;
+  *albedo = half->albedo > 0.0 ? open[0] / half->albedo : *planet;
 }

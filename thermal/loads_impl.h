@@ -24,17 +24,31 @@ struct um_thermal_cap {
   size_t n;
 };
 
+/* What of the cap stands before surfaces of one normal. */
+struct um_thermal_half {
+  size_t n;                             /* directions before it */
+  double weight[UM_EARTH_CAP_POINTS];   /* cosine times solid angle [sr] */
+  double radiance[UM_EARTH_CAP_POINTS]; /* reflected [W/m^2/sr] */
+  size_t ncell[UM_EARTH_CAP_POINTS];    /* 0 to 4 of the four that are before it too */
+  uint16_t cell[UM_EARTH_CAP_POINTS][4];
+  double albedo, planet; /* sums of weight times radiance, and of weight, over all */
+};
+
 /* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
 enum um_status um_thermal_scene_tabulate(struct um_context *context,
                                          const struct um_geometry_mesh *mesh, int nsample,
                                          struct um_thermal_scene *scene);
 /* Fill `four` and `cell` from the points. */
 void um_thermal_cap_spread(struct um_thermal_cap *cap);
-/* Free shares [1] of the cap before a surface of unit normal `normal`, for what the Earth reflects
- * and for what it emits; 1 where nothing of it lies before the surface. */
+/* The half of a cap before a unit normal; four: those were filled. */
+void um_thermal_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
+                          struct um_thermal_half *out);
+/* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made,
+ * for what the Earth reflects and for what it emits; 1 where nothing of it lies before the surface.
+ */
 void um_thermal_cap_shares(const struct um_geometry_mesh *mesh,
                            const struct um_thermal_scene *scene, size_t surface,
-                           struct um_vec3 normal, const struct um_thermal_cap *cap, double *albedo,
-                           double *planet);
+                           struct um_vec3 normal, const struct um_thermal_cap *cap,
+                           const struct um_thermal_half *half, double *albedo, double *planet);
 
 #endif
