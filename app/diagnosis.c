@@ -18,7 +18,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
   work->changes = um_app_model_options(options);
   UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
   UM_TRY(um_diagnosis_forward_create(context, options->positional[0], &work->changes,
-                                     work->measurements, 1.0, &work->forward));
+                                     work->measurements, UM_DIAGNOSIS_LOOSENED, &work->forward));
   UM_TRY(um_diagnosis_request_make(context, work->forward->model, &texts, &work->request));
   if (options->out != NULL)
     UM_TRY(um_core_strdup(context, options->out, &work->out));
