@@ -17,7 +17,7 @@ static enum um_status diagnose(struct um_context *context, const struct um_app_o
   };
   UM_TRY(um_diagnosis_candidates_create(context, work->forward, NULL, 0, &wanted.candidates,
                                         &work->candidates));
-  UM_TRY(um_diagnose(context, work->forward, work->candidates, &wanted, &work->diagnosis));
+  UM_TRY(um_diagnosis_create(context, work->forward, work->candidates, &wanted, &work->diagnosis));
   return um_app_diagnosis_finish(context, options, work);
 }
 

@@ -72,7 +72,7 @@ done:
   return status;
 }
 
-static void clear_steps(struct um_context *context, struct um_diagnosis *d)
+void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
 {
   for (size_t s = 0; s < d->nstep; s++) {
     um_core_free(context, d->step[s].rival);
@@ -132,7 +132,7 @@ static enum um_status judge_all(struct um_context *context, const struct um_diag
                                 struct um_diagnosis_state *state, bool last_pass,
                                 struct um_diagnosis *d, double *cost, bool *replaced)
 {
-  clear_steps(context, d);
+  um_diagnosis_steps_clear(context, d);
   for (size_t b = state->nnuisance; b < state->nblock && !*replaced; b++) {
     struct um_diagnosis_step *step = &d->step[d->nstep++];
     *step = (struct um_diagnosis_step){0};

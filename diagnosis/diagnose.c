@@ -131,10 +131,24 @@ static enum um_status go_forward(struct um_context *context, const struct um_dia
   return um_diagnosis_conditional(context, work, state, d);
 }
 
+static void ends_free(struct um_context *context, struct um_diagnosis *d)
+{
+  um_core_free(context, d->addition);
+  um_core_free(context, d->addition_sigma);
+  um_core_free(context, d->nuisance);
+  um_core_free(context, d->nuisance_sigma);
+  um_core_free(context, d->value_after);
+  d->addition = d->nuisance = NULL;
+  d->addition_sigma = d->nuisance_sigma = NULL;
+  d->value_after = NULL;
+  d->naddition = d->nnuisance = 0;
+}
+
 static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   size_t n = work->forward->nrow, added = state->nblock - state->nnuisance;
+  ends_free(context, d);
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition, &d->addition));
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition_sigma, &d->addition_sigma));
   UM_TRY(um_core_allocate(context, state->nnuisance, sizeof *d->nuisance, &d->nuisance));
@@ -204,35 +218,74 @@ static enum um_diagnosis_verdict judge(const struct um_diagnosis_state *state,
 
 /* --- what follows ----------------------------------------------------------------------------- */
 
-static enum um_status look_further(struct um_context *context, const struct um_diagnosis_work *work,
-                                   const struct um_diagnosis_state *state, struct um_diagnosis *d)
+static enum um_status look_next(struct um_context *context, const struct um_diagnosis_work *work,
+                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   for (size_t s = d->nstep; s-- > 0 && d->next == NULL && !work->options->no_next;)
     if (has_group(&d->step[s]))
       UM_TRY(um_diagnosis_next_find(context, work, state, &d->step[s], &d->next));
-  if (d->verdict != UM_VERDICT_UNEXPLAINED || work->options->no_heat) return UM_OK;
-  enum um_status status;
+  return UM_OK;
+}
+
+/* Heat that is missing beside a state. */
+static enum um_status look_for_heat(struct um_context *context,
+                                    const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state,
+                                    struct um_diagnosis_unexplained **out)
+{
   struct um_diagnosis_addition *addition = NULL;
-  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
+  UM_TRY(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
   um_diagnosis_state_additions(state, addition);
-  UM_CHECK(um_diagnosis_unexplained_create(context, work->forward, addition, state->nblock,
-                                           state->fit->value, state->fit->jacobian,
-                                           state->nparameter, &d->unexplained));
-done:
+  enum um_status status = um_diagnosis_unexplained_create(
+      context, work->forward, addition, state->nblock, state->fit->value, state->fit->jacobian,
+      state->nparameter, out);
   um_core_free(context, addition);
   return status;
+}
+
+/* The effects that were added may only have mended what a pulse of heat did. The scenario as it
+ * stands with the best pulse (its place, start, stop and power paid for) against the effects: */
+static enum um_status weigh_heat(struct um_context *context, const struct um_diagnosis_work *work,
+                                 struct um_diagnosis_state *state,
+                                 const struct um_diagnosis_state *bare, struct um_diagnosis *d)
+{
+  struct um_diagnosis_unexplained *heat = NULL;
+  double price = 4.0 * log((double)work->forward->nrow);
+  if (work->options->no_heat) return UM_OK;
+  UM_TRY(look_for_heat(context, work, bare, &heat));
+  bool better = d->naddition > 0 && heat->nheat > 0 &&
+                heat->chi2_after + bare->fit->chi2_prior + price < state->fit->bic;
+  if (d->naddition > 0 && !better) {
+    um_diagnosis_unexplained_destroy(context, &heat);
+    return look_for_heat(context, work, state, &d->unexplained);
+  }
+  d->unexplained = heat;
+  if (!better) return UM_OK;
+  um_diagnosis_steps_clear(context, d);
+  um_diagnosis_state_release(context, state);
+  UM_TRY(um_diagnosis_state_copy(context, bare, bare->nblock, state));
+  UM_TRY(um_diagnosis_state_fit(context, work, state, bare->fit->value, NULL));
+  return keep_end(context, work, state, d);
 }
 
 static enum um_status diagnose(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  UM_TRY(baseline(context, work, state, d));
-  UM_TRY(keep_ranking(context, work, state, d));
-  UM_TRY(go_forward(context, work, state, d));
-  UM_TRY(keep_end(context, work, state, d));
+  enum um_status status;
+  struct um_diagnosis_state bare = {0};
+  UM_CHECK(baseline(context, work, state, d));
+  UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
+  UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL));
+  UM_CHECK(keep_ranking(context, work, state, d));
+  UM_CHECK(go_forward(context, work, state, d));
+  UM_CHECK(keep_end(context, work, state, d));
   d->verdict = judge(state, d);
-  UM_TRY(look_further(context, work, state, d));
-  return um_diagnosis_sentence(context, d, &d->sentence);
+  if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
+  UM_CHECK(look_next(context, work, state, d));
+  UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
+done:
+  um_diagnosis_state_release(context, &bare);
+  return status;
 }
 
 static enum um_status begin(struct um_context *context, struct um_diagnosis_forward *forward,
@@ -254,9 +307,10 @@ static enum um_status begin(struct um_context *context, struct um_diagnosis_forw
   return make_folds(context, work);
 }
 
-enum um_status um_diagnose(struct um_context *context, struct um_diagnosis_forward *forward,
-                           struct um_diagnosis_candidates *candidates,
-                           const struct um_diagnosis_options *options, struct um_diagnosis **out)
+enum um_status um_diagnosis_create(struct um_context *context, struct um_diagnosis_forward *forward,
+                                   struct um_diagnosis_candidates *candidates,
+                                   const struct um_diagnosis_options *options,
+                                   struct um_diagnosis **out)
 {
   enum um_status status;
   struct um_diagnosis_work work = {0};
@@ -321,18 +375,11 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
 {
   if (diagnosis == NULL || *diagnosis == NULL) return;
   struct um_diagnosis *d = *diagnosis;
-  for (size_t s = 0; s < d->nstep; s++) {
-    um_core_free(context, d->step[s].rival);
-    um_core_free(context, d->step[s].value);
-  }
+  um_diagnosis_steps_clear(context, d);
+  ends_free(context, d);
   um_core_free(context, d->sentence);
   um_core_free(context, d->step);
-  um_core_free(context, d->addition);
-  um_core_free(context, d->addition_sigma);
-  um_core_free(context, d->nuisance);
-  um_core_free(context, d->nuisance_sigma);
   um_core_free(context, d->value_before);
-  um_core_free(context, d->value_after);
   um_core_free(context, d->ranking);
   um_diagnosis_next_destroy(context, &d->next);
   um_diagnosis_unexplained_destroy(context, &d->unexplained);

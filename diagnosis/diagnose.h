@@ -101,9 +101,10 @@ struct um_diagnosis {
 /* candidates: made once by um_diagnosis_candidates_create without additions, may serve many sets
  * of the same times. UM_ERR_INPUT: fewer rows than free parameters, a nuisance per observation.
  * Progress is reported. The caller destroys. */
-enum um_status um_diagnose(struct um_context *context, struct um_diagnosis_forward *forward,
-                           struct um_diagnosis_candidates *candidates,
-                           const struct um_diagnosis_options *options, struct um_diagnosis **out);
+enum um_status um_diagnosis_create(struct um_context *context, struct um_diagnosis_forward *forward,
+                                   struct um_diagnosis_candidates *candidates,
+                                   const struct um_diagnosis_options *options,
+                                   struct um_diagnosis **out);
 void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis);
 
 /* Only the fit of chosen effects (umbra fit): one step without tests. value of each: start. */

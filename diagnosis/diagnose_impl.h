@@ -100,6 +100,13 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         const double *signal, struct um_diagnosis_step *step);
 
+/* --- starts.c */
+/* Start values of block b of a state, a candidate with parameters of shape that was added to the
+ * fitted state `before`: the best of a small scan. */
+enum um_status um_diagnosis_start(struct um_context *context, const struct um_diagnosis_work *work,
+                                  const struct um_diagnosis_state *before,
+                                  struct um_diagnosis_state *state, size_t b);
+
 /* --- rivals.c */
 /* The state with candidates added at their null values and all fitted. UM_ERR_INPUT,
  * UM_ERR_NUMERIC: an effect refuses such values. */
@@ -144,6 +151,9 @@ enum um_status um_diagnosis_without(struct um_context *context,
                                     const struct um_diagnosis_work *work,
                                     const struct um_diagnosis_state *state, size_t b,
                                     struct um_diagnosis_state *out);
+
+/* No steps any more. */
+void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d);
 
 /* --- backward.c */
 /* Take out effects that are no longer needed; marks their steps. */

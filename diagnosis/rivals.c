@@ -50,10 +50,16 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
     switched = switched || work->candidates->candidate[candidate[i]].is_switch;
     UM_CHECK(um_diagnosis_state_append(context, out, &block));
   }
-  UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
+  bool shaped = false;
+  for (size_t i = 0; i < ncandidate; i++) {
+    if (work->candidates->candidate[candidate[i]].nshape == 0) continue;
+    shaped = true;
+    UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
+  }
+  if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
   /* a switch is on at once: the values of before are not those of the start */
-  UM_CHECK(
-      um_diagnosis_state_fit(context, work, out, switched ? NULL : state->fit->value, jacobian));
+  UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
+                                  jacobian));
 done:
   um_core_free(context, jacobian);
   if (status != UM_OK) um_diagnosis_state_release(context, out);

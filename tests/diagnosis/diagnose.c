@@ -47,7 +47,7 @@ static enum um_status diagnose(struct um_diagnosis_options *options, struct case
   c->forward = forward_of(NULL, c->m, 1.0);
   assert_ok(um_diagnosis_candidates_create(context, c->forward, NULL, 0, &options->candidates,
                                            &c->candidates));
-  return um_diagnose(context, c->forward, c->candidates, options, &c->d);
+  return um_diagnosis_create(context, c->forward, c->candidates, options, &c->d);
 }
 
 static void end(struct case_of *c)

@@ -98,7 +98,7 @@ static void own_effect_is_named(void **state)
   measure(path, with, &noise, &measured);
   OK(um_diagnosis_forward_create(context, path, &changes, measured, 1.0, &forward));
   OK(um_diagnosis_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
-  OK(um_diagnose(context, forward, candidates, &options, &d));
+  OK(um_diagnosis_create(context, forward, candidates, &options, &d));
   print_message("  %s\n", d->sentence);
   assert_int_equal(d->verdict, UM_VERDICT_FOUND);
   assert_int_equal(d->naddition, 1);

@@ -123,7 +123,7 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
   struct um_diagnosis_forward *forward = NULL;
   struct um_diagnosis_request request = {0};
   struct um_diagnosis *d = NULL;
-  UM_CHECK(lab_truth_measure(context, truth, c->seed, &measurements));
+  UM_CHECK(lab_truth_measure(context, truth, c, &measurements));
   UM_CHECK(um_diagnosis_forward_create(context, desk->path, &desk->analyst.options, measurements,
                                        1.0, &forward));
   UM_CHECK(um_diagnosis_request_make(
@@ -134,7 +134,7 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
   struct um_diagnosis_options options = {
       .nuisance = request.nuisance, .nnuisance = request.nnuisance, .no_next = true};
   options.no_heat = c->pulse == NULL;
-  UM_CHECK(um_diagnose(context, forward, desk->candidates, &options, &d));
+  UM_CHECK(um_diagnosis_create(context, forward, desk->candidates, &options, &d));
   describe(d, c, row);
   if (c->pulse != NULL) describe_pulse(d, c, truth->trace->t_first, row);
 done:

@@ -59,7 +59,7 @@ static bool ask(struct um_context *context, const struct question *q, const char
   lab_world_path(&q->world, path);
   lab_world_analyst(&q->world, &analyst);
   UM_CHECK(lab_truth_create(context, &c, false, folder, &truth));
-  UM_CHECK(lab_truth_measure(context, &truth, c.seed, &measurements));
+  UM_CHECK(lab_truth_measure(context, &truth, &c, &measurements));
   UM_CHECK(
       um_diagnosis_forward_create(context, path, &analyst.options, measurements, 1.0, &forward));
   UM_CHECK(um_diagnosis_request_make(
@@ -74,7 +74,7 @@ static bool ask(struct um_context *context, const struct question *q, const char
                                          .no_heat = true};
   UM_CHECK(
       um_diagnosis_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
-  UM_CHECK(um_diagnose(context, forward, candidates, &options, &d));
+  UM_CHECK(um_diagnosis_create(context, forward, candidates, &options, &d));
   refused = d->verdict == UM_VERDICT_NOT_IDENTIFIABLE;
   snprintf(answer, LAB_TEXT, "%s", d->sentence);
 done:
