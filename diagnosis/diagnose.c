@@ -11,10 +11,7 @@
 #define LEVEL     0.01 /* family-wise false-alarm rate, when not asked for another */
 #define STEPS_MAX 4
 #define RIVALS    8
-#define FOLDS     5    /* blocks of time that are held out in turn */
-#define NOT_NOISE 1e-3 /* p below which a residual is not white noise of the stated sigma */
-#define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice */
-#define MOVED     5.0  /* sigmas by which a free nuisance has taken up something */
+#define FOLDS     5 /* blocks of time that are held out in turn */
 
 static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
 {
@@ -174,55 +171,13 @@ static enum um_status keep_end(struct um_context *context, const struct um_diagn
                    &d->final_whiteness);
 }
 
-/* --- verdict ---------------------------------------------------------------------------------- */
-
-/* A free nuisance that moved far took up something, perhaps one of the candidates it absorbs. */
-static bool nuisance_took_it(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
-{
-  bool absorbed = false;
-  for (size_t i = 0; i < d->nranking; i++) absorbed |= d->ranking[i].score.absorbed;
-  for (size_t b = 0, k = 0; b < state->nnuisance; b++)
-    for (size_t p = 0; p < state->block[b].nfree; p++, k++)
-      if (isinf(state->block[b].prior_sigma[p]) &&
-          fabs(state->fit->x[k] - state->block[b].prior_mean[p]) > MOVED * state->fit->sigma[k])
-        return absorbed;
-  return false;
-}
-
-static bool is_noise(const struct um_diagnosis_whiteness *w)
-{
-  return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE);
-}
-
-static bool has_group(const struct um_diagnosis_step *step)
-{
-  if (step->removed || step->by_prior) return false;
-  for (size_t i = 1; i < step->nrival; i++)
-    if (step->rival[i].indistinguishable) return true;
-  return false;
-}
-
-static enum um_diagnosis_verdict judge(const struct um_diagnosis_state *state,
-                                       const struct um_diagnosis *d)
-{
-  bool noise = is_noise(&d->final_whiteness);
-  if (d->naddition == 0) {
-    if (!noise) return UM_VERDICT_UNEXPLAINED;
-    return nuisance_took_it(state, d) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
-  }
-  if (!noise && d->chi2_reduced_after > BAD_FIT) return UM_VERDICT_UNEXPLAINED;
-  for (size_t s = 0; s < d->nstep; s++)
-    if (has_group(&d->step[s])) return UM_VERDICT_NOT_IDENTIFIABLE;
-  return UM_VERDICT_FOUND;
-}
-
 /* --- what follows ----------------------------------------------------------------------------- */
 
 static enum um_status look_next(struct um_context *context, const struct um_diagnosis_work *work,
                                 const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   for (size_t s = d->nstep; s-- > 0 && d->next == NULL && !work->options->no_next;)
-    if (has_group(&d->step[s]))
+    if (um_diagnosis_has_group(&d->step[s]))
       UM_TRY(um_diagnosis_next_find(context, work, state, &d->step[s], &d->next));
   return UM_OK;
 }
@@ -279,7 +234,7 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   UM_CHECK(keep_ranking(context, work, state, d));
   UM_CHECK(go_forward(context, work, state, d));
   UM_CHECK(keep_end(context, work, state, d));
-  d->verdict = judge(state, d);
+  d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
   UM_CHECK(look_next(context, work, state, d));
   UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
@@ -359,7 +314,8 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   }
   UM_CHECK(um_diagnosis_state_fit(context, &work, &state, NULL, NULL));
   UM_CHECK(keep_end(context, &work, &state, d));
-  d->verdict = is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
+  d->verdict =
+      um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
   UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
   *out = d;
   d = NULL;

@@ -170,6 +170,15 @@ enum um_status um_diagnosis_next_find(struct um_context *context,
                                       struct um_diagnosis_next **out);
 void um_diagnosis_next_destroy(struct um_context *context, struct um_diagnosis_next **next);
 
+/* --- verdict.c */
+/* White noise of the stated sigma. */
+bool um_diagnosis_is_noise(const struct um_diagnosis_whiteness *whiteness);
+/* Rivals that the data cannot tell from the winner of a step that stayed, priors apart. */
+bool um_diagnosis_has_group(const struct um_diagnosis_step *step);
+/* Of a diagnosis whose end is kept; state: the nuisances as they were fitted. */
+enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
+                                             const struct um_diagnosis *d);
+
 /* --- sentence.c */
 enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
                                      char **out);

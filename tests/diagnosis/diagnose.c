@@ -44,7 +44,7 @@ static enum um_status diagnose(struct um_diagnosis_options *options, struct case
   *c = (struct case_of){.m = measured()};
   options->candidates.only = few;
   options->candidates.nonly = FEW;
-  c->forward = forward_of(NULL, c->m, 1.0);
+  c->forward = forward_of(NULL, c->m, UM_DIAGNOSIS_LOOSENED);
   assert_ok(um_diagnosis_candidates_create(context, c->forward, NULL, 0, &options->candidates,
                                            &c->candidates));
   return um_diagnosis_create(context, c->forward, c->candidates, options, &c->d);
