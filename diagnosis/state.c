@@ -4,7 +4,8 @@
 
 #include "diagnosis/diagnose_impl.h"
 
-#define SHARE_OF_PRIOR 0.05 /* first step of a difference by a parameter of shape */
+#define JAGGED_ITERATIONS 6
+#define SHARE_OF_PRIOR    0.05 /* first step of a difference by a parameter of shape */
 
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
@@ -108,6 +109,17 @@ static void parameters_of(const struct um_diagnosis_state *state,
   }
 }
 
+/* A thermostat's chi-square is jagged below some scale: more iterations only follow the jags. */
+static size_t iterations(const struct um_diagnosis_work *work,
+                         const struct um_diagnosis_state *state)
+{
+  for (size_t b = 0; b < state->nblock; b++)
+    if (state->block[b].candidate != UM_COMPARE_NOWHERE &&
+        work->candidates->candidate[state->block[b].candidate].nshape > 0)
+      return JAGGED_ITERATIONS;
+  return 0;
+}
+
 enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
@@ -128,7 +140,8 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .evaluate = evaluate,
                                              .user = &e,
                                              .jacobian = jacobian,
-                                             .value = value};
+                                             .value = value,
+                                             .iterations_max = iterations(work, state)};
   UM_CHECK(um_diagnosis_fit_create(context, &problem, &fit));
   take(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
