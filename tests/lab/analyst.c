@@ -8,16 +8,16 @@ enum um_status lab_desk_create(struct um_context *context, const struct lab_worl
 {
   enum um_status status;
   struct lab_truth plain = {0};
-  struct lab_case own = {.world = world};
+  struct lab_case own = {.part = "analyst", .world = world};
   *out = (struct lab_desk){.world = world};
   lab_world_path(world, out->path);
   lab_world_analyst(world, &out->analyst);
   out->analyst.options.overrides = out->analyst.override;
   out->analyst.options.without = out->analyst.without;
   UM_CHECK(lab_truth_create(context, &own, true, folder, &plain));
-  UM_CHECK(lab_truth_measure(context, &plain, 0, &out->measurements));
+  UM_CHECK(lab_truth_measure(context, &plain, &own, &out->measurements));
   UM_CHECK(um_diagnosis_forward_create(context, out->path, &out->analyst.options, out->measurements,
-                                       1.0, &out->forward));
+                                       UM_DIAGNOSIS_LOOSENED, &out->forward));
   UM_CHECK(um_diagnosis_candidates_create(context, out->forward, NULL, 0,
                                           &(struct um_diagnosis_candidates_options){0},
                                           &out->candidates));

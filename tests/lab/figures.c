@@ -8,6 +8,7 @@
 void lab_figures_add(struct lab_figures *figures, const char *name, const char *unit, double value,
                      double goal, bool at_least)
 {
+  if (isnan(value)) return; /* nothing was tried */
   if (figures->count == sizeof figures->figure / sizeof figures->figure[0]) return;
   struct lab_figure *f = &figures->figure[figures->count++];
   *f = (struct lab_figure){.unit = unit, .value = value, .goal = goal, .at_least = at_least};

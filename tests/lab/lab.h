@@ -18,7 +18,7 @@
 #include "model/model.h"
 
 #define LAB_TEXT     256
-#define LAB_KEYS     6
+#define LAB_KEYS     8
 #define LAB_PLACES   4
 #define LAB_HIDDEN   2
 #define LAB_INTERVAL 6.0 /* between observations of both passes [s] */
@@ -56,6 +56,7 @@ struct lab_case {
   struct lab_hidden hidden[LAB_HIDDEN];
   size_t nhidden;
   const struct lab_pulse *pulse; /* NULL: none */
+  bool tie_breaker;              /* of a pair: the measurements tell it from its partner */
   uint64_t seed;
 };
 
@@ -97,6 +98,9 @@ void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_case_value(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size);
 
+/* The effect that a hidden one of a pair is confused with; NULL where it is of no pair. */
+const char *lab_pair_partner(const struct lab_case *c);
+
 /* worlds.c */
 /* Keys that make the truth's mesh, samples, bins and tolerances finer than the analyst's,
  * KEY=VALUE. tests/scenarios/hidden_effect.c holds what the analyst's cost against them. */
@@ -124,9 +128,10 @@ struct lab_truth {
 enum um_status lab_truth_create(struct um_context *context, const struct lab_case *c, bool plain,
                                 const char *folder, struct lab_truth *out);
 void lab_truth_release(struct um_context *context, struct lab_truth *truth);
-/* Rows that the world's filter leaves out have flag 1. The caller destroys. */
+/* The noise depends on what is hidden and on the seed of the case. Rows that the world's filter
+ * leaves out have flag 1. The caller destroys. */
 enum um_status lab_truth_measure(struct um_context *context, const struct lab_truth *truth,
-                                 uint64_t seed, struct um_compare_measurements **out);
+                                 const struct lab_case *c, struct um_compare_measurements **out);
 
 /* analyst.c: what an analyst has before measurements come: candidates of a world. */
 struct lab_desk {

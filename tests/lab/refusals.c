@@ -60,8 +60,8 @@ static bool ask(struct um_context *context, const struct question *q, const char
   lab_world_analyst(&q->world, &analyst);
   UM_CHECK(lab_truth_create(context, &c, false, folder, &truth));
   UM_CHECK(lab_truth_measure(context, &truth, &c, &measurements));
-  UM_CHECK(
-      um_diagnosis_forward_create(context, path, &analyst.options, measurements, 1.0, &forward));
+  UM_CHECK(um_diagnosis_forward_create(context, path, &analyst.options, measurements,
+                                       UM_DIAGNOSIS_LOOSENED, &forward));
   UM_CHECK(um_diagnosis_request_make(
       context, forward->model,
       &(struct um_diagnosis_request_texts){.nuisance = q->nuisance, .nnuisance = q->nnuisance},

@@ -61,16 +61,6 @@ static void of_two(const struct lab_case *cases, size_t count, const struct lab_
   lab_figures_add(figures, "two hidden effects: both found", "1", share(both, n), 0.8, true);
 }
 
-/* The other effect of a pair is the hidden one of its other cases. */
-static const char *partner(const struct lab_case *cases, size_t count, const struct lab_case *c)
-{
-  for (size_t i = 0; i < count; i++)
-    if (strcmp(cases[i].part, "pairs") == 0 && cases[i].world == c->world &&
-        strcmp(cases[i].hidden[0].effect, c->hidden[0].effect) != 0)
-      return cases[i].hidden[0].effect;
-  return NULL;
-}
-
 /* Is an effect, on whatever target, in the list? */
 static bool has_effect(const char *list, const char *effect)
 {
@@ -91,8 +81,8 @@ static void of_pairs(const struct lab_case *cases, size_t count, const struct la
     if (strcmp(c->part, "pairs") != 0) continue;
     if ((r = lab_journal_find(row, nrow, c)) == NULL) continue;
     if (n[0] + n[1] == 0) printf("\npairs\n");
-    const char *other = partner(cases, count, c);
-    bool with = strstr(c->world->name, "without") == NULL;
+    const char *other = lab_pair_partner(c);
+    bool with = c->tie_breaker;
     bool named = strcmp(r->first, r->hidden) == 0;
     bool together =
         other != NULL && lab_list_has(r->group, r->hidden) && has_effect(r->group, other);

@@ -6,6 +6,7 @@
 
 #include "compare/synth.h"
 #include "core/constants.h"
+#include "core/sampling.h"
 #include "effects/effects.h"
 #include "orbit/time.h"
 #include "tests/lab/lab.h"
@@ -122,13 +123,25 @@ static bool is_kept(const struct lab_truth *truth, const struct um_compare_chann
   return !(elevation < f->elevation_from_deg);
 }
 
+/* A noise of its own for every case: 53 bits, as seeds of files have. */
+static uint64_t noise_of(const struct lab_case *c)
+{
+  char hidden[LAB_TEXT];
+  uint64_t key = um_core_hash(c->seed, c->nhidden);
+  lab_case_hidden(c, hidden);
+  for (const char *at = hidden; *at != '\0'; at++) key = um_core_hash(key, (unsigned char)*at);
+  for (const char *at = c->world->name; *at != '\0'; at++)
+    key = um_core_hash(key, (unsigned char)*at);
+  return key >> 11;
+}
+
 enum um_status lab_truth_measure(struct um_context *context, const struct lab_truth *truth,
-                                 uint64_t seed, struct um_compare_measurements **out)
+                                 const struct lab_case *c, struct um_compare_measurements **out)
 {
   const struct lab_world *w = truth->world;
   struct um_compare_synth options = {.relative = w->relative,
                                      .floor = w->floor,
-                                     .seed = seed,
+                                     .seed = noise_of(c),
                                      .place = w->place,
                                      .temperature_sigma = w->kelvin};
   while (options.nplace < LAB_PLACES && w->place[options.nplace] != NULL) options.nplace++;

@@ -8,6 +8,17 @@
 #define DAWN .folder = "dawn", .relative = 0.01, .floor = 1e-3, .kelvin = 0.5
 #define PLACES                                                                                     \
   .place = {"bus.interior", "bus.-x", "array.front"}, .filter = {.temperatures_every = 10}
+#define GLINTS                                                                                     \
+  .folder = "dusk", .relative = 0.005, .floor = 1e-3,                                              \
+  .nuisance = "specular_level:cell,sigma=free",                                                    \
+  .set = {"attitude.0.spin.period_s=40",                                                           \
+          "attitude.0.spin.at_utc=2026-03-20T18:37:30Z",                                           \
+          "time.start_utc=2026-03-20T18:41:00Z",                                                   \
+          "time.stop_utc=2026-03-20T18:46:40Z",                                                    \
+          "time.step_s=2",                                                                         \
+          "time.exposure_s=0.5",                                                                   \
+          "thermal.start=isothermal",                                                              \
+          "thermal.orbits_before=0"}
 #define WITHOUT(s)                                                                                 \
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
 
@@ -34,7 +45,6 @@ static const struct lab_world worlds[] = {
 
     /* Absorptance or extraction: heat alone cannot tell, light can. */
     {.name = "absorptance-extraction without", DUSK, .filter = {.channels = "lwir"}},
-    {.name = "absorptance-extraction with", DUSK},
 
     /* Emittance or capacity: deep in the shadow the panel cools by their ratio; in sunlight and in
      * the light itself they differ. */
@@ -53,18 +63,13 @@ static const struct lab_world worlds[] = {
     {.name = "extinction-zero without",
      DUSK,
      .filter = {.channels = "lwir", .elevation_from_deg = 50.0}},
-    {.name = "extinction-zero with", DUSK},
 
-    /* Clock or orbit: they are one where the body turns with its orbit. */
-    {.name = "clock-orbit without", DAWN, PLACES},
-    {.name = "clock-orbit with", DUSK},
-
-    /* Roughness or smear: one glint, whose level is not known, is widened by both. */
+    /* Roughness or smear: three frames of one glint, whose level is not known, are widened by both;
+     * glints that are passed at other distances from their centre are not. */
     {.name = "roughness-smear without",
-     DUSK,
-     .nuisance = "specular_level:cell,sigma=free",
-     .filter = {.channels = "vis", .from_s = 0, .to_s = 1}},
-    {.name = "roughness-smear with", DUSK},
+     GLINTS,
+     .filter = {.channels = "vis", .from_s = 317.0, .to_s = 323.0}},
+    {.name = "roughness-smear with", GLINTS, .filter = {.channels = "vis"}},
 
     {.name = "pulse dawn", DAWN, .place = {"bus.interior", "bus.-x", "array.front"}},
 };
