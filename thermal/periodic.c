@@ -39,7 +39,7 @@
 #define ORBITS_LIMIT   40
 #define ANDERSON_DEPTH 1
 #define ANDERSON_DELAY 2    /* plain corrections first, while radiation is far from linear */
-#define LARGEST_CHANGE 0.25 /* of a temperature in one correction */
+#define LARGEST_CHANGE 0.25 /* of a temperature, beyond where the orbit itself leads */
 #define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
 #define ROUGH_ORBITS   8   /* after so many the rough stage has done what it can */
 #define LOOSENED       30.0 /* a third of the steps */
@@ -165,15 +165,20 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
   double factor = 1.0;
   periodic->distance = 0.0;
   for (size_t k = 0; k < system->nunknown; k++) {
-    double limit = LARGEST_CHANGE * fmax(fabs(y[k]), 10.0);
+    double limit = LARGEST_CHANGE * fmax(fabs(periodic->end[system->node[k]]), 10.0);
     double drift = periodic->end[system->node[k]] - y[k];
-    periodic->distance = fmax(periodic->distance, fabs(change[k] - drift));
-    if (fabs(change[k]) * factor > limit) factor = limit / fabs(change[k]);
+    double beyond = fabs(change[k] - drift);
+    periodic->distance = fmax(periodic->distance, beyond);
+    if (beyond * factor > limit) factor = limit / beyond;
+  }
+  for (size_t k = 0; k < system->nunknown; k++) {
+    double drift = periodic->end[system->node[k]] - y[k];
+    change[k] = drift + factor * (change[k] - drift);
   }
   thermostats_hold(periodic, y, change);
   /* good enough: a fixed point, which ends KINSOL's iteration */
-  if (periodic->distance <= periodic->wanted) factor = 0.0;
-  for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + factor * change[k];
+  double take = periodic->distance <= periodic->wanted ? 0.0 : 1.0;
+  for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + take * change[k];
   return UM_OK;
 }
 
