@@ -119,7 +119,8 @@ static bool is_open(const struct um_diagnosis_work *work, const struct um_diagno
                     size_t i)
 {
   const struct um_diagnosis_candidate *c = &work->candidates->candidate[i];
-  return !c->dead && !um_diagnosis_is_taken(state, c);
+  /* parameters of shape want a scan, which pairs are too many for */
+  return !c->dead && c->nshape == 0 && !um_diagnosis_is_taken(state, c);
 }
 
 static enum um_status find_pairs(struct um_context *context, const struct um_diagnosis_work *work,

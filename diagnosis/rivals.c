@@ -9,6 +9,7 @@
 #define ROUNDS      2
 #define GOOD_ENOUGH 1.3 /* reduced chi-square */
 #define REACH       0.25 /* of the best score: what straight lines may underrate a bent candidate by */
+#define SHAPED_MAX  2    /* candidates with parameters of shape, which cost a scan each */
 #define LATER_REACH 0.5 /* the same for rounds after the first */
 
 /* Jacobian of the state's fit and the signatures of candidates, by inner parameters. */
@@ -127,13 +128,14 @@ enum um_status um_diagnosis_fit_rivals(struct um_context *context,
                                        struct um_diagnosis_step *step,
                                        struct um_diagnosis_state *best)
 {
-  size_t tried = 0;
+  size_t tried = 0, nshaped = 0;
   double rows = (double)work->forward->nrow;
   for (int round = 0; round < ROUNDS; round++) {
     size_t until = tried + work->rivals;
     for (; tried < step->nrival && tried < until; tried++) {
       if (!is_worth(&step->rival[tried], &step->rival[0], round)) break;
-      if (step->rival[tried].fitted) continue;
+      bool shaped = work->candidates->candidate[step->rival[tried].candidate].nshape > 0;
+      if (step->rival[tried].fitted || (shaped && ++nshaped > SHAPED_MAX)) continue;
       UM_TRY(try_rival(context, work, state, &step->rival[tried], best));
     }
     if (tried < until || (best->fit != NULL && best->fit->chi2 < GOOD_ENOUGH * rows)) break;
