@@ -6,6 +6,8 @@
 
 #include "diagnosis/diagnose_impl.h"
 
+#define RESEMBLES 0.3 /* share of a signature that the nuisances leave */
+
 struct text {
   char at[2048];
   size_t used;
@@ -54,8 +56,8 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 {
   size_t n = 0;
   for (size_t i = 0; i < d->nranking && n < 6; i++) {
-    if (!d->ranking[i].score.absorbed) continue;
-    add(text, "%s%s", n++ == 0 ? ": " : ", ",
+    if (!(d->ranking[i].score.kept < RESEMBLES)) continue;
+    add(text, "%s%s", n++ == 0 ? "; it does what these would: " : ", ",
         d->candidates->candidate[d->ranking[i].candidate].name);
   }
 }
@@ -81,7 +83,8 @@ enum um_status um_diagnosis_sentence(struct um_context *context, const struct um
         "%.3g)",
         d->chi2_reduced);
   if (d->verdict == UM_VERDICT_NOT_IDENTIFIABLE && d->naddition == 0) {
-    add(&text, "Not identifiable: a free nuisance takes up what these effects would do");
+    add(&text,
+        "Not identifiable: a free nuisance has moved far, and what it stands for cannot be known");
     add_absorbed(&text, d);
   }
   if (d->verdict == UM_VERDICT_UNEXPLAINED) {

@@ -13,16 +13,15 @@ const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
   return name[verdict];
 }
 
-/* A free nuisance that moved far took up something, perhaps one of the candidates it absorbs. */
-static bool nuisance_took_it(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
+/* A free nuisance that moved far took up something: a calibration, or an effect that resembles it.
+ */
+static bool nuisance_took_it(const struct um_diagnosis_state *state)
 {
-  bool absorbed = false;
-  for (size_t i = 0; i < d->nranking; i++) absorbed |= d->ranking[i].score.absorbed;
   for (size_t b = 0, k = 0; b < state->nnuisance; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++, k++)
       if (isinf(state->block[b].prior_sigma[p]) &&
           fabs(state->fit->x[k] - state->block[b].prior_mean[p]) > MOVED * state->fit->sigma[k])
-        return absorbed;
+        return true;
   return false;
 }
 
@@ -45,7 +44,7 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
   bool noise = um_diagnosis_is_noise(&d->final_whiteness);
   if (d->naddition == 0) {
     if (!noise) return UM_VERDICT_UNEXPLAINED;
-    return nuisance_took_it(state, d) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
+    return nuisance_took_it(state) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
   }
   if (!noise && d->chi2_reduced_after > BAD_FIT) return UM_VERDICT_UNEXPLAINED;
   for (size_t s = 0; s < d->nstep; s++)
