@@ -232,7 +232,10 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
   UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL));
   UM_CHECK(keep_ranking(context, work, state, d));
-  UM_CHECK(go_forward(context, work, state, d));
+  um_core_progress_begin(context, "fitting candidates", work->steps_max * work->rivals);
+  status = go_forward(context, work, state, d);
+  um_core_progress_end(context);
+  UM_CHECK(status);
   UM_CHECK(keep_end(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
@@ -312,7 +315,10 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
                      forward->measurements->path, forward->nrow, free_parameters(&state));
     goto done;
   }
-  UM_CHECK(um_diagnosis_state_fit(context, &work, &state, NULL, NULL));
+  um_core_progress_begin(context, "fitting", 1);
+  status = um_diagnosis_state_fit(context, &work, &state, NULL, NULL);
+  um_core_progress_end(context);
+  UM_CHECK(status);
   UM_CHECK(keep_end(context, &work, &state, d));
   d->verdict =
       um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;

@@ -137,6 +137,7 @@ enum um_status um_diagnosis_fit_rivals(struct um_context *context,
       bool shaped = work->candidates->candidate[step->rival[tried].candidate].nshape > 0;
       if (step->rival[tried].fitted || (shaped && ++nshaped > SHAPED_MAX)) continue;
       UM_TRY(try_rival(context, work, state, &step->rival[tried], best));
+      UM_TRY(um_core_progress_step(context, 1));
     }
     if (tried < until || (best->fit != NULL && best->fit->chi2 < GOOD_ENOUGH * rows)) break;
   }
