@@ -8,11 +8,16 @@
  *
  * Why not gsl_multifit_nlinear: one evaluation is a run of the whole model. GSL makes a Jacobian
  * anew at every step it accepts, knows no bounds, no failing model, and stops by the length of the
- * step. Here a Jacobian is handed in or made once and updated (Broyden), made anew only when a step
- * fails, gains less than a quarter of what it should, or the solution lies where the Jacobian no
- * longer holds; and the end is reached when the chi-square can fall by 1e-3 no more, 3 % of a
- * sigma. Where the gain is lost in noise of the model itself (a step by a Jacobian made on the spot
- * does not lower chi-square, and less than 0.1 was expected of it) that is the end too. */
+ * step. Here a Jacobian is handed in or made once and updated (Broyden), made anew only when two
+ * steps in a row fail, one gains less than a quarter of what it should, or the solution lies where
+ * the Jacobian no longer holds.
+ *
+ * The end is reached when the expected decrease of chi-square is no longer worth a run: e = 0.01
+ * (a tenth of a sigma) times the reduced chi-square where that is above 1, since rows that scatter
+ * more than they say determine parameters less. Also where a model's own noise hides the gain (a
+ * step by a Jacobian made on the spot fails, and less than 10 e was expected of it), and where
+ * three steps together gain less than 30 e or six in a row fail; that is convergence only where no
+ * more than 30 e (after failures 10 e) was promised by the straight model. */
 #include "diagnosis/descent_impl.h"
 
 #include <math.h>
@@ -22,10 +27,14 @@
 #include "diagnosis/bounded_impl.h"
 
 #define ITERATIONS_MAX 20
-#define ENOUGH         1e-3 /* chi-square still to be gained at the end */
-#define LOST           0.1  /* the same that noise of the model may hide */
+#define ENOUGH         0.01 /* e */
+#define LOST           10.0 /* e, that noise of the model may hide */
+#define SLOW           30.0 /* e, the least that steps in a row have to gain .. */
+#define SLOW_STEPS     3    /* .. of this number */
+#define FAILED_STEPS   6    /* in a row, that are the end */
 #define POOR           0.25
 #define RICH           0.75
+#define FAIR           0.5
 
 static enum um_status reserve(struct um_context *context, struct um_diagnosis_descent *d)
 {
@@ -58,6 +67,15 @@ static double chi2_prior(const struct um_diagnosis_descent *d, const double *x)
     sum += pull * pull;
   }
   return sum;
+}
+
+/* e: chi-square that is not worth a run. */
+double um_diagnosis_descent_enough(const struct um_diagnosis_descent *descent)
+{
+  double dof = (double)descent->nrow - (double)descent->n;
+  double reduced = (descent->chi2 + descent->chi2_prior) / fmax(dof, 1.0);
+  double enough = descent->problem->enough > 0.0 ? descent->problem->enough : ENOUGH;
+  return enough * fmax(1.0, reduced);
 }
 
 static void swap(double **a, double **b)
@@ -175,29 +193,55 @@ static void aim(struct um_diagnosis_descent *d)
   }
 }
 
-/* The trial at x_trial judged by what was expected of it: `end` where only noise is left. */
+/* A step that failed, or gained nothing: shorter, to where a parabola through what is known along
+ * it has its least; the second time by a Jacobian made here. */
+static enum um_status reject(struct um_context *context, struct um_diagnosis_descent *d,
+                             double length, double expected, double gain, bool *end)
+{
+  /* the slope along the step is at least twice the expected gain */
+  double least = isfinite(gain) ? 1.0 / (1.0 - gain + 1.0) : POOR;
+  d->failed++;
+  d->radius = fmin(0.5, fmax(0.1, least)) * length;
+  if (d->fresh && isfinite(gain) && expected < LOST * um_diagnosis_descent_enough(d)) *end = true;
+  if (d->failed >= FAILED_STEPS) *end = true;
+  if (*end || d->fresh || d->failed < 2) return UM_OK;
+  return um_diagnosis_descent_differences(context, d);
+}
+
+/* A step that gained: the region of trust follows, and the Jacobian. */
+static enum um_status follow(struct um_context *context, struct um_diagnosis_descent *d,
+                             double length, double gain, bool *end)
+{
+  double before = d->chi2 + d->chi2_prior;
+  um_diagnosis_descent_update(d);
+  accept(d);
+  d->failed = 0;
+  d->slow += before - d->chi2 - d->chi2_prior;
+  if (++d->slow_steps == SLOW_STEPS) {
+    *end = d->slow < SLOW * um_diagnosis_descent_enough(d);
+    d->slow_steps = 0;
+    d->slow = 0.0;
+  }
+  if (gain > FAIR && length > RICH * d->radius) d->radius = (gain > RICH ? 3.0 : 2.0) * length;
+  if (gain < POOR) d->radius = 0.5 * length;
+  /* one parameter: the update is the secant, as good as a difference */
+  bool stale = d->n > 1 && (gain < POOR || d->updates > 5 + d->n);
+  return stale && !*end ? um_diagnosis_descent_differences(context, d) : UM_OK;
+}
+
+/* The trial at x_trial, judged by what was expected of it. */
 static enum um_status judge(struct um_context *context, struct um_diagnosis_descent *d,
-                            double expected, double promised, bool *end)
+                            double expected, bool *end)
 {
   bool happened;
-  double length = sqrt(um_diagnosis_dot(d->n, d->u, d->u)), gain = -1.0;
+  double length = sqrt(um_diagnosis_dot(d->n, d->u, d->u)), gain = -INFINITY;
   UM_TRY(um_diagnosis_descent_try(context, d, &happened));
   if (happened)
     gain = (d->chi2 + d->chi2_prior - um_diagnosis_dot(d->nrow, d->r_trial, d->r_trial) -
             chi2_prior(d, d->x_trial)) /
            expected;
-  if (!(gain > 0.0)) {
-    *end = happened && d->fresh && promised < LOST;
-    d->radius = POOR * length;
-    if (!happened || d->fresh || *end) return UM_OK;
-    return um_diagnosis_descent_differences(context, d);
-  }
-  um_diagnosis_descent_update(d);
-  accept(d);
-  if (gain > RICH && length > RICH * d->radius) d->radius = 3.0 * length;
-  if (gain < POOR) d->radius = 0.5 * length;
-  if (gain < POOR || d->updates > 5 + d->n) return um_diagnosis_descent_differences(context, d);
-  return UM_OK;
+  if (gain > 0.0) return follow(context, d, length, gain, end);
+  return reject(context, d, length, expected, gain, end);
 }
 
 /* One step, or the end. */
@@ -210,7 +254,7 @@ static enum um_status step(struct um_context *context, struct um_diagnosis_desce
   UM_CHECK(linearise(context, d, &system));
   UM_CHECK(um_diagnosis_system_solve(context, &system, 0.0, d->lower, d->upper, d->u, &left));
   double promised = now - left;
-  if (!(promised >= ENOUGH)) {
+  if (!(promised >= um_diagnosis_descent_enough(d))) {
     d->converged = *end = um_diagnosis_descent_serves(d);
     if (!*end) status = um_diagnosis_descent_differences(context, d);
     goto done;
@@ -222,8 +266,9 @@ static enum um_status step(struct um_context *context, struct um_diagnosis_desce
   UM_CHECK(shorten(context, d, &system, &left));
   aim(d);
   d->iterations++;
-  UM_CHECK(judge(context, d, now - left, promised, end));
-  d->converged = *end;
+  UM_CHECK(judge(context, d, now - left, end));
+  if (*end)
+    d->converged = promised < (d->failed > 0 ? LOST : SLOW) * um_diagnosis_descent_enough(d);
 done:
   um_diagnosis_system_release(context, &system);
   return status;

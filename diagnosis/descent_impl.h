@@ -19,6 +19,9 @@ struct um_diagnosis_descent {
   double radius;                 /* of the region of trust, in steps of the parameters */
   double *scale, *pull, *width;  /* [n] of the linear problem at x */
   double *lower, *upper, *u, *v; /* [n] */
+  size_t failed;                 /* steps in a row */
+  size_t slow_steps;             /* that gained, of those looked at together .. */
+  double slow;                   /* .. and what they gained */
   size_t evaluations, iterations;
   bool converged;
 };
@@ -33,6 +36,8 @@ void um_diagnosis_descent_release(struct um_context *context, struct um_diagnosi
 enum um_status um_diagnosis_descent_run(struct um_context *context,
                                         struct um_diagnosis_descent *descent);
 
+/* Chi-square that is not worth a run. */
+double um_diagnosis_descent_enough(const struct um_diagnosis_descent *descent);
 /* The model at x_trial. happened: false where it refuses (UM_ERR_INPUT, UM_ERR_NUMERIC, a value
  * that is not finite); its message is then cleared. */
 enum um_status um_diagnosis_descent_try(struct um_context *context,

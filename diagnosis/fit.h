@@ -27,19 +27,22 @@ struct um_diagnosis_fit_problem {
                              double *value);
   void *user;
   /* [nparameter][nrow] d(value)/d(parameter) at the start, or NULL: differences. A Jacobian that is
-   * handed in is used, with secant updates, until a step fails or gains less than a quarter of what
-   * it should, or the solution lies where it no longer holds (5 % of the change of the rows missed,
-   * or 0.1 sigma of bias by it); then it is made anew by differences. */
+   * handed in is used, with secant updates, until two steps in a row fail, one gains less than a
+   * quarter of what it should, or the solution lies where it no longer holds (5 % of the change of
+   * the rows missed, or more bias by it than is enough); then it is made anew by differences. */
   const double *jacobian;
   /* [nrow] model values at the start, or NULL */
   const double *value;
   size_t iterations_max; /* 0: 20 */
+  /* Expected decrease of chi-square that is not worth an evaluation, per reduced chi-square where
+   * that is above 1; 0: 0.01, a tenth of a sigma. */
+  double enough;
 };
 
 struct um_diagnosis_fit {
   size_t nrow, nparameter, iterations, evaluations;
-  /* the next step lowers chi-square by less than 1e-3, or by less than 0.1 that is lost in noise of
-   * the model */
+  /* the next step lowers chi-square by less than is enough, or by less than ten times that, lost in
+   * noise of the model. false: iterations_max, or steps that fail or crawl */
   bool converged;
   /* [nparameter]; sigma from the curvature with priors, those at a bound held there; NaN at a
    * bound, INFINITY where rows and priors do not determine it */

@@ -10,8 +10,7 @@
 #include "diagnosis/descent_impl.h"
 
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
-#define NOT_MOVED 0.3  /* change of the residuals [sigma] that is no move */
-#define BIAS_MAX  0.1  /* shift of the solution [sigma] by what J misses of the slope */
+#define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of what is enough */
 
 enum um_status um_diagnosis_descent_try(struct um_context *context,
                                         struct um_diagnosis_descent *descent, bool *happened)
@@ -48,6 +47,13 @@ static enum um_status difference(struct um_context *context, struct um_diagnosis
   return UM_OK;
 }
 
+static void keep_base(struct um_diagnosis_descent *d)
+{
+  memcpy(d->base_jacobian, d->jacobian, d->n * d->nrow * sizeof *d->jacobian);
+  memcpy(d->base_x, d->x, d->n * sizeof *d->x);
+  memcpy(d->base_r, d->r, d->nrow * sizeof *d->r);
+}
+
 enum um_status um_diagnosis_descent_differences(struct um_context *context,
                                                 struct um_diagnosis_descent *descent)
 {
@@ -66,10 +72,7 @@ enum um_status um_diagnosis_descent_differences(struct um_context *context,
                           descent->x[j], j + 1);
     memset(descent->jacobian + j * descent->nrow, 0, descent->nrow * sizeof *descent->jacobian);
   }
-  memcpy(descent->base_jacobian, descent->jacobian,
-         descent->n * descent->nrow * sizeof *descent->jacobian);
-  memcpy(descent->base_x, descent->x, descent->n * sizeof *descent->x);
-  memcpy(descent->base_r, descent->r, descent->nrow * sizeof *descent->r);
+  keep_base(descent);
   descent->fresh = true;
   descent->updates = 0;
   return UM_OK;
@@ -84,6 +87,7 @@ void um_diagnosis_descent_update(struct um_diagnosis_descent *descent)
     square += u[j] * u[j];
   }
   if (!(square > 0.0)) return;
+  if (n == 1) keep_base(descent); /* the next update tells how far the secant bends */
   for (size_t i = 0; i < nrow; i++) {
     double missed = descent->r[i] - descent->r_trial[i];
     for (size_t j = 0; j < n; j++)
@@ -94,12 +98,23 @@ void um_diagnosis_descent_update(struct um_diagnosis_descent *descent)
   descent->updates++;
 }
 
-/* Along the way from where J was made, dv = J dx + m: slope that J has not is m / |dv| per sigma of
- * the way, which shifts the zero of the gradient by m'r / |dv| sigma, much where r is not noise. */
+/* Whether the bounds hold all parameters: their slopes are only asked for their signs. */
+static bool is_held(const struct um_diagnosis_descent *d)
+{
+  for (size_t j = 0; j < d->n; j++)
+    if (d->x[j] > d->problem->parameter[j].minimum && d->x[j] < d->problem->parameter[j].maximum)
+      return false;
+  return true;
+}
+
+/* Along the way from where J was made (one parameter: from the point before), dv = J dx + m: slope
+ * that J has not is m / |dv| per sigma of the way, which shifts the zero of the gradient by m'r /
+ * |dv| sigma, much where r is not noise; its square is the chi-square lost. */
 bool um_diagnosis_descent_serves(struct um_diagnosis_descent *descent)
 {
   double missed = 0.0, moved = 0.0, bias = 0.0;
-  if (descent->fresh) return true;
+  double shift = sqrt(um_diagnosis_descent_enough(descent));
+  if (descent->fresh || is_held(descent)) return true;
   for (size_t i = 0; i < descent->nrow; i++) {
     double change = descent->base_r[i] - descent->r[i], miss = change;
     for (size_t j = 0; j < descent->n; j++)
@@ -109,6 +124,6 @@ bool um_diagnosis_descent_serves(struct um_diagnosis_descent *descent)
     bias += miss * descent->r[i];
   }
   moved = sqrt(moved);
-  if (fabs(bias) > BIAS_MAX * moved) return false;
-  return moved < NOT_MOVED || sqrt(missed) < BEND_MAX * moved;
+  if (fabs(bias) > shift * moved) return false;
+  return moved < NOT_MOVED * shift || sqrt(missed) < BEND_MAX * moved;
 }

@@ -35,8 +35,8 @@ static enum um_status nist_evaluate(struct um_context *context, void *user, cons
 }
 
 /* sigma of a row: the certified residual deviation s makes the sigma of a parameter the certified
- * one; s / 1e4 makes the end of the fit, 0.03 sigma that are still to be gained and 0.1 that a
- * Jacobian which still serves may hide, 1.3e-5 of the certified deviation. */
+ * one; s / 1e4 makes the end of the fit, 0.03 sigma still to be gained and as much that a
+ * Jacobian which still serves may hide, 6e-6 of the certified deviation. */
 static void solve_nist(struct um_context *c, const struct nist_problem *p, size_t from,
                        double finer)
 {
@@ -54,7 +54,8 @@ static void solve_nist(struct um_context *c, const struct nist_problem *p, size_
                                              .parameter = parameter,
                                              .evaluate = nist_evaluate,
                                              .user = (void *)p,
-                                             .iterations_max = 500};
+                                             .iterations_max = 500,
+                                             .enough = 1e-3 / (finer * finer)};
   assert_int_equal(um_diagnosis_fit_create(c, &problem, &fit), UM_OK);
   double digits = 20.0;
   for (size_t j = 0; j < p->nparameter; j++)
@@ -64,7 +65,7 @@ static void solve_nist(struct um_context *c, const struct nist_problem *p, size_
   assert_true(fit->converged);
   assert_close(fit->chi2 * s * s / finer / finer / p->squares, 1.0, 1e-9);
   for (size_t j = 0; j < p->nparameter; j++) {
-    assert_close((fit->x[j] - p->certified[j]) / p->deviation[j], 0.0, 1.3e-5);
+    assert_close((fit->x[j] - p->certified[j]) / p->deviation[j], 0.0, 6e-6);
     /* the last Jacobian was made or moved within such a distance, too short for it to bend */
     assert_close(fit->sigma[j] * finer / p->deviation[j], 1.0, 1e-4);
   }
