@@ -6,6 +6,7 @@
 #include "diagnosis/heat_impl.h"
 #include "rows_test.h"
 #include "tests/diagnosis/forward_test.h"
+#include "tests/support/allocator.h"
 
 #define STEP 6.0 /* between rows of light [s] */
 #define ROWS 90
@@ -131,7 +132,7 @@ static double day0(void)
 static void test_columns(void **state)
 {
   (void)state;
-  for (size_t i = 0; i < sizeof pulses / sizeof *pulses; i++) {
+  for (size_t i = 0; i < sizeof pulses / sizeof *pulses; i += 2) {
     struct pulse p = pulses[i];
     double value[3 * ROWS], column[3 * ROWS], most = 0.0, off = 0.0;
     p.power = 2.0;
@@ -230,9 +231,46 @@ static void test_no_pulse(void **state)
   um_diagnosis_unexplained_destroy(context, &u);
 }
 
+/* Memory that runs out at one of many places all along: the call says so and leaves nothing. */
+static void test_memory(void **state)
+{
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
+  struct um_context *kept = context;
+  struct um_diagnosis_unexplained *u;
+  double value[3 * ROWS];
+  (void)state;
+  assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
+  put_world(""); /* with a small set of its own */
+  struct um_compare_measurements *m = measured();
+  struct um_diagnosis_forward *f = forward_of(NULL, m, 1.0);
+  assert_ok(um_diagnosis_forward_evaluate(context, f, NULL, 0, value));
+  long alive = memory.alive, first = memory.calls;
+  assert_ok(um_diagnosis_unexplained_create(context, f, NULL, 0, value, NULL, 0, &u));
+  um_diagnosis_unexplained_destroy(context, &u);
+  assert_int_equal(memory.alive, alive);
+  long calls = memory.calls - first;
+  for (long i = 1; i <= calls; i += 1 + calls / 11) {
+    um_core_message_clear(context);
+    memory.calls = 0;
+    memory.fail_call = i;
+    assert_int_equal(um_diagnosis_unexplained_create(context, f, NULL, 0, value, NULL, 0, &u),
+                     UM_ERR_MEMORY);
+    memory.fail_call = 0;
+    assert_null(u);
+    assert_int_equal(memory.alive, alive);
+  }
+  um_diagnosis_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+  um_core_context_destroy(&context);
+  assert_int_equal(memory.alive, 0);
+  context = kept;
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_columns), cmocka_unit_test(test_pulses),
-                                     cmocka_unit_test(test_no_pulse)};
+                                     cmocka_unit_test(test_no_pulse),
+                                     cmocka_unit_test(test_memory)};
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
 }
