@@ -117,7 +117,7 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
       r->indistinguishable = r->bic - winner->bic < UM_DIAGNOSIS_EVIDENCE;
     else
       r->indistinguishable = !r->score.absorbed && r->separation < UM_DIAGNOSIS_SEPARABLE &&
-                             r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_SEPARABLE;
+                             r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
     tied += r->indistinguishable;
     credible += r->indistinguishable && !r->incredible;
   }
