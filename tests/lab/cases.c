@@ -93,7 +93,7 @@ static const struct pair {
     {"dawn", "dusk", {{"time_tag", NULL, 0, 0.7}, {"along_track", NULL, 0, 1.5}}},
     {"roughness-smear without",
      "roughness-smear with",
-     {{"roughness", "cell", 0, 1.25}, {"exposure", NULL, 0, 3.5}}},
+     {{"roughness", "cell", 0, 1.25}, {"exposure", NULL, 0, 0.88}}},
 };
 
 /* Heat that is in no catalogue: the radiator's wall, and everything inside. */

@@ -11,12 +11,12 @@
 #define GLINTS                                                                                     \
   .folder = "dusk", .relative = 0.005, .floor = 1e-3,                                              \
   .nuisance = "specular_level:cell,sigma=free",                                                    \
-  .set = {"attitude.0.spin.period_s=40",                                                           \
+  .set = {"attitude.0.spin.period_s=20",                                                           \
           "attitude.0.spin.at_utc=2026-03-20T18:37:30Z",                                           \
-          "time.start_utc=2026-03-20T18:41:00Z",                                                   \
-          "time.stop_utc=2026-03-20T18:46:40Z",                                                    \
-          "time.step_s=2",                                                                         \
-          "time.exposure_s=0.5",                                                                   \
+          "time.start_utc=2026-03-20T18:44:00Z",                                                   \
+          "time.stop_utc=2026-03-20T18:46:50Z",                                                    \
+          "time.step_s=1",                                                                         \
+          "time.exposure_s=0.3",                                                                   \
           "thermal.start=isothermal",                                                              \
           "thermal.orbits_before=0"}
 #define WITHOUT(s)                                                                                 \
@@ -68,7 +68,7 @@ static const struct lab_world worlds[] = {
      * glints that are passed at other distances from their centre are not. */
     {.name = "roughness-smear without",
      GLINTS,
-     .filter = {.channels = "vis", .from_s = 317.0, .to_s = 323.0}},
+     .filter = {.channels = "vis", .from_s = 72.5, .to_s = 75.5}},
     {.name = "roughness-smear with", GLINTS, .filter = {.channels = "vis"}},
 
     {.name = "pulse dawn", DAWN, .place = {"bus.interior", "bus.-x", "array.front"}},
