@@ -16,7 +16,7 @@ struct entry {
 
 static const struct entry entries[] = {
     {"internal_power", "bus", "bus", 0, -30.0, 40.0},
-    {"mli_emittance", "bus", "bus", 0, 0.4, 2.5},
+    {"mli_emittance", "bus", "bus", 0, 0.25, 3.0},
     {"heat_capacity", "array", "array", 0, 0.8, 1.3},
     {"solar_absorptance", "white", "mli", 0, -0.06, 0.08},
     {"emittance", "cell", "cell", 0, 0.92, 1.08},

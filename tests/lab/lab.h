@@ -73,7 +73,7 @@ struct lab_row {
   uint64_t seed;
   char verdict[32]; /* "error" where the diagnosis failed */
   char first[96];   /* of the first step; "-" for none */
-  char group[1024]; /* those that the first step cannot tell apart, its winner first */
+  char group[4096]; /* those that the first step cannot tell apart, its winner first */
   char found[LAB_TEXT];
   char fitted[LAB_TEXT], sigma[LAB_TEXT]; /* of each hidden effect; nan where it was not fitted */
   double chi2_before, chi2_after;         /* reduced */
@@ -124,7 +124,7 @@ struct lab_truth {
   struct um_model_trace *trace;
   struct um_model_result *result;
 };
-/* c->nhidden 0 and plain: the analyst's own model, for its times. */
+/* plain: on the mesh of the analyst, without the switch he left out. */
 enum um_status lab_truth_create(struct um_context *context, const struct lab_case *c, bool plain,
                                 const char *folder, struct lab_truth *out);
 void lab_truth_release(struct um_context *context, struct lab_truth *truth);

@@ -15,6 +15,7 @@ struct question {
   struct lab_hidden hidden;
   const char *nuisance[3];
   size_t nnuisance;
+  bool plain; /* the truth has the analyst's mesh: the finer keys are of another satellite */
 };
 
 static const struct question questions[] = {
@@ -38,6 +39,16 @@ static const struct question questions[] = {
      .hidden = {"zero_point", NULL, 0, 1.1},
      .nuisance = {"zero_point,sigma=free"},
      .nnuisance = 1},
+    {.name = "a sphere's area, its scale unknown",
+     .world = {.name = "refusal",
+               .folder = "../sphere",
+               .relative = 0.01,
+               .floor = 1e-3,
+               .set = {"time.step_s=120", "parts.sphere.facet_size_m=0.3"}},
+     .hidden = {"area", "sphere", 0, 1.2},
+     .nuisance = {"zero_point,sigma=free"},
+     .nnuisance = 1,
+     .plain = true},
 };
 
 /* False when an effect was named with confidence. */
@@ -58,7 +69,7 @@ static bool ask(struct um_context *context, const struct question *q, const char
   char path[LAB_TEXT * 4];
   lab_world_path(&q->world, path);
   lab_world_analyst(&q->world, &analyst);
-  UM_CHECK(lab_truth_create(context, &c, false, folder, &truth));
+  UM_CHECK(lab_truth_create(context, &c, q->plain, folder, &truth));
   UM_CHECK(lab_truth_measure(context, &truth, &c, &measurements));
   UM_CHECK(um_diagnosis_forward_create(context, path, &analyst.options, measurements,
                                        UM_DIAGNOSIS_LOOSENED, &forward));

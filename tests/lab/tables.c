@@ -113,6 +113,12 @@ static void add_tally(struct tally *to, const struct tally *t)
   to->noise += t->noise;
 }
 
+static void print_header(void)
+{
+  printf("\n%-16s %-28s %3s %4s %5s %6s %6s %4s %4s %5s %17s %16s\n", "world", "hidden", "n",
+         "miss", "separ", "first", "group", "sign", "3sig", "worst", "chi2_red", "worst rms");
+}
+
 static void print_tally(const char *world, const char *hidden, const struct tally *t)
 {
   double n = (double)t->right;
@@ -155,8 +161,6 @@ void lab_tables_effects(const struct lab_case *cases, size_t count, const struct
   char last[LAB_TEXT * 2] = "", hidden[LAB_TEXT] = "";
   struct tally one = {0};
   const char *world = "";
-  printf("\n%-16s %-28s %3s %4s %5s %6s %6s %4s %4s %5s %17s %16s\n", "world", "hidden", "n",
-         "miss", "separ", "first", "group", "sign", "3sig", "worst", "chi2_red", "worst rms");
   for (size_t i = 0; i <= count; i++) {
     const struct lab_case *c = &cases[i];
     const struct lab_row *r = NULL;
@@ -166,6 +170,7 @@ void lab_tables_effects(const struct lab_case *cases, size_t count, const struct
       if ((r = lab_journal_find(row, nrow, c)) == NULL) continue;
       snprintf(key, sizeof key, "%s %s", r->world, r->hidden);
     }
+    if (last[0] == '\0' && r != NULL) print_header();
     if (strcmp(key, last) != 0) {
       if (one.rows > 0) print_tally(world, hidden, &one);
       add_tally(&all, &one);
