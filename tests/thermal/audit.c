@@ -202,7 +202,12 @@ static void test_incommensurate_spin(void **state)
                 report.drift, report.distance, temperature[interior]);
   assert_true(report.orbits <= 10);
   NEAR("largest drift", fabs(drift[report.drift_node]), report.drift, 0.0);
-  NEAR("drift", report.drift, 0.0, 0.02);
+  /* fast nodes forget where the last orbit began, so its drift is none of theirs; an orbit from the
+   * state that was found must lead back to it, to twice the distance asked for */
+  um_thermal_network_temperatures_set(network, temperature);
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
+                                      temperature + n, drift, &report));
+  NEAR("drift from the state found", report.drift, 0.0, 0.02);
   for (size_t i = 0; i < n; i++) temperature[n + i] = 200.0;
   um_thermal_network_temperatures_set(network, temperature + n);
   double largest;
