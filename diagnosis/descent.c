@@ -17,7 +17,8 @@
  * more than they say determine parameters less. Also where a model's own noise hides the gain (a
  * step by a Jacobian made on the spot fails, and less than 10 e was expected of it), and where
  * three steps together gain less than 30 e or six in a row fail; that is convergence only where no
- * more than 30 e (after failures 10 e) was promised by the straight model. */
+ * more than 30 e (after failures 10 e) was promised by the straight model. A fit that is only of
+ * use below some chi-square is given up when it is far from promising that. */
 #include "diagnosis/descent_impl.h"
 
 #include <math.h>
@@ -33,6 +34,8 @@
 #define SLOW_STEPS     3    /* .. of this number */
 #define FAILED_STEPS   6    /* in a row, that are the end */
 #define POOR           0.25
+#define HOPE           4.0 /* times its promise, a fit may still gain .. */
+#define HOPE_STEPS     2   /* .. after so many steps */
 #define RICH           0.75
 #define FAIR           0.5
 
@@ -244,6 +247,14 @@ static enum um_status judge(struct um_context *context, struct um_diagnosis_desc
   return reject(context, d, length, expected, gain, end);
 }
 
+/* A rival of something that is better than this will ever be. */
+static bool is_beaten(const struct um_diagnosis_descent *d, double promised)
+{
+  double now = d->chi2 + d->chi2_prior;
+  return d->problem->beaten > 0.0 && d->iterations >= HOPE_STEPS &&
+         now - HOPE * promised > d->problem->beaten;
+}
+
 /* One step, or the end. */
 static enum um_status step(struct um_context *context, struct um_diagnosis_descent *d, bool *end)
 {
@@ -259,7 +270,7 @@ static enum um_status step(struct um_context *context, struct um_diagnosis_desce
     if (!*end) status = um_diagnosis_descent_differences(context, d);
     goto done;
   }
-  if (d->iterations == most) {
+  if (d->iterations == most || is_beaten(d, promised)) {
     *end = true;
     goto done;
   }

@@ -41,6 +41,7 @@ struct um_diagnosis_state {
   size_t nblock, nnuisance; /* blocks of which the first are nuisances */
   struct um_diagnosis_block *block;
   size_t nparameter;
+  double beaten; /* BIC that its next fit has to come below to be of use; 0: any is */
   struct um_diagnosis_fit *fit;
 };
 
@@ -100,19 +101,25 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         const double *signal, struct um_diagnosis_step *step);
 
-/* --- starts.c */
+/* --- jagged.c */
 /* Start values of block b of a state, a candidate with parameters of shape that was added to the
  * fitted state `before`: the best of a small scan. */
 enum um_status um_diagnosis_start(struct um_context *context, const struct um_diagnosis_work *work,
                                   const struct um_diagnosis_state *before,
                                   struct um_diagnosis_state *state, size_t b);
 
+/* Block b of a fitted state, with parameters of shape, searched for better values beyond the next
+ * jag of chi-square; the state, fitted anew, is the better one of both. */
+enum um_status um_diagnosis_polish(struct um_context *context, const struct um_diagnosis_work *work,
+                                   struct um_diagnosis_state *state, size_t b);
+
 /* --- rivals.c */
-/* The state with candidates added at their null values and all fitted. UM_ERR_INPUT,
- * UM_ERR_NUMERIC: an effect refuses such values. */
+/* The state with candidates added at their null values and all fitted, given up where it is far
+ * from a BIC below `beaten` (INFINITY: never). UM_ERR_INPUT, UM_ERR_NUMERIC: an effect refuses such
+ * values. */
 enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state, const size_t *candidate,
-                                 size_t ncandidate, struct um_diagnosis_state *out);
+                                 size_t ncandidate, double beaten, struct um_diagnosis_state *out);
 /* Fit rivals of a step in their order until those left are out of reach; sort them by evidence.
  * best: the state with the best of those fitted here, or as it was. */
 enum um_status um_diagnosis_fit_rivals(struct um_context *context,

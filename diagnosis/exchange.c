@@ -171,7 +171,7 @@ static enum um_status exchange_with(struct um_context *context,
   for (size_t i = 0; i < count; i++) {
     const size_t *c = best[i].candidate;
     if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
-    status = um_diagnosis_with(context, work, &without, c, 2, &trial);
+    status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - BETTER, &trial);
     if (status == UM_ERR_INPUT || status == UM_ERR_NUMERIC) {
       um_core_message_clear(context);
       status = UM_OK;

@@ -37,6 +37,9 @@ struct um_diagnosis_fit_problem {
   /* Expected decrease of chi-square that is not worth an evaluation, per reduced chi-square where
    * that is above 1; 0: 0.01, a tenth of a sigma. */
   double enough;
+  /* Chi-square, the priors' with it, that the fit has to come below to be of use; 0: any is. It is
+   * given up, as not converged, when after two steps four times what it promises does not. */
+  double beaten;
 };
 
 struct um_diagnosis_fit {

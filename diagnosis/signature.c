@@ -20,9 +20,10 @@
 #define PRIORS_MAX     2.0   /* widths that a step may reach */
 #define LONGEST        100.0 /* factor on a first step that is too short */
 #define MARGIN         1.5   /* beyond what is asked of a longer one */
-#define SHORTER        10.0  /* divides a step that goes too far */
+#define SHORTER        10.0  /* divides a step that goes too far, or is refused */
 #define SEEN           1e-3  /* largest change of a row [sigma] that a step makes at least */
 #define ABOVE_NOISE    10.0  /* and how often the noise it is */
+#define UNSEEN         1.0   /* root of the chi-square of all rows that no value is found by */
 #define FAR            30.0  /* rms change [sigma] at which a step is far from a derivative */
 #define NOTHING        1e-6  /* largest change [sigma] that is none */
 #define LOST           3.0   /* changes below so many times the noise are not seen */
@@ -30,6 +31,7 @@
 /* Changes of the rows that one step makes. */
 struct change {
   double largest, rms; /* [sigma] */
+  double length;       /* root of their chi-square */
   bool fresh;          /* heat was integrated anew, with its noise */
 };
 
@@ -51,9 +53,10 @@ static enum um_status step_to(struct um_context *context, const struct um_diagno
     difference[j] -= point->base[j];
     double d = fabs(difference[j]) / f->sigma[j];
     out->largest = fmax(out->largest, d);
-    out->rms += d * d / (double)f->nrow;
+    out->length += d * d;
   }
-  out->rms = sqrt(out->rms);
+  out->length = sqrt(out->length);
+  out->rms = out->length / sqrt((double)f->nrow);
 done:
   um_core_free(context, all);
   return status;
@@ -79,17 +82,19 @@ static double wanted(const struct change *change, double noise)
 
 /* The step that moves the rows enough, from how far they moved, within range and credibility; the
  * same when it does or when there is none. What changes nothing at all, with the same heat, is not
- * reached by a longer step either. */
+ * reached by a longer step either; and a longer one is not worth its time where even the furthest
+ * credible value is not seen. */
 static double longer(const struct um_effect_parameter *p, double null, double step,
                      const struct change *change, double noise)
 {
   double aim = wanted(change, noise), size = fabs(step);
   if (change->largest >= aim || (change->largest == 0.0 && !change->fresh)) return step;
   double room = step > 0.0 ? p->maximum - null : null - p->minimum;
-  size *= fmin(LONGEST, fmax(2.0, MARGIN * aim / change->largest));
   if (isfinite(p->prior_sigma))
-    size = fmin(
-        size, fmax(fabs(step), PRIORS_MAX * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0)));
+    room =
+        fmin(room, fmax(size, PRIORS_MAX * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0)));
+  if (change->length * room / size < UNSEEN) return step;
+  size *= fmin(LONGEST, fmax(2.0, MARGIN * aim / change->largest));
   return copysign(fmin(size, room), step);
 }
 
@@ -120,18 +125,22 @@ static enum um_status move(const struct mover *m, double step, struct change *ch
   return step_to(m->context, m->point, m->candidate, values, m->column, change);
 }
 
-/* The first step, or the same the other way where that is refused (a row would fall below the
- * horizon, a factor pass 1). */
+/* The first step; where that is refused (a row would fall below the horizon, a factor pass 1,
+ * exposures overlap) the same the other way, and both again shorter. */
 static enum um_status move_first(const struct mover *m, double *step, struct change *change)
 {
+  static const double part[] = {1.0, -1.0, 1.0 / SHORTER, -1.0 / SHORTER};
   const struct um_effect_parameter *parameter = &m->candidate->effect->parameters[m->p];
-  double other = m->at[m->p] - *step;
-  enum um_status status = move(m, *step, change);
-  if (status != UM_ERR_INPUT || !(other >= parameter->minimum && other <= parameter->maximum))
-    return status;
-  um_core_message_clear(m->context);
-  *step = -*step;
-  return move(m, *step, change);
+  enum um_status status = UM_ERR_INPUT;
+  double first = *step;
+  for (size_t i = 0; i < sizeof part / sizeof part[0] && status == UM_ERR_INPUT; i++) {
+    double at = m->at[m->p] + part[i] * first;
+    if (i > 0 && !(at >= parameter->minimum && at <= parameter->maximum)) continue;
+    um_core_message_clear(m->context);
+    *step = part[i] * first;
+    status = move(m, *step, change);
+  }
+  return status;
 }
 
 /* *step in and out; the column is not yet divided by it. */

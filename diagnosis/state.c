@@ -120,6 +120,13 @@ static size_t iterations(const struct um_diagnosis_work *work,
   return 0;
 }
 
+/* The chi-square of the BIC that the state has to come below. */
+static double beaten(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state)
+{
+  double price = (double)state->nparameter * log((double)work->forward->nrow);
+  return isfinite(state->beaten) ? fmax(0.0, state->beaten - price) : 0.0;
+}
+
 enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
@@ -141,12 +148,14 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .user = &e,
                                              .jacobian = jacobian,
                                              .value = value,
-                                             .iterations_max = iterations(work, state)};
+                                             .iterations_max = iterations(work, state),
+                                             .beaten = beaten(work, state)};
   UM_CHECK(um_diagnosis_fit_create(context, &problem, &fit));
   take(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
   um_diagnosis_fit_destroy(context, &state->fit);
   state->fit = fit;
+  state->beaten = 0.0;
 done:
   um_core_free(context, parameter);
   um_core_free(context, e.addition);

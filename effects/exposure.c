@@ -11,8 +11,8 @@ static const struct um_effect_parameter parameters[] = {
      .fallback = 1.0,
      .minimum = 0.0,
      .maximum = 1e4,
-     .prior_sigma = 1.0,
-     .prior = "exposures of 0.05 to 1 s"},
+     .prior_sigma = 10.0,
+     .prior = "exposures of 0.05 to 3 s"},
 };
 
 static double exposure(const struct um_effect_use *use, double known)

@@ -46,17 +46,19 @@ static const struct lab_world worlds[] = {
     /* Absorptance or extraction: heat alone cannot tell, light can. */
     {.name = "absorptance-extraction without", DUSK, .filter = {.channels = "lwir"}},
 
-    /* Emittance or capacity: deep in the shadow the panel cools by their ratio; in sunlight and in
-     * the light itself they differ. */
+    /* Emittance or capacity: a panel of which nobody knows how warm it went into the shadow cools
+     * there by their ratio; in sunlight and in the light itself they differ. */
     {.name = "emittance-capacity without",
      DUSK,
      .place = {"array.front"},
      .kelvin = 0.5,
+     .nuisance = "solar_absorptance:cell,sigma=free",
      .filter = {.channels = "array.front", .sunlit_to = 0.001, .from_s = 660, .to_s = 1e4}},
     {.name = "emittance-capacity with",
      DUSK,
      .place = {"array.front"},
      .kelvin = 0.5,
+     .nuisance = "solar_absorptance:cell,sigma=free",
      .filter = {.channels = "array.front,lwir"}},
 
     /* Extinction or zero point: only the range of airmass tells. */
