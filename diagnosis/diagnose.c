@@ -36,65 +36,25 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
   return UM_OK;
 }
 
-/* Rows of each channel in order of time, as the whiteness test wants them. */
-static enum um_status whiteness(struct um_context *context, const struct um_diagnosis_work *work,
-                                const double *residual, double fitted,
-                                struct um_diagnosis_whiteness *out)
-{
-  enum um_status status;
-  const struct um_diagnosis_forward *f = work->forward;
-  size_t *order = NULL, *channel = NULL;
-  double *sorted = NULL;
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *order, &order));
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *channel, &channel));
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *sorted, &sorted));
-  /* rows are in order of time within a track; insertion is quick where they nearly are */
-  for (size_t j = 0; j < f->nrow; j++) {
-    size_t at = j;
-    for (; at > 0 && f->t[order[at - 1]] > f->t[j]; at--) order[at] = order[at - 1];
-    order[at] = j;
-  }
-  for (size_t j = 0; j < f->nrow; j++) {
-    sorted[j] = residual[order[j]];
-    channel[j] = f->channel[order[j]];
-  }
-  UM_CHECK(um_diagnosis_whiteness_test(context, f->nrow, sorted, channel, f->measurements->nchannel,
-                                       fitted, out));
-done:
-  um_core_free(context, sorted);
-  um_core_free(context, channel);
-  um_core_free(context, order);
-  return status;
-}
-
-static double free_parameters(const struct um_diagnosis_state *state)
-{
-  double n = 0.0;
-  for (size_t b = 0; b < state->nblock; b++)
-    for (size_t p = 0; p < state->block[b].nfree; p++) n += isinf(state->block[b].prior_sigma[p]);
-  return n;
-}
-
 /* The scenario as it stands, its nuisances fitted. */
 static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   size_t n = work->forward->nrow;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
-  if (!(free_parameters(state) < (double)n))
+  if (!(um_diagnosis_free_parameters(state) < (double)n))
     return um_core_fail(
         context, UM_ERR_INPUT,
         "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-        work->forward->measurements->path, n, free_parameters(state));
+        work->forward->measurements->path, n, um_diagnosis_free_parameters(state));
   UM_TRY(um_diagnosis_state_fit(context, work, state,
                                 state->nnuisance == 0 ? work->candidates->base : NULL, NULL));
   UM_TRY(um_core_allocate(context, n, sizeof *d->value_before, &d->value_before));
   memcpy(d->value_before, state->fit->value, n * sizeof *d->value_before);
   d->chi2 = state->fit->chi2;
-  d->dof = (double)n - free_parameters(state);
+  d->dof = (double)n - um_diagnosis_free_parameters(state);
   d->chi2_reduced = d->chi2 / d->dof;
-  return whiteness(context, work, state->fit->residual, free_parameters(state),
-                   &d->baseline_whiteness);
+  return um_diagnosis_state_whiteness(context, work, state, &d->baseline_whiteness);
 }
 
 static enum um_status keep_ranking(struct um_context *context, const struct um_diagnosis_work *work,
@@ -167,8 +127,7 @@ static enum um_status keep_end(struct um_context *context, const struct um_diagn
   d->chi2_after = state->fit->chi2;
   d->dof_after = (double)n - (double)state->nparameter;
   d->chi2_reduced_after = d->chi2_after / d->dof_after;
-  return whiteness(context, work, state->fit->residual, free_parameters(state),
-                   &d->final_whiteness);
+  return um_diagnosis_state_whiteness(context, work, state, &d->final_whiteness);
 }
 
 /* --- what follows ----------------------------------------------------------------------------- */
@@ -308,11 +267,11 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
     UM_CHECK(um_diagnosis_block_wanted(context, &work, &wanted[i], INFINITY, &block));
     UM_CHECK(um_diagnosis_state_append(context, &state, &block));
   }
-  if (!(free_parameters(&state) < (double)forward->nrow)) {
-    status =
-        um_core_fail(context, UM_ERR_INPUT,
-                     "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-                     forward->measurements->path, forward->nrow, free_parameters(&state));
+  if (!(um_diagnosis_free_parameters(&state) < (double)forward->nrow)) {
+    status = um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
+        forward->measurements->path, forward->nrow, um_diagnosis_free_parameters(&state));
     goto done;
   }
   um_core_progress_begin(context, "fitting", 1);

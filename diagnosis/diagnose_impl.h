@@ -88,6 +88,14 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
                                            const struct um_diagnosis_work *work,
                                            const struct um_diagnosis_state *state, double *out);
 
+/* Parameters that have no prior. */
+double um_diagnosis_free_parameters(const struct um_diagnosis_state *state);
+/* Whether the residual of the fit is white noise. */
+enum um_status um_diagnosis_state_whiteness(struct um_context *context,
+                                            const struct um_diagnosis_work *work,
+                                            const struct um_diagnosis_state *state,
+                                            struct um_diagnosis_whiteness *out);
+
 /* --- rank.c */
 /* Test all candidates on the residual of the state; rival: [count of candidates], by what they
  * promise, falling; nrival: those alive. */

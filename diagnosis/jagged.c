@@ -3,7 +3,7 @@
  * always on is a minimum of its own.
  *
  * Start. The power is scanned upward from the straight line's, which is that of the always-on
- * heater, and the temperature around the one that its place has.
+ * heater, and the temperature around the one that its place has, or the one measured there.
  *
  * End. Derivatives lead no further than the next jag, a simplex of Nelder and Mead (1965, Comput.
  * J. 7:308; GSL's nmsimplex2) steps over them: one after another, each from the best point so far
@@ -13,6 +13,7 @@
  * parabola, every point whose chi-square is higher by D lies within sqrt(D) sigma; so sigma is at
  * least what the points seen say, |x - best| / sqrt(max(D, 1)) of those with D < 9. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_errno.h>
@@ -20,13 +21,13 @@
 
 #include "diagnosis/diagnose_impl.h"
 
+#define ROWS_MIN    10   /* of a temperature, that tell of its thermostat */
 #define EVALUATIONS 50   /* of one simplex */
 #define SMALL       0.02 /* simplex, in sides of the first, that is not worth an evaluation */
 #define SEEN        3.0  /* sigma: points that tell how wide the valley is */
 #define HELPS       2.0  /* chi-square that another simplex has to gain */
 
 static const double powers[] = {1.0, 1.5, 2.5, 4.0}; /* of the straight line's */
-static const double temperatures[] = {0.0, -0.5};    /* from the candidate's [K] */
 
 /* Sides of simplices one after another, in those of `side`. */
 static const double sizes[] = {1.0, -1.0, 0.3, 2.0, -0.3, -2.0};
@@ -68,36 +69,84 @@ static enum um_status chi2_at(struct um_context *context, const struct um_diagno
   return status;
 }
 
+/* What the rows of the candidate's own temperature say of its shape, where there are some: it is
+ * hardly ever below on_K, and between there and band_K above most of the time. */
+struct shape {
+  double on, band; /* [K]; NaN: nothing */
+};
+
+static int compare_doubles(const void *pa, const void *pb)
+{
+  double a = *(const double *)pa, b = *(const double *)pb;
+  return (a > b) - (a < b);
+}
+
+static enum um_status measured_shape(struct um_context *context,
+                                     const struct um_diagnosis_forward *f, const char *target,
+                                     struct shape *out)
+{
+  double *t = NULL;
+  size_t n = 0;
+  *out = (struct shape){NAN, NAN};
+  UM_TRY(um_core_allocate(context, f->nrow, sizeof *t, &t));
+  for (size_t j = 0; j < f->nrow; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && strcmp(c->of, target) == 0)
+      t[n++] = f->measured[j];
+  }
+  qsort(t, n, sizeof *t, compare_doubles);
+  if (n >= ROWS_MIN) {
+    out->on = t[n / 10];
+    out->band = t[n - 1 - n / 10] - t[n / 10];
+  }
+  um_core_free(context, t);
+  return UM_OK;
+}
+
+/* The values to begin the scan with: null values, but the temperature by `on` and a width by `band`
+ * [K] where they are numbers. */
+static void put_shape(const struct um_diagnosis_candidate *c, struct shape shape, double *value)
+{
+  for (size_t s = 0; s < c->nshape; s++) {
+    const struct um_effect_parameter *p = &c->effect->parameters[c->shape[s]];
+    double at = p->is_temperature ? shape.on : shape.band;
+    value[c->shape[s]] = clamp(p, isnan(at) ? c->null_value[c->shape[s]] : at);
+  }
+}
+
 enum um_status um_diagnosis_start(struct um_context *context, const struct um_diagnosis_work *work,
                                   const struct um_diagnosis_state *before,
                                   struct um_diagnosis_state *state, size_t b)
 {
   enum um_status status;
   const struct um_diagnosis_candidate *c = &work->candidates->candidate[state->block[b].candidate];
-  const struct um_effect_parameter *parameters = c->effect->parameters;
-  double *best = state->block[b].addition.value, found[UM_EFFECT_PARAMETERS_MAX];
-  double amplitude = straight(work, before, c), lowest = INFINITY, chi2;
+  double *value = state->block[b].addition.value, found[UM_EFFECT_PARAMETERS_MAX];
+  double amplitude = straight(work, before, c), lowest = INFINITY, chi2, known = NAN;
   struct um_diagnosis_addition *all = NULL;
-  double *value = NULL;
+  struct shape measured;
+  double *rows = NULL;
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *all, &all));
-  UM_CHECK(um_core_allocate(context, work->forward->nrow, sizeof *value, &value));
-  memcpy(found, best, sizeof found);
+  UM_CHECK(um_core_allocate(context, work->forward->nrow, sizeof *rows, &rows));
+  UM_CHECK(measured_shape(context, work->forward, c->target, &measured));
+  for (size_t s = 0; s < c->nshape; s++)
+    if (c->effect->parameters[c->shape[s]].is_temperature) known = c->null_value[c->shape[s]];
+  const struct shape shapes[] = {
+      {known, NAN}, {known - 0.5, NAN}, {measured.on, NAN}, {measured.on, measured.band}};
+  size_t nshape = isnan(measured.on) ? 2 : 4;
+  memcpy(found, value, sizeof found);
   for (size_t i = 0; i < sizeof powers / sizeof powers[0]; i++)
-    for (size_t k = 0; k < sizeof temperatures / sizeof temperatures[0]; k++) {
+    for (size_t k = 0; k < nshape; k++) {
       size_t p = c->parameter[0];
-      best[p] = clamp(&parameters[p], c->null_value[p] + powers[i] * amplitude);
-      for (size_t s = 0; s < c->nshape; s++)
-        if (parameters[c->shape[s]].is_temperature)
-          best[c->shape[s]] =
-              clamp(&parameters[c->shape[s]], c->null_value[c->shape[s]] + temperatures[k]);
-      UM_CHECK(chi2_at(context, work, state, all, value, &chi2));
+      value[p] = clamp(&c->effect->parameters[p], c->null_value[p] + powers[i] * amplitude);
+      put_shape(c, shapes[k], value);
+      UM_CHECK(chi2_at(context, work, state, all, rows, &chi2));
       if (!(chi2 < lowest)) continue;
       lowest = chi2;
-      memcpy(found, best, sizeof found);
+      memcpy(found, value, sizeof found);
     }
-  memcpy(best, found, sizeof found);
+  memcpy(value, found, sizeof found);
 done:
-  um_core_free(context, value);
+  um_core_free(context, rows);
   um_core_free(context, all);
   return status;
 }
@@ -130,14 +179,14 @@ static enum um_status remember(struct search *search, const gsl_vector *x, doubl
 }
 
 /* First side by a parameter of the block [inner]: what moves a switching by a good part of its
- * cycle, a tenth of an amplitude, a fifth of what is known of a shape; half a kelvin. */
+ * cycle, a fifth of an amplitude or a width; half a kelvin. */
 static double side(const struct search *search, size_t k)
 {
   const struct um_diagnosis_block *block = &search->state->block[search->b];
   const struct um_effect_parameter *p = &block->addition.effect->parameters[block->parameter[k]];
   if (p->is_temperature) return 0.5;
   if (p->logarithmic) return 0.2;
-  return fmax(0.1 * fabs(block->addition.value[block->parameter[k]]), block->step[k]);
+  return fmax(0.2 * fabs(block->addition.value[block->parameter[k]]), block->step[k]);
 }
 
 /* Chi-square with the priors' at inner values x; far up outside the range. */

@@ -10,8 +10,6 @@
 #define GOOD_ENOUGH 1.3 /* reduced chi-square */
 #define REACH       0.25 /* of the best score: what straight lines may underrate a bent candidate by */
 #define SHAPED_MAX  2    /* candidates with parameters of shape in a round; they cost a scan each */
-#define JAGS        2.0 /* times the best BIC: what a better minimum of a jagged one may gain */
-#define NOISE       3.0 /* roots of 2 n, of chi-square above n */
 #define LATER_REACH 0.5 /* the same for rounds after the first */
 
 /* Jacobian of the state's fit and the signatures of candidates, by inner parameters. */
@@ -70,21 +68,23 @@ done:
   return status;
 }
 
-/* Fit one rival, unless it is far from a BIC below `beaten`; keep its state when it is the best so
- * far. */
+/* Fit one rival, unless it is far from a tie with the one that is ahead (NULL: none is); keep its
+ * state when it is the best so far. */
 static enum um_status try_rival(struct um_context *context, const struct um_diagnosis_work *work,
-                                const struct um_diagnosis_state *state, double beaten,
+                                const struct um_diagnosis_state *state,
+                                const struct um_diagnosis_rival *ahead,
                                 struct um_diagnosis_rival *rival, struct um_diagnosis_state *best)
 {
   struct um_diagnosis_state trial = {0};
-  enum um_status status =
-      um_diagnosis_with(context, work, state, &rival->candidate, 1, beaten, &trial);
+  double lead = ahead == NULL ? INFINITY : ahead->bic;
+  enum um_status status = um_diagnosis_with(context, work, state, &rival->candidate, 1,
+                                            lead + UM_DIAGNOSIS_EVIDENCE, &trial);
   if (status == UM_ERR_INPUT || status == UM_ERR_NUMERIC) { /* the effect refuses such values */
     um_core_message_clear(context);
     return UM_OK;
   }
   UM_TRY(status);
-  if (work->candidates->candidate[rival->candidate].nshape > 0 && trial.fit->bic < JAGS * beaten)
+  if (work->candidates->candidate[rival->candidate].nshape > 0 && trial.fit->bic < lead)
     status = um_diagnosis_polish(context, work, &trial, trial.nblock - 1);
   rival->fitted = true;
   rival->chi2 = trial.fit->chi2;
@@ -130,34 +130,41 @@ static bool is_worth(const struct um_diagnosis_rival *rival, const struct um_dia
   return rival->score.statistic > fmin(reach, best->score.statistic - UM_DIAGNOSIS_SEPARABLE);
 }
 
-/* The best BIC and chi-square of those fitted. */
-static void best_fitted(const struct um_diagnosis_step *step, double *bic, double *chi2)
+/* The best of those fitted by BIC; NULL: none is. */
+static const struct um_diagnosis_rival *best_fitted(const struct um_diagnosis_step *step)
 {
-  *bic = *chi2 = INFINITY;
-  for (size_t i = 0; i < step->nrival; i++) {
-    if (!step->rival[i].fitted) continue;
-    *bic = fmin(*bic, step->rival[i].bic);
-    *chi2 = fmin(*chi2, step->rival[i].chi2);
-  }
+  const struct um_diagnosis_rival *best = NULL;
+  for (size_t i = 0; i < step->nrival; i++)
+    if (step->rival[i].fitted && (best == NULL || step->rival[i].bic < best->bic))
+      best = &step->rival[i];
+  return best;
 }
 
-/* Rivals from..until that have parameters of shape, or those that have none. What costs a scan is
- * not fitted where something simpler leaves no more than noise. */
+/* Whether a rival with parameters of shape would have to fit better than noise does in order to
+ * better the one that is ahead, since each of them costs ln n. */
+static bool is_hopeless(const struct um_diagnosis_work *work,
+                        const struct um_diagnosis_state *state, size_t nshape,
+                        const struct um_diagnosis_rival *ahead)
+{
+  double n = (double)work->forward->nrow;
+  if (ahead == NULL) return false;
+  return ahead->chi2 - (double)nshape * log(n) < n - (double)(state->nparameter + nshape + 1);
+}
+
+/* Rivals from..until that have parameters of shape, or those that have none. */
 static enum um_status try_rivals(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state, bool shaped, size_t from,
                                  size_t until, struct um_diagnosis_step *step,
                                  struct um_diagnosis_state *best)
 {
-  double rows = (double)work->forward->nrow, noise = rows + NOISE * sqrt(2.0 * rows), bic, chi2;
   size_t scans = 0;
   for (size_t i = from; i < until; i++) {
     struct um_diagnosis_rival *rival = &step->rival[i];
-    bool has_shape = work->candidates->candidate[rival->candidate].nshape > 0;
-    if (rival->fitted || has_shape != shaped) continue;
-    best_fitted(step, &bic, &chi2);
-    if (shaped && (chi2 < noise || ++scans > SHAPED_MAX)) break;
-    /* what stays further behind the best is no tie either */
-    UM_TRY(try_rival(context, work, state, bic + UM_DIAGNOSIS_EVIDENCE, rival, best));
+    size_t nshape = work->candidates->candidate[rival->candidate].nshape;
+    const struct um_diagnosis_rival *ahead = best_fitted(step);
+    if (rival->fitted || (nshape > 0) != shaped) continue;
+    if (shaped && (is_hopeless(work, state, nshape, ahead) || ++scans > SHAPED_MAX)) break;
+    UM_TRY(try_rival(context, work, state, ahead, rival, best));
     UM_TRY(um_core_progress_step(context, 1));
   }
   return UM_OK;
@@ -172,16 +179,15 @@ enum um_status um_diagnosis_fit_rivals(struct um_context *context,
   size_t tried = 0;
   for (int round = 0; round < ROUNDS; round++) {
     size_t until = tried;
-    double bic, chi2;
     while (until < step->nrival && until < tried + work->rivals &&
            is_worth(&step->rival[until], &step->rival[0], round))
       until++;
     UM_TRY(try_rivals(context, work, state, false, tried, until, step, best));
     UM_TRY(try_rivals(context, work, state, true, tried, until, step, best));
-    best_fitted(step, &bic, &chi2);
+    const struct um_diagnosis_rival *ahead = best_fitted(step);
     bool all = until < tried + work->rivals;
     tried = until;
-    if (all || chi2 < GOOD_ENOUGH * (double)work->forward->nrow) break;
+    if (all || (ahead != NULL && ahead->chi2 < GOOD_ENOUGH * (double)work->forward->nrow)) break;
   }
   sort_fitted(step->rival, tried);
   return UM_OK;

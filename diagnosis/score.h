@@ -72,6 +72,7 @@ enum um_status um_diagnosis_separation(struct um_context *context, size_t nrow,
 struct um_diagnosis_whiteness {
   double chi2, dof, p_chi2;
   double p_white;
+  double worst, p_worst; /* reduced chi-square of the worst channel, and its p among all channels */
 };
 enum um_status um_diagnosis_whiteness_test(struct um_context *context, size_t nrow,
                                            const double *residual, const size_t *channel,

@@ -198,3 +198,45 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
   um_core_free(context, parameter);
   return status;
 }
+
+/* --- residual --------------------------------------------------------------------------------- */
+
+double um_diagnosis_free_parameters(const struct um_diagnosis_state *state)
+{
+  double n = 0.0;
+  for (size_t b = 0; b < state->nblock; b++)
+    for (size_t p = 0; p < state->block[b].nfree; p++) n += isinf(state->block[b].prior_sigma[p]);
+  return n;
+}
+
+/* Rows of each channel in order of time, as the whiteness test wants them. */
+enum um_status um_diagnosis_state_whiteness(struct um_context *context,
+                                            const struct um_diagnosis_work *work,
+                                            const struct um_diagnosis_state *state,
+                                            struct um_diagnosis_whiteness *out)
+{
+  enum um_status status;
+  const struct um_diagnosis_forward *f = work->forward;
+  size_t *order = NULL, *channel = NULL;
+  double *sorted = NULL;
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *order, &order));
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *channel, &channel));
+  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *sorted, &sorted));
+  /* rows are in order of time within a track; insertion is quick where they nearly are */
+  for (size_t j = 0; j < f->nrow; j++) {
+    size_t at = j;
+    for (; at > 0 && f->t[order[at - 1]] > f->t[j]; at--) order[at] = order[at - 1];
+    order[at] = j;
+  }
+  for (size_t j = 0; j < f->nrow; j++) {
+    sorted[j] = state->fit->residual[order[j]];
+    channel[j] = f->channel[order[j]];
+  }
+  UM_CHECK(um_diagnosis_whiteness_test(context, f->nrow, sorted, channel, f->measurements->nchannel,
+                                       um_diagnosis_free_parameters(state), out));
+done:
+  um_core_free(context, sorted);
+  um_core_free(context, channel);
+  um_core_free(context, order);
+  return status;
+}

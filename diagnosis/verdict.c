@@ -4,7 +4,8 @@
 #include "diagnosis/diagnose_impl.h"
 
 #define NOT_NOISE 1e-3 /* p below which a residual is not white noise of the stated sigma */
-#define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice */
+#define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice .. */
+#define BAD_PART  2.0  /* .. and that of a channel */
 #define MOVED     5.0  /* sigmas by which a free nuisance has taken up something */
 
 const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
@@ -27,7 +28,7 @@ static bool nuisance_took_it(const struct um_diagnosis_state *state)
 
 bool um_diagnosis_is_noise(const struct um_diagnosis_whiteness *w)
 {
-  return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE);
+  return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE) && !(w->p_worst < NOT_NOISE);
 }
 
 bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
@@ -46,7 +47,8 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
     if (!noise) return UM_VERDICT_UNEXPLAINED;
     return nuisance_took_it(state) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
   }
-  if (!noise && d->chi2_reduced_after > BAD_FIT) return UM_VERDICT_UNEXPLAINED;
+  if (!noise && (d->chi2_reduced_after > BAD_FIT || d->final_whiteness.worst > BAD_PART))
+    return UM_VERDICT_UNEXPLAINED;
   for (size_t s = 0; s < d->nstep; s++)
     if (um_diagnosis_has_group(&d->step[s])) return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;

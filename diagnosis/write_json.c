@@ -87,6 +87,8 @@ static enum um_status json_level(struct um_context *context, FILE *file,
   um_core_json_field(file, ", ", "chi2_red", after ? d->chi2_reduced_after : d->chi2_reduced);
   um_core_json_field(file, ", ", "p_chi2", w->p_chi2);
   um_core_json_field(file, ", ", "p_white", w->p_white);
+  um_core_json_field(file, ", ", "worst_channel_chi2_reduced", w->worst);
+  um_core_json_field(file, ", ", "p_worst_channel", w->p_worst);
   UM_TRY(json_metrics(context, file, d, "    ", after ? d->value_after : d->value_before, dof));
   fputc('}', file);
   return UM_OK;

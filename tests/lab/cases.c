@@ -16,6 +16,7 @@ struct entry {
 
 static const struct entry entries[] = {
     {"internal_power", "bus", "bus", 0, -30.0, 40.0},
+    {"stored_heat", "bus", "bus", 0, -20.0, 20.0},
     {"mli_emittance", "bus", "bus", 0, 0.25, 3.0},
     {"heat_capacity", "array", "array", 0, 0.8, 1.3},
     {"solar_absorptance", "white", "mli", 0, -0.06, 0.08},
@@ -46,6 +47,21 @@ static const struct entry entries[] = {
     {"zero_point", "vis", "lwir", 0, 0.95, 1.06},
     {"background", "lwir", "vis", 0, -1e-12, 1e-12},
 };
+
+/* Shown in worlds of their own. */
+static const struct {
+  const char *dusk, *dawn;
+  struct entry entry;
+} specials[] = {
+    {"dusk-hollow", "dawn-hollow", {"interior_capacity", "bus", "bus", 0, NAN, 3000.0}},
+    {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
+};
+
+/* A thermostat switches somewhat above what its place has without it. */
+static const struct {
+  const char *world, *effect, *values;
+} others[] = {{"dusk-dense", "heater", ",on_K=254,band_K=3"},
+              {"dawn-dense", "heater", ",on_K=226,band_K=3"}};
 
 static const struct {
   const char *name;
@@ -114,6 +130,14 @@ void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size)
            hidden->target != NULL ? hidden->target : "");
 }
 
+const char *lab_hidden_others(const struct lab_world *world, const struct lab_hidden *hidden)
+{
+  for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+    if (strcmp(others[i].world, world->name) == 0 && strcmp(others[i].effect, hidden->effect) == 0)
+      return others[i].values;
+  return "";
+}
+
 void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT])
 {
   out[0] = '\0';
@@ -160,24 +184,32 @@ static void add(struct list *list, struct lab_case c)
 }
 
 /* Odd seeds lie above, even ones below, so that both signs are hidden. */
-static void add_effects(struct list *list, const char *name, uint64_t seeds)
+static void add_effect(struct list *list, const struct entry *e, const char *target,
+                       const char *world, uint64_t seeds)
 {
-  const struct lab_world *world = lab_world_find(name);
-  for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
-    const struct entry *e = &entries[i];
-    const char *target = strcmp(name, "dusk") == 0 ? e->dusk : e->dawn;
-    if (target == NULL) continue;
-    for (int above = 1; above >= 0; above--)
-      for (uint64_t seed = 1; seed <= seeds; seed++) {
-        bool is_above = seed % 2 == 1 || isnan(e->below);
-        if (is_above != (above == 1)) continue;
-        struct lab_hidden hidden = {e->effect, target[0] == '\0' ? NULL : target, e->parameter,
-                                    is_above ? e->above : e->below};
-        add(list,
-            (struct lab_case){
-                .part = "effects", .world = world, .hidden = {hidden}, .nhidden = 1, .seed = seed});
-      }
-  }
+  if (target == NULL) return;
+  for (int above = 1; above >= 0; above--)
+    for (uint64_t seed = 1; seed <= seeds; seed++) {
+      bool is_above = seed % 2 == 1 || isnan(e->below);
+      if (is_above != (above == 1)) continue;
+      struct lab_hidden hidden = {e->effect, target[0] == '\0' ? NULL : target, e->parameter,
+                                  is_above ? e->above : e->below};
+      add(list, (struct lab_case){.part = "effects",
+                                  .world = lab_world_find(world),
+                                  .hidden = {hidden},
+                                  .nhidden = 1,
+                                  .seed = seed});
+    }
+}
+
+static void add_effects(struct list *list, bool dawn, uint64_t seeds)
+{
+  for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++)
+    add_effect(list, &entries[i], dawn ? entries[i].dawn : entries[i].dusk, dawn ? "dawn" : "dusk",
+               seeds);
+  for (size_t i = 0; i < sizeof specials / sizeof specials[0]; i++)
+    add_effect(list, &specials[i].entry, dawn ? specials[i].entry.dawn : specials[i].entry.dusk,
+               dawn ? specials[i].dawn : specials[i].dusk, seeds);
 }
 
 static void add_switches(struct list *list, uint64_t seeds)
@@ -246,7 +278,7 @@ static void make_quick(struct list *list)
   list->options = &one;
   for (size_t i = 0; i < sizeof some / sizeof some[0]; i++) {
     one.only = some[i];
-    add_effects(list, "dusk", 1);
+    add_effects(list, false, 1);
   }
   one.only = NULL;
   add_complete(list, 40); /* every other one is of this world */
@@ -265,7 +297,7 @@ size_t lab_cases_make(const struct lab_options *options, struct lab_case **out)
     *out = list.item;
     return list.count;
   }
-  for (size_t p = 0; p < 2; p++) add_effects(&list, passes[p], options->seeds);
+  for (int dawn = 0; dawn < 2; dawn++) add_effects(&list, dawn, options->seeds);
   add_switches(&list, options->seeds);
   for (uint64_t i = 0; i < options->complete; i++)
     add(&list, (struct lab_case){

@@ -51,8 +51,9 @@ static enum um_status build(struct um_context *context, const struct lab_case *c
     const struct um_effect *effect = um_effects_find(c->hidden[i].effect);
     if (effect == NULL || c->hidden[i].parameter >= effect->nparameter)
       return um_core_fail(context, UM_ERR_INPUT, "lab: no effect '%s'", name);
-    snprintf(with[i], sizeof with[i], "%s,%s=%.17g", name,
-             effect->parameters[c->hidden[i].parameter].name, c->hidden[i].value);
+    snprintf(with[i], sizeof with[i], "%s,%s=%.17g%s", name,
+             effect->parameters[c->hidden[i].parameter].name, c->hidden[i].value,
+             lab_hidden_others(c->world, &c->hidden[i]));
     withs[i] = with[i];
   }
   struct um_model_options options = {
@@ -73,7 +74,8 @@ enum um_status lab_truth_create(struct um_context *context, const struct lab_cas
   UM_CHECK(build(context, c, plain, NULL, out));
   if (c->pulse != NULL && !plain) { /* the table needs the times of the scenario */
     char path[LAB_TEXT * 4], *absolute = NULL;
-    snprintf(path, sizeof path, "%s/power-%s.csv", folder, c->world->folder);
+    snprintf(path, sizeof path, "%s/power-%s-%llu.csv", folder, c->pulse->place,
+             (unsigned long long)c->seed);
     UM_CHECK(write_power(context, out->model->scenario->time->start, c->pulse, path));
     absolute = realpath(path, NULL);
     um_model_destroy(context, &out->model);

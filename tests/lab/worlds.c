@@ -32,6 +32,19 @@ static const struct lab_world worlds[] = {
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
 
+    /* To the analyst there is hardly anything inside that stores heat. */
+    {.name = "dusk-hollow", DUSK, .set = {"parts.bus.interior.capacity_J_K=3000"}},
+    {.name = "dawn-hollow", DAWN, PLACES, .set = {"parts.bus.interior.capacity_J_K=3000"}},
+
+    /* A thermostat is seen by its switching: temperatures as often as light. */
+    {.name = "dusk-dense", DUSK, .kelvin = 0.3, .place = {"bus.interior", "bus.-x"}},
+    {.name = "dawn-dense",
+     .folder = "dawn",
+     .relative = 0.01,
+     .floor = 1e-3,
+     .kelvin = 0.3,
+     .place = {"bus.interior", "bus.-x"}},
+
     /* Internal power or MLI emittance: the skin of the MLI, alone and in one attitude, warms with
      * both; the interior warms with power and cools with a leak, and a radiator shows it. */
     {.name = "power-mli without",
