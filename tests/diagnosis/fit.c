@@ -72,6 +72,47 @@ static void solve_nist(struct um_context *c, const struct nist_problem *p, size_
   um_diagnosis_fit_destroy(c, &fit);
 }
 
+/* A certified problem that has to come below half its least sum of squares is given up on the way;
+ * one that has to come below twice that ends where it does without being asked. */
+static void test_beaten(void **state)
+{
+  struct um_context *c = *state;
+  const struct nist_problem *p = &nist[0];
+  struct um_diagnosis_fit_parameter parameter[NIST_PARAMETERS_MAX];
+  double sigma[NIST_ROWS_MAX], free_of[NIST_PARAMETERS_MAX];
+  double s = sqrt(p->squares / (double)(p->nrow - p->nparameter));
+  size_t evaluations = 0;
+  for (size_t i = 0; i < p->nrow; i++) sigma[i] = s;
+  for (size_t j = 0; j < p->nparameter; j++)
+    parameter[j] = (struct um_diagnosis_fit_parameter){
+        p->start[0][j], -INFINITY, INFINITY, 0.0, INFINITY, 1e-8 * fabs(p->start[0][j])};
+  struct um_diagnosis_fit_problem problem = {.nrow = p->nrow,
+                                             .nparameter = p->nparameter,
+                                             .measured = p->y,
+                                             .sigma = sigma,
+                                             .parameter = parameter,
+                                             .evaluate = nist_evaluate,
+                                             .user = (void *)p,
+                                             .iterations_max = 500,
+                                             .enough = 1e-6};
+  const double asked[3] = {0.0, 2.0, 0.5}; /* of the least */
+  for (size_t k = 0; k < 3; k++) {
+    struct um_diagnosis_fit *fit;
+    problem.beaten = asked[k] * p->squares / (s * s);
+    assert_int_equal(um_diagnosis_fit_create(c, &problem, &fit), UM_OK);
+    print_message("asked for %g of the least: %zu evaluations\n", asked[k], fit->evaluations);
+    assert_int_equal(fit->converged, k < 2);
+    if (k == 0) {
+      memcpy(free_of, fit->x, p->nparameter * sizeof *free_of);
+      evaluations = fit->evaluations;
+    }
+    for (size_t j = 0; j < p->nparameter && k == 1; j++) assert_close(fit->x[j], free_of[j], 0.0);
+    if (k == 1) assert_int_equal(fit->evaluations, evaluations);
+    if (k == 2) assert_true(fit->evaluations < evaluations);
+    um_diagnosis_fit_destroy(c, &fit);
+  }
+}
+
 static void test_certified(void **state)
 {
   for (size_t k = 0; k < sizeof nist / sizeof *nist; k++)
@@ -486,10 +527,11 @@ static void test_memory(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_certified),        cmocka_unit_test(test_priors),
-      cmocka_unit_test(test_bounds),           cmocka_unit_test(test_evaluations),
-      cmocka_unit_test(test_refusals),         cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_undetermined),     cmocka_unit_test(test_held_out),
-      cmocka_unit_test(test_held_out_unknown), cmocka_unit_test(test_memory)};
+      cmocka_unit_test(test_certified),   cmocka_unit_test(test_beaten),
+      cmocka_unit_test(test_priors),      cmocka_unit_test(test_bounds),
+      cmocka_unit_test(test_evaluations), cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_refused),     cmocka_unit_test(test_undetermined),
+      cmocka_unit_test(test_held_out),    cmocka_unit_test(test_held_out_unknown),
+      cmocka_unit_test(test_memory)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

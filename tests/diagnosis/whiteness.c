@@ -86,6 +86,15 @@ static void test_values(void **state)
   assert_true(w.p_white < 1e-300);
   assert_int_equal(um_diagnosis_whiteness_test(c, 4, r, channel, 1, 0.0, &w), UM_OK);
   assert_close(w.p_white, 1.0, 0.0); /* too few to speak against it */
+  /* 100 rows that fit exactly and ten that do not: 18.307 among two channels, 1 - 0.95^2 */
+  double both[110];
+  size_t of[110];
+  for (size_t i = 0; i < 110; i++) both[i] = i < 100 ? (i % 2 == 0 ? 0.9 : -0.9) : r[i];
+  for (size_t i = 0; i < 110; i++) of[i] = i >= 100;
+  assert_int_equal(um_diagnosis_whiteness_test(c, 110, both, of, 2, 0.0, &w), UM_OK);
+  assert_close(w.worst, 1.8307, 1e-12);
+  assert_close(w.p_worst, 0.0975, 2e-5);
+  assert_true(w.p_chi2 > 0.7);
   r[3] = NAN;
   assert_int_equal(um_diagnosis_whiteness_test(c, 10, r, channel, 1, 0.0, &w), UM_OK);
   assert_true(isnan(w.p_white) && isnan(w.p_chi2));

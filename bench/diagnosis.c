@@ -1,0 +1,99 @@
+/* What a diagnosis costs: processor time of `umbra diagnose` on ENVISAT's pass over that of `umbra
+ * run` of the same, which is one forward run at the scenario's own tolerance and step. Measurements
+ * are made from the scenario with a worse MLI, every 10 s with 1 % noise. Asked for: 60 candidates
+ * in the time of 30 runs; all that the scenario has are looked at, however many that are, and the
+ * figure is held against 30 runs. Both on one thread, so that the work is compared, not how well it
+ * is shared. Some minutes. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "bench/bench.h"
+
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
+#define OUT      "out/bench/diagnosis"
+#define RUNS     30.0 /* forward runs that 60 candidates may take */
+#define ASKED    60.0
+
+static double children(void)
+{
+  struct rusage usage;
+  if (getrusage(RUSAGE_CHILDREN, &usage) != 0) return NAN;
+  return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+/* Processor time of the program with these arguments [s]; ends the benchmark when it fails. */
+static double spend(char *const arguments[])
+{
+  int code = 0;
+  double before = children();
+  fflush(NULL);
+  pid_t pid = fork();
+  if (pid == 0) {
+    if (freopen("/dev/null", "w", stdout) != NULL) execv(UMBRA_PROGRAM, arguments);
+    perror(UMBRA_PROGRAM);
+    _exit(127);
+  }
+  if (pid < 0 || waitpid(pid, &code, 0) != pid || !WIFEXITED(code) || WEXITSTATUS(code) != 0) {
+    fprintf(stderr, "bench: umbra %s failed\n", arguments[1]);
+    exit(1);
+  }
+  return children() - before;
+}
+
+/* "candidates": 119 of diagnosis.json. */
+static double candidates(void)
+{
+  static const char key[] = "\"candidates\": ";
+  char line[4096];
+  double count = NAN;
+  FILE *file = fopen(OUT "/diagnosis.json", "r");
+  if (file == NULL) return NAN;
+  while (fgets(line, sizeof line, file) != NULL) {
+    const char *at = strstr(line, key);
+    if (at != NULL) count = strtod(at + strlen(key), NULL);
+  }
+  fclose(file);
+  return count;
+}
+
+int main(int argc, char **argv)
+{
+  struct bench bench;
+  char *const synth[] = {UMBRA_PROGRAM,
+                         "synth",
+                         SCENARIO,
+                         "--noise",
+                         "0.01",
+                         "--seed",
+                         "3",
+                         "--set",
+                         "time.step_s=10",
+                         "--with",
+                         "mli_emittance:bus,emittance_factor=1.5",
+                         "--threads",
+                         "1",
+                         "-o",
+                         OUT ".csv",
+                         "--force",
+                         NULL};
+  char *const run[] = {UMBRA_PROGRAM, "run",      SCENARIO,  "--threads",  "1",
+                       "--out",       OUT "-run", "--force", "--no-plots", NULL};
+  char *const diagnose[] = {UMBRA_PROGRAM, "diagnose", SCENARIO,  OUT ".csv",   "--threads", "1",
+                            "--out",       OUT,        "--force", "--no-plots", NULL};
+  bench_begin(&bench, argc, argv, "diagnosis: umbra diagnose on ENVISAT's pass");
+  spend(synth);
+  double one = spend(run), all = spend(diagnose), count = candidates();
+  bench_number(&bench, "one forward run", "s", one, NAN, NAN);
+  bench_number(&bench, "candidates, effect x target", "1", count, NAN, NAN);
+  bench_number(&bench, "a diagnosis over all of them, in 30 forward runs", "s", all, RUNS * one,
+               1.0);
+  bench_number(&bench, "its share for 60 candidates, in 30 forward runs", "s", all * ASKED / count,
+               RUNS * one, 1.0);
+  return bench_end(&bench);
+}
