@@ -125,8 +125,8 @@ static enum um_status move(const struct mover *m, double step, struct change *ch
   return step_to(m->context, m->point, m->candidate, values, m->column, change);
 }
 
-/* The first step; where that is refused (a row would fall below the horizon, a factor pass 1,
- * exposures overlap) the same the other way, and both again shorter. */
+/* The first step; where that is refused (a row would fall below the horizon, a factor pass 1) the
+ * same the other way, and both again shorter. */
 static enum um_status move_first(const struct mover *m, double *step, struct change *change)
 {
   static const double part[] = {1.0, -1.0, 1.0 / SHORTER, -1.0 / SHORTER};

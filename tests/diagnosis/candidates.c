@@ -147,27 +147,6 @@ static void test_central(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
-/* Exposures that touch: a first step that makes them overlap is refused, a shorter one is not. */
-static void test_refused_step(void **state)
-{
-  (void)state;
-  static const char *const only[] = {"exposure"};
-  static const char *const keys[] = {"time.exposure_s=29.99", "time.exposure_samples=3"};
-  const struct um_model_options options = {.overrides = keys, .noverride = 2};
-  put_world("");
-  struct um_compare_measurements *m = measured();
-  struct um_diagnosis_forward *f = forward_of(&options, m, UM_DIAGNOSIS_LOOSENED);
-  struct um_diagnosis_candidates *list = candidates_of(f, only, 1);
-  const struct um_diagnosis_candidate *c = named(list, "exposure");
-  assert_true(!c->dead && c->ncolumn == 1);
-  assert_true(sqrt(29.99 * 29.99 + c->step[0]) <= 30.0);
-  assert_true(sqrt(29.99 * 29.99 + 0.2 * c->effect->parameters[0].prior_sigma) > 30.0);
-  assert_string_equal(um_core_message(context), "");
-  um_diagnosis_candidates_destroy(context, &list);
-  um_diagnosis_forward_destroy(context, &f);
-  um_compare_measurements_destroy(context, &m);
-}
-
 /* A parameter at its upper bound is moved down; three angles are one candidate of three columns;
  * anew on a model that has something added, a signature stands at that model. */
 static void test_steps(void **state)
@@ -207,7 +186,6 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_list, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_linear, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_central, model_set_up, model_tear_down),
-      cmocka_unit_test_setup_teardown(test_refused_step, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_steps, model_set_up, model_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
