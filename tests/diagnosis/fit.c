@@ -34,28 +34,40 @@ static enum um_status nist_evaluate(struct um_context *context, void *user, cons
   return UM_OK;
 }
 
+struct nist_room {
+  struct um_diagnosis_fit_parameter parameter[NIST_PARAMETERS_MAX];
+  double sigma[NIST_ROWS_MAX];
+};
+
+/* A certified problem from one of its starts, every row with this sigma; in `room`. */
+static struct um_diagnosis_fit_problem nist_problem_of(const struct nist_problem *p, size_t from,
+                                                       double sigma, struct nist_room *room)
+{
+  for (size_t i = 0; i < p->nrow; i++) room->sigma[i] = sigma;
+  for (size_t j = 0; j < p->nparameter; j++)
+    room->parameter[j] = (struct um_diagnosis_fit_parameter){
+        p->start[from][j], -INFINITY, INFINITY, 0.0, INFINITY, 1e-8 * fabs(p->start[from][j])};
+  return (struct um_diagnosis_fit_problem){.nrow = p->nrow,
+                                           .nparameter = p->nparameter,
+                                           .measured = p->y,
+                                           .sigma = room->sigma,
+                                           .parameter = room->parameter,
+                                           .evaluate = nist_evaluate,
+                                           .user = (void *)p,
+                                           .iterations_max = 500};
+}
+
 /* sigma of a row: the certified residual deviation s makes the sigma of a parameter the certified
  * one; s / 1e4 makes the end of the fit, 0.03 sigma still to be gained and as much that a
  * Jacobian which still serves may hide, 6e-6 of the certified deviation. */
 static void solve_nist(struct um_context *c, const struct nist_problem *p, size_t from,
                        double finer)
 {
-  struct um_diagnosis_fit_parameter parameter[NIST_PARAMETERS_MAX];
-  double sigma[NIST_ROWS_MAX], s = sqrt(p->squares / (double)(p->nrow - p->nparameter));
+  double s = sqrt(p->squares / (double)(p->nrow - p->nparameter));
+  struct nist_room room;
   struct um_diagnosis_fit *fit;
-  for (size_t i = 0; i < p->nrow; i++) sigma[i] = s / finer;
-  for (size_t j = 0; j < p->nparameter; j++)
-    parameter[j] = (struct um_diagnosis_fit_parameter){
-        p->start[from][j], -INFINITY, INFINITY, 0.0, INFINITY, 1e-8 * fabs(p->start[from][j])};
-  struct um_diagnosis_fit_problem problem = {.nrow = p->nrow,
-                                             .nparameter = p->nparameter,
-                                             .measured = p->y,
-                                             .sigma = sigma,
-                                             .parameter = parameter,
-                                             .evaluate = nist_evaluate,
-                                             .user = (void *)p,
-                                             .iterations_max = 500,
-                                             .enough = 1e-3 / (finer * finer)};
+  struct um_diagnosis_fit_problem problem = nist_problem_of(p, from, s / finer, &room);
+  problem.enough = 1e-3 / (finer * finer);
   assert_int_equal(um_diagnosis_fit_create(c, &problem, &fit), UM_OK);
   double digits = 20.0;
   for (size_t j = 0; j < p->nparameter; j++)
@@ -78,23 +90,11 @@ static void test_beaten(void **state)
 {
   struct um_context *c = *state;
   const struct nist_problem *p = &nist[0];
-  struct um_diagnosis_fit_parameter parameter[NIST_PARAMETERS_MAX];
-  double sigma[NIST_ROWS_MAX], free_of[NIST_PARAMETERS_MAX];
-  double s = sqrt(p->squares / (double)(p->nrow - p->nparameter));
+  double free_of[NIST_PARAMETERS_MAX], s = sqrt(p->squares / (double)(p->nrow - p->nparameter));
+  struct nist_room room;
+  struct um_diagnosis_fit_problem problem = nist_problem_of(p, 0, s, &room);
   size_t evaluations = 0;
-  for (size_t i = 0; i < p->nrow; i++) sigma[i] = s;
-  for (size_t j = 0; j < p->nparameter; j++)
-    parameter[j] = (struct um_diagnosis_fit_parameter){
-        p->start[0][j], -INFINITY, INFINITY, 0.0, INFINITY, 1e-8 * fabs(p->start[0][j])};
-  struct um_diagnosis_fit_problem problem = {.nrow = p->nrow,
-                                             .nparameter = p->nparameter,
-                                             .measured = p->y,
-                                             .sigma = sigma,
-                                             .parameter = parameter,
-                                             .evaluate = nist_evaluate,
-                                             .user = (void *)p,
-                                             .iterations_max = 500,
-                                             .enough = 1e-6};
+  problem.enough = 1e-6;
   const double asked[3] = {0.0, 2.0, 0.5}; /* of the least */
   for (size_t k = 0; k < 3; k++) {
     struct um_diagnosis_fit *fit;
