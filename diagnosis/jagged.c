@@ -81,6 +81,7 @@ static int compare_doubles(const void *pa, const void *pb)
   return (a > b) - (a < b);
 }
 
+/* target: NULL for a global effect, which has no temperature of its own. */
 static enum um_status measured_shape(struct um_context *context,
                                      const struct um_diagnosis_forward *f, const char *target,
                                      struct shape *out)
@@ -91,7 +92,7 @@ static enum um_status measured_shape(struct um_context *context,
   UM_TRY(um_core_allocate(context, f->nrow, sizeof *t, &t));
   for (size_t j = 0; j < f->nrow; j++) {
     const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
-    if (c->quantity == UM_QUANTITY_TEMPERATURE && strcmp(c->of, target) == 0)
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && target != NULL && strcmp(c->of, target) == 0)
       t[n++] = f->measured[j];
   }
   qsort(t, n, sizeof *t, compare_doubles);
@@ -275,12 +276,31 @@ static void widen(const struct search *search, const struct um_diagnosis_state *
   }
 }
 
+/* Whether a parameter of shape moves the rows at all, by a sigma in its prior width: an angle about
+ * an axis of symmetry does not, and nothing is jagged then. */
+static bool has_jags(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
+                     size_t b)
+{
+  const struct um_diagnosis_block *block = &state->block[b];
+  const struct um_diagnosis_candidate *c = &work->candidates->candidate[block->candidate];
+  const struct um_diagnosis_fit *fit = state->fit;
+  size_t first = 0;
+  for (size_t i = 0; i < b; i++) first += state->block[i].nfree;
+  for (size_t k = c->ncolumn; k < block->nfree; k++) {
+    double square = 0.0, *column = fit->jacobian + (first + k) * fit->nrow;
+    for (size_t j = 0; j < fit->nrow; j++) square += column[j] * column[j];
+    if (sqrt(square) * block->prior_sigma[k] > 1.0) return true;
+  }
+  return false;
+}
+
 enum um_status um_diagnosis_polish(struct um_context *context, const struct um_diagnosis_work *work,
                                    struct um_diagnosis_state *state, size_t b)
 {
   enum um_status status;
   struct um_diagnosis_state trial = {0};
   struct search search = {.context = context, .work = work, .b = b, .status = UM_OK};
+  if (!has_jags(work, state, b)) return UM_OK;
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &trial));
   search.state = &trial;
   search.lowest = state->fit->chi2 + state->fit->chi2_prior;
