@@ -154,6 +154,14 @@ done:
 
 /* --- simplex ---------------------------------------------------------------------------------- */
 
+/* Where the parameters of block b begin in those of the fit. */
+static size_t first_parameter(const struct um_diagnosis_state *state, size_t b)
+{
+  size_t first = 0;
+  for (size_t i = 0; i < b; i++) first += state->block[i].nfree;
+  return first;
+}
+
 /* Block b of a state moves, all others stand. */
 struct search {
   struct um_context *context;
@@ -162,6 +170,7 @@ struct search {
   size_t b;
   struct um_diagnosis_addition *all; /* [nblock] */
   double *value;                     /* [nrow] */
+  double others;                     /* chi-square of the priors of blocks that stand */
   double lowest;                     /* chi-square with the priors' so far */
   double *seen;                      /* [nseen][nfree + 1] inner values and their chi-square */
   size_t nseen;
@@ -190,25 +199,34 @@ static double side(const struct search *search, size_t k)
   return fmax(0.2 * fabs(block->addition.value[block->parameter[k]]), block->step[k]);
 }
 
+/* Chi-square of the priors of a block at inner values x. */
+static double prior_of(const struct um_diagnosis_block *block, const double *x)
+{
+  double sum = 0.0;
+  for (size_t k = 0; k < block->nfree; k++)
+    if (!isinf(block->prior_sigma[k]))
+      sum += pow((x[k] - block->prior_mean[k]) / block->prior_sigma[k], 2);
+  return sum;
+}
+
 /* Chi-square with the priors' at inner values x; far up outside the range. */
 static double height(const gsl_vector *x, void *user)
 {
   struct search *s = user;
   struct um_diagnosis_block *block = &s->state->block[s->b];
-  double chi2 = 1e300, prior = 0.0;
+  double chi2 = 1e300;
   if (s->status != UM_OK) return chi2;
   for (size_t k = 0; k < block->nfree; k++) {
     const struct um_effect_parameter *p = &block->addition.effect->parameters[block->parameter[k]];
-    double at = gsl_vector_get(x, k), value = um_diagnosis_outer(p, at);
+    double value = um_diagnosis_outer(p, gsl_vector_get(x, k));
     if (!(value >= p->minimum && value <= p->maximum)) return chi2;
     block->addition.value[block->parameter[k]] = value;
-    if (!isinf(block->prior_sigma[k]))
-      prior += pow((at - block->prior_mean[k]) / block->prior_sigma[k], 2);
   }
   s->status = chi2_at(s->context, s->work, s->state, s->all, s->value, &chi2);
   if (!isfinite(chi2)) return 1e300;
-  if (s->status == UM_OK) s->status = remember(s, x, chi2 + prior);
-  return chi2 + prior;
+  chi2 += s->others + prior_of(block, gsl_vector_const_ptr(x, 0));
+  if (s->status == UM_OK) s->status = remember(s, x, chi2);
+  return chi2;
 }
 
 /* One simplex from x with these sides; x takes the best point where it is lower than all before. */
@@ -263,8 +281,7 @@ static enum um_status search_from(struct search *search)
 static void widen(const struct search *search, const struct um_diagnosis_state *state)
 {
   struct um_diagnosis_fit *fit = state->fit;
-  size_t n = state->block[search->b].nfree, first = 0;
-  for (size_t b = 0; b < search->b; b++) first += state->block[b].nfree;
+  size_t n = state->block[search->b].nfree, first = first_parameter(state, search->b);
   for (size_t i = 0; i < search->nseen; i++) {
     const double *point = search->seen + i * (n + 1);
     double higher = point[n] - fit->chi2 - fit->chi2_prior;
@@ -284,8 +301,7 @@ static bool has_jags(const struct um_diagnosis_work *work, const struct um_diagn
   const struct um_diagnosis_block *block = &state->block[b];
   const struct um_diagnosis_candidate *c = &work->candidates->candidate[block->candidate];
   const struct um_diagnosis_fit *fit = state->fit;
-  size_t first = 0;
-  for (size_t i = 0; i < b; i++) first += state->block[i].nfree;
+  size_t first = first_parameter(state, b);
   for (size_t k = c->ncolumn; k < block->nfree; k++) {
     double square = 0.0, *column = fit->jacobian + (first + k) * fit->nrow;
     for (size_t j = 0; j < fit->nrow; j++) square += column[j] * column[j];
@@ -304,6 +320,8 @@ enum um_status um_diagnosis_polish(struct um_context *context, const struct um_d
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &trial));
   search.state = &trial;
   search.lowest = state->fit->chi2 + state->fit->chi2_prior;
+  search.others = state->fit->chi2_prior -
+                  prior_of(&state->block[b], state->fit->x + first_parameter(state, b));
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *search.all, &search.all));
   UM_CHECK(um_core_allocate(context, work->forward->nrow, sizeof *search.value, &search.value));
   UM_CHECK(search_from(&search));
