@@ -1,11 +1,19 @@
 # make demo   install what is missing, build, compute ENVISAT's pass of 2016-09-21 in both bands
 # make test   build and run the tests
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
+# make install [PREFIX=/usr/local] [DESTDIR=...]   program, materials, scenarios, headers, man page, documents
+# make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
+# make fuzz   every fuzz target for ten minutes; FUZZ_SECONDS=60 FUZZ="csv model" shorter, fewer
+# make tidy   clang-tidy with path analysis;  make coverage   which lines the tests reach
+# make nightly   all tests under the sanitizers, tidy, fuzz: hours
+FUZZ_SECONDS ?= 600
+export FUZZ FUZZ_SECONDS
 BUILD ?= build
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
 
-.PHONY: all deps build demo test lab bench check clean
+.PHONY: all deps build demo test install lab bench check fuzz tidy coverage nightly mutate clean
 
 all: build
 
@@ -22,16 +30,38 @@ demo: build
 	@echo "pictures: out/envisat-graz-2016/*.png"
 
 test: build
-	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	tools/run-tests $(BUILD) -j $(JOBS)
+
+install: build
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
+	@echo "installed: $(DESTDIR)$(PREFIX)/bin/umbra"
 
 lab: build
 	$(BUILD)/tests/lab/lab --out out/lab $(LAB)
+
+mutate: deps
+	tools/mutate $(MUTATE)
 
 bench: build
 	tools/bench $(BUILD) $(BENCH)
 
 check:
 	tools/check
+
+fuzz:
+	@tools/install-deps --checks
+	@tools/fuzz
+
+tidy:
+	@tools/install-deps --checks
+	@tools/tidy
+
+coverage:
+	@tools/install-deps --checks
+	@tools/coverage
+
+nightly:
+	@tools/nightly
 
 clean:
 	rm -rf $(BUILD) build-*

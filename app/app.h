@@ -11,8 +11,13 @@
 
 #define UM_APP_VERSION "0.1.0"
 
-/* Exit codes: 0 done, 1 failed, 2 misuse. */
-enum um_app_exit { UM_APP_DONE = 0, UM_APP_FAILED = 1, UM_APP_MISUSE = 2 };
+#define UM_APP_RENDER_WIDTH      512   /* pixels */
+#define UM_APP_RENDER_SAMPLES    16    /* per pixel */
+#define UM_APP_FLOOR             0.001 /* of the peak */
+#define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
+
+/* Exit codes: 0 done, 1 failed, 2 misuse, 128 + n ended by signal n (130 SIGINT, 143 SIGTERM). */
+enum um_app_exit { UM_APP_DONE = 0, UM_APP_FAILED = 1, UM_APP_MISUSE = 2, UM_APP_SIGNAL = 128 };
 
 /* Options that verbs have in common, as parsed; texts borrowed from argv. */
 struct um_app_options {
@@ -34,17 +39,81 @@ struct um_app_options {
   size_t nonly, nexclude, nnuisance, nadd;
   double level; /* 0: not said */
   int steps;    /* 0: not said */
-  bool force, json, thermal, optics, no_plots;
+  bool force, json, thermal, optics, no_plots, allow_effects;
   char *command; /* the command as typed */
 };
 
+/* What an option takes and where it goes. */
+enum um_app_takes {
+  UM_APP_FLAG,    /* nothing; bool */
+  UM_APP_TEXT,    /* const char * */
+  UM_APP_LIST,    /* const char **, may come again; the count stands at `count` */
+  UM_APP_NUMBER,  /* whole number from 1 to `most`; int */
+  UM_APP_SHARE,   /* number between 0 and 1; double */
+  UM_APP_THREADS, /* goes to the context */
+  UM_APP_HELP
+};
+/* What a shell offers for an argument. */
+enum um_app_offers {
+  UM_APP_NOTHING,
+  UM_APP_FILES,
+  UM_APP_FOLDERS,
+  UM_APP_SCENARIOS,
+  UM_APP_TABLES, /* *.csv */
+  UM_APP_EFFECTS,
+  UM_APP_MATERIALS,
+  UM_APP_SECTIONS, /* of the scenario reference */
+  UM_APP_SHELLS,
+  UM_APP_VERBS
+};
+
+/* One option; help, man page, completion and parsing follow from it. */
+struct um_app_option {
+  const char *id; /* what verbs call it */
+  const char *name, *argument;
+  char letter; /* 0: none */
+  enum um_app_takes takes;
+  size_t at, count; /* offsets in um_app_options */
+  int most;
+  enum um_app_offers offers;
+  const char *default_value; /* what holds without it; NULL: nothing to say */
+  const char *example;       /* NULL: of itself clear */
+  const char *help;
+};
+/* By id; NULL when there is none. */
+const struct um_app_option *um_app_option_find(const char *id);
+/* In order of the table; NULL behind the last. */
+const struct um_app_option *um_app_option_at(size_t index);
+/* The next of a list of ids, parted by blanks, NULL at its end; *list moves. */
+const struct um_app_option *um_app_option_next(const char **list);
+
 struct um_app_verb {
-  const char *name, *usage, *summary;
-  int npositional_min, npositional_max;
-  const char *accepts; /* long options it takes, space separated, beside --threads */
+  const char *name;
+  const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out */
+  const char *summary;
+  const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
+  const char *about;           /* what help adds; NULL: nothing */
+  const char *examples;        /* a line each */
   /* UM_APP_MISUSE: said what is wrong; the usage line is printed behind it */
   int (*run)(struct um_context *context, const struct um_app_options *options);
 };
+size_t um_app_verb_count(void);
+const struct um_app_verb *um_app_verb_at(size_t index);
+/* NULL when there is none. */
+const struct um_app_verb *um_app_verb_find(const char *name);
+/* A word of an argument list as "SCENARIO" without brackets, false at its end; *list moves. */
+bool um_app_argument_next(const char **list, char name[32], bool *optional);
+enum um_app_offers um_app_argument_offers(const char *name);
+
+/* "umbra run SCENARIO [--out DIR] ..." on one line, without a line end. */
+void um_app_usage(FILE *file, const struct um_app_verb *verb);
+/* The commands; one command with its options; everything, as the man page wants it. */
+void um_app_help(FILE *file);
+void um_app_help_verb(FILE *file, const struct um_app_verb *verb);
+void um_app_help_all(FILE *file);
+/* "unknown command 'nur'" with the nearest one. */
+#define UM_APP_UNKNOWN 192
+void um_app_verb_unknown(const char *name, char out[UM_APP_UNKNOWN]);
 
 /* Room for the options of argc arguments, of which no option comes more often; false: no memory. */
 bool um_app_options_allocate(struct um_app_options *options, int argc);
@@ -60,6 +129,10 @@ int um_app_misuse(const struct um_app_verb *verb, const char *format, const char
 int um_app_fail(struct um_context *context);
 /* The part of the options that changes a scenario. */
 struct um_model_options um_app_model_options(const struct um_app_options *options);
+/* The folder that results go to: --out, else out/NAME, else, where the command line changes the
+ * scenario, out/NAME--set-..., a folder of that variant's own. The caller frees *out. */
+enum um_status um_app_out_folder(struct um_context *context, const struct um_app_options *options,
+                                 const char *name, char **out);
 /* "REL" or "REL,FLOOR"; who takes the numbers checks their range. */
 bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor);
 /* A file that is to be written is not there, or may be replaced; said before the computing begins.
@@ -80,5 +153,7 @@ int um_app_fit(struct um_context *context, const struct um_app_options *options)
 int um_app_synth(struct um_context *context, const struct um_app_options *options);
 int um_app_validate(struct um_context *context, const struct um_app_options *options);
 int um_app_schema(struct um_context *context, const struct um_app_options *options);
+int um_app_completion(struct um_context *context, const struct um_app_options *options);
+int um_app_help_command(struct um_context *context, const struct um_app_options *options);
 
 #endif

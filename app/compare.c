@@ -5,19 +5,28 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
+#include "compare/figures.h"
+#include "compare/refine.h"
 #include "compare/series.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3
 #define CORRELATION_P      0.01 /* weaker ones are not shown */
-#define SHARE_SHOWN        1e-3 /* of the largest */
+#define SHARE_SHOWN        1e-3 /* of the largest, of the variance */
 #define NUMBER_MAX         1e4  /* ratios beyond it say only that the model is dark there */
 
-/* Metrics of one segment as a line of the table; "-" for what does not exist. */
+/* Metrics of one segment as a line of the table; "-" for what does not exist. Bias and rms of
+ * magnitudes stand in magnitudes, the rest in linear flux. */
 static void print_metrics(const char *segment, const struct um_compare_metrics *m)
 {
-  const double number[] = {m->bias,         m->rms,           m->rms_over_mean, m->scale,
-                           m->chi2_reduced, m->durbin_watson, m->white_p};
+  bool magnitude = !isnan(m->rms_mag);
+  const double number[] = {magnitude ? m->bias_mag : m->bias,
+                           magnitude ? m->rms_mag : m->rms,
+                           m->rms_over_mean,
+                           m->scale,
+                           m->chi2_reduced,
+                           m->durbin_watson,
+                           m->white_p};
   static const char *const format[] = {" %12.3e", " %11.3e", " %9.4f", " %8.4f",
                                        " %10.3f", " %6.2f",  " %9.1e"};
   static const int width[] = {13, 12, 10, 9, 11, 7, 10};
@@ -60,14 +69,21 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
   printf("%s %s [%s]", um_compare_quantity_name(of->quantity), of->of,
          um_compare_quantity_unit(of->quantity));
   if (channel->left_out > 0) printf(", %zu rows left out by their flag", channel->left_out);
-  printf("\n  %-9s %6s%13s%12s%10s%9s%11s%7s%10s\n", "segment", "rows", "bias", "rms", "rms/mean",
-         "scale", "chi2/dof", "DW", "p white");
+  bool magnitude = um_compare_is_magnitude(of->quantity);
+  printf("\n  %-9s %6s%13s%12s%10s%9s%11s%7s%10s\n", "segment", "rows",
+         magnitude ? "bias [mag]" : "bias", magnitude ? "rms [mag]" : "rms", "rms/mean", "scale",
+         "chi2/dof", "DW", "p white");
   print_metrics("all", &channel->all);
   for (int s = 0; s < UM_SEGMENT_COUNT; s++)
     if (channel->segment[s].count > 0)
       print_metrics(um_compare_segment_name((enum um_compare_segment)s), &channel->segment[s]);
+  if (magnitude)
+    printf("  as flux of magnitude 0: bias %.3e, rms %.3e\n", channel->all.bias, channel->all.rms);
   if (!isnan(channel->all.correlation))
     printf("  Pearson correlation of magnitudes %.3f\n", channel->all.correlation);
+  if (channel->all.model_share > UM_COMPARE_SHARE_SHOWN)
+    printf("  the model's own sampling error is %.2g %% of the variance\n",
+           100.0 * channel->all.model_share);
   if (channel->nworst > 0) print_worst(&channel->worst[0]);
   printf("  residual goes with:");
   size_t shown = 0;
@@ -82,11 +98,16 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
 static void print_comparison(const struct um_compare_comparison *c, const char *folder)
 {
   printf("%s against %s: %zu observations\n", c->run.model->scenario->name,
-         c->run.plan->measurements->path, c->run.trace->nobs);
+         c->run.plan->measurements->path, c->run.precomputed->nobs);
   for (size_t i = 0; i < c->nchannel; i++) print_channel(c, i);
   if (!isnan(c->chi2_reduced))
     printf("all channels: chi2 %.6g of %.6g degrees of freedom, reduced %.4g\n", c->chi2, c->dof,
            c->chi2_reduced);
+  if (c->samples != c->samples_before)
+    printf(
+        "optics.samples %d in place of the scenario's %d, so that the model's own sampling error "
+        "stays small\n",
+        c->samples, c->samples_before);
   printf("results in %s\n", folder);
 }
 
@@ -109,7 +130,7 @@ static enum um_status fill_sigma(struct um_context *context, const struct um_com
   double *value = NULL, *sigma = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *value, &value));
   UM_CHECK(um_core_allocate(context, m->count, sizeof *sigma, &sigma));
-  UM_CHECK(um_compare_predict(context, run->plan, run->trace, run->result, value));
+  UM_CHECK(um_compare_predict(context, run->plan, run->precomputed, run->result, value));
   UM_CHECK(um_compare_noise_sigmas(context, run->model->scenario, m, value, sigma));
   for (size_t i = 0; i < m->count; i++) m->row[i].sigma = sigma[i];
 done:
@@ -122,27 +143,29 @@ int um_app_compare(struct um_context *context, const struct um_app_options *opti
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   struct um_compare_measurements *measurements = NULL;
   struct um_compare_plan *plan = NULL;
   struct um_compare_comparison *comparison = NULL;
   struct um_core_folder *folder = NULL;
+  struct um_compare_refinement refinement;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
   UM_CHECK(um_compare_measurements_read(context, options->positional[1], &measurements));
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_compare_plan_create(context, model, measurements, &plan));
-  if (options->out != NULL)
-    UM_CHECK(um_core_strdup(context, options->out, &out));
-  else
-    UM_CHECK(um_core_asprintf(context, &out, "out/%s", model->scenario->name));
+  UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_compare_plan_trace(context, model, plan, &trace));
-  UM_CHECK(um_model_run(context, model, trace, &result));
-  struct um_compare_run run = {model, plan, trace, result};
+  UM_CHECK(um_compare_plan_trace(context, model, plan, &precomputed));
+  struct um_compare_share_user shared = {model, plan};
+  UM_CHECK(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
+                             um_compare_share_of_plan, &shared, &result, &refinement));
+  struct um_compare_run run = {model, plan, precomputed, result};
   UM_CHECK(fill_sigma(context, &run, measurements));
   UM_CHECK(um_compare_create(context, &run, 0.0, &comparison));
+  comparison->samples = refinement.samples;
+  comparison->samples_before = refinement.samples_before;
   UM_CHECK(write_folder(context, comparison, options, &folder));
   um_app_terminal_clear();
   if (options->json)
@@ -153,7 +176,7 @@ done:
   um_core_folder_abort(&folder);
   um_compare_destroy(context, &comparison);
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_compare_plan_destroy(context, &plan);
   um_compare_measurements_destroy(context, &measurements);
   um_model_destroy(context, &model);

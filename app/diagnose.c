@@ -15,8 +15,8 @@ static enum um_status diagnose(struct um_context *context, const struct um_app_o
       .level = options->level,
       .steps_max = (size_t)options->steps,
   };
-  UM_TRY(um_diagnosis_candidates_create(context, work->forward, NULL, 0, &wanted.candidates,
-                                        &work->candidates));
+  UM_TRY(um_sensitivity_candidates_create(context, work->forward, NULL, 0, &wanted.candidates,
+                                          &work->candidates));
   UM_TRY(um_diagnosis_create(context, work->forward, work->candidates, &wanted, &work->diagnosis));
   return um_app_diagnosis_finish(context, options, work);
 }

@@ -17,13 +17,11 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
   };
   work->changes = um_app_model_options(options);
   UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
-  UM_TRY(um_diagnosis_forward_create(context, options->positional[0], &work->changes,
-                                     work->measurements, UM_DIAGNOSIS_LOOSENED, &work->forward));
+  UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes,
+                                       work->measurements, UM_SENSITIVITY_TOLERANCE_FACTOR,
+                                       &work->forward));
   UM_TRY(um_diagnosis_request_make(context, work->forward->model, &texts, &work->request));
-  if (options->out != NULL)
-    UM_TRY(um_core_strdup(context, options->out, &work->out));
-  else
-    UM_TRY(um_core_asprintf(context, &work->out, "out/%s", work->forward->model->scenario->name));
+  UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
   return um_core_folder_begin(context, work->out, options->force, &work->folder);
 }
 
@@ -32,12 +30,13 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
                                        struct um_app_diagnosis *work)
 {
   const struct um_diagnosis *d = work->diagnosis;
-  UM_TRY(um_diagnosis_write(context, d, options->command, UM_APP_VERSION, work->folder));
-  if (!options->no_plots) UM_TRY(um_diagnosis_plot(context, d, um_core_folder_path(work->folder)));
+  UM_TRY(um_diagnosis_report_write(context, d, options->command, UM_APP_VERSION, work->folder));
+  if (!options->no_plots)
+    UM_TRY(um_diagnosis_report_plot(context, d, um_core_folder_path(work->folder)));
   UM_TRY(um_core_folder_commit(context, &work->folder));
   um_app_terminal_clear();
   if (options->json)
-    return um_diagnosis_write_json(context, d, options->command, UM_APP_VERSION, stdout);
+    return um_diagnosis_report_write_json(context, d, options->command, UM_APP_VERSION, stdout);
   return um_app_diagnosis_print(context, d, work->out);
 }
 
@@ -45,9 +44,9 @@ void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosi
 {
   um_core_folder_abort(&work->folder);
   um_diagnosis_destroy(context, &work->diagnosis);
-  um_diagnosis_candidates_destroy(context, &work->candidates);
+  um_sensitivity_candidates_destroy(context, &work->candidates);
   um_diagnosis_request_release(context, &work->request);
-  um_diagnosis_forward_destroy(context, &work->forward);
+  um_sensitivity_forward_destroy(context, &work->forward);
   um_compare_measurements_destroy(context, &work->measurements);
   um_core_free(context, work->out);
 }

@@ -5,14 +5,15 @@
 #include "app/app.h"
 #include "core/file.h"
 #include "diagnosis/diagnose.h"
+#include "diagnosis/report/report.h"
 #include "diagnosis/request.h"
 
 struct um_app_diagnosis {
   struct um_model_options changes; /* of the scenario; the forward borrows it */
   struct um_compare_measurements *measurements;
-  struct um_diagnosis_forward *forward;
+  struct um_sensitivity_forward *forward;
   struct um_diagnosis_request request;
-  struct um_diagnosis_candidates *candidates;
+  struct um_sensitivity_candidates *candidates;
   struct um_diagnosis *diagnosis;
   struct um_core_folder *folder;
   char *out; /* the folder's place */

@@ -4,10 +4,14 @@
 
 #include "app/diagnosis.h"
 #include "compare/figures.h"
-#include "diagnosis/channels.h"
+#include "compare/refine.h"
+#include "diagnosis/report/channels.h"
+#include "diagnosis/words.h"
 #include "orbit/time.h"
+#include "sensitivity/stated.h"
 
 #define WIDTH 96     /* of the sentence [characters] */
+#define WORSE 5      /* fitted alternatives that are listed */
 #define TINY  1e-300 /* smaller p are not told apart */
 
 static void print_name(const struct um_effect *effect, const char *target)
@@ -27,15 +31,15 @@ static enum um_status print_channels(struct um_context *context, const struct um
   else
     printf("  %-36s %6s %27s  %24s\n", "", "rows", "rms", "chi2/dof");
   for (size_t c = 0; c < d->forward->measurements->nchannel; c++) {
-    const struct um_compare_channel *channel = um_diagnosis_channel(d, c);
+    const struct um_compare_channel *channel = um_diagnosis_report_channel(d, c);
     struct um_compare_metrics m, n;
-    UM_TRY(um_diagnosis_channel_metrics(context, d, c, before, dof_before, &m));
+    UM_TRY(um_diagnosis_report_channel_metrics(context, d, c, before, dof_before, &m));
     if (m.count == 0) continue;
     char name[256];
     snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(channel->quantity), channel->of);
     printf("  %-36s %6zu %11.4g", name, m.count, m.rms);
     if (after != NULL) {
-      UM_TRY(um_diagnosis_channel_metrics(context, d, c, after, dof_after, &n));
+      UM_TRY(um_diagnosis_report_channel_metrics(context, d, c, after, dof_after, &n));
       printf(" -> %12.4g  %10.4g -> %10.4g", n.rms, m.chi2_reduced, n.chi2_reduced);
     } else {
       printf("  %10.4g", m.chi2_reduced);
@@ -45,46 +49,108 @@ static enum um_status print_channels(struct um_context *context, const struct um
   return UM_OK;
 }
 
-/* ---- effects ---- */
-
-static void print_parameters(const struct um_effect *effect, const double *value,
-                             const double *sigma)
+/* How much of sigma is the model's own, and what was done about it. */
+static void print_sampling(const struct um_sensitivity_forward *f)
 {
-  for (size_t p = 0; p < effect->nparameter; p++) {
-    const struct um_effect_parameter *parameter = &effect->parameters[p];
-    bool bound = value[p] == parameter->minimum || value[p] == parameter->maximum;
-    char text[80];
-    um_diagnosis_value_text(value[p], sigma[p], "+-", text);
-    printf("  %-36s %s%s%s%s\n", parameter->name, text,
-           strcmp(parameter->unit, "1") == 0 ? "" : " ",
-           strcmp(parameter->unit, "1") == 0 ? "" : parameter->unit, bound ? ", at its bound" : "");
-  }
-  if (effect->nparameter == 0) printf("  switched on\n");
+  if (f->model_share > UM_COMPARE_SHARE_SHOWN)
+    printf(
+        "  the model's own sampling error is %.2g %% of the variance, and stands in chi-square\n",
+        100.0 * f->model_share);
+  if (f->samples != f->samples_before)
+    printf("  optics.samples %d in place of the scenario's %d, so that this error stays small\n",
+           f->samples, f->samples_before);
 }
 
-/* What cannot be told from the winner. */
-static void print_rivals(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
+/* ---- effects ---- */
+
+/* Beside each parameter what the scenario states as a whole. */
+static void print_parameters(const struct um_diagnosis *d, const struct um_effect *effect,
+                             const char *target, const double *value, const double *sigma)
 {
-  const struct um_diagnosis_rival *winner = NULL;
-  for (size_t r = 0; r < step->nrival; r++)
-    if (step->rival[r].candidate == step->candidate) winner = &step->rival[r];
-  for (size_t r = 0; r < step->nrival; r++) {
-    const struct um_diagnosis_rival *rival = &step->rival[r];
-    const struct um_diagnosis_candidate *candidate = &d->candidates->candidate[rival->candidate];
-    if (rival == winner || !rival->indistinguishable) continue;
-    printf("  cannot be told from %s", candidate->name);
-    for (size_t p = 0; rival->fitted && p < candidate->ncolumn && !candidate->is_switch; p++) {
-      size_t k = candidate->parameter[p];
-      const struct um_effect_parameter *parameter = &candidate->effect->parameters[k];
-      char text[80];
-      um_diagnosis_value_text(rival->value[k], rival->sigma[k], "+-", text);
-      printf(", %s %s%s%s", parameter->name, text, strcmp(parameter->unit, "1") == 0 ? "" : " ",
-             strcmp(parameter->unit, "1") == 0 ? "" : parameter->unit);
+  if (effect->on_by_default) printf("  switched on\n");
+  for (size_t p = 0; p < effect->nparameter; p++) {
+    const struct um_effect_parameter *parameter = &effect->parameters[p];
+    double present[UM_EFFECT_PARAMETERS_MAX], low, high;
+    um_sensitivity_forward_null(d->forward, effect, target, present);
+    um_sensitivity_stated_range(d->forward, effect, target, p, present[p], &low, &high);
+    bool bound = !effect->on_by_default && (value[p] <= low || value[p] >= high);
+    struct um_diagnosis_whole whole;
+    char text[80], of[160] = "";
+    um_diagnosis_report_value_text(value[p], sigma[p], "+-", text);
+    if (um_diagnosis_whole_find(d->forward, effect, target, p, value[p], sigma[p], &whole))
+      um_diagnosis_whole_text(&whole, of);
+    printf("  %-36s %s%s%s%s%s%s\n", parameter->name, text,
+           strcmp(parameter->unit, "1") == 0 ? "" : " ",
+           strcmp(parameter->unit, "1") == 0 ? "" : parameter->unit, bound ? ", at its bound" : "",
+           of[0] != '\0' ? " " : "", of);
+  }
+}
+
+static void print_alternative(const struct um_diagnosis *d,
+                              const struct um_diagnosis_alternative *alternative)
+{
+  const struct um_sensitivity_candidate *c = &d->candidates->candidate[alternative->candidate];
+  char text[UM_DIAGNOSIS_WORDS] = "";
+  if (alternative->fitted)
+    um_diagnosis_values_text(d->forward, c->effect, c->target, alternative->value,
+                             alternative->sigma, text);
+  printf("%s%s%s", c->name, text[0] != '\0' ? " " : "", text);
+}
+
+/* How an alternative stands to the winner; NULL: too far behind to be named. */
+static const char *relation(const struct um_diagnosis_alternative *r, double behind)
+{
+  if (r->indistinguishable) return "cannot be told from";
+  if (r->excluded_by_prior) return "only the prior keeps out";
+  if (r->excluded_by_range) return "only the end of its range keeps out";
+  if (r->fitted && behind < UM_DIAGNOSIS_NEXT_BEST)
+    return r->same_effect ? "as well with" : "next best";
+  return NULL;
+}
+
+/* The best of those that were fitted and are too far behind to be an alternative, by BIC against
+ * the winner. */
+static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
+{
+  double chosen = NAN;
+  size_t shown = 0, more = 0;
+  for (size_t r = 0; r < step->nalternative; r++)
+    if (step->alternative[r].candidate == step->candidate) chosen = step->alternative[r].bic;
+  for (size_t r = 0; r < step->nalternative; r++) {
+    const struct um_diagnosis_alternative *alternative = &step->alternative[r];
+    double behind = alternative->bic - chosen;
+    if (!alternative->fitted || !isfinite(behind) || relation(alternative, behind) != NULL ||
+        alternative->candidate == step->candidate)
+      continue;
+    if (shown == WORSE) {
+      more++;
+      continue;
     }
-    if (rival->fitted && winner != NULL && isfinite(rival->bic))
-      printf(", BIC %+.1f", rival->bic - winner->bic);
-    printf(", separation %.3g%s\n", rival->separation,
-           rival->incredible ? ", not a credible value" : "");
+    printf("  fitted and worse: ");
+    print_alternative(d, alternative);
+    printf(", BIC %s%+.1f\n", alternative->converged ? "" : "up to ", behind);
+    shown++;
+  }
+  if (more > 0) printf("  and %zu more that were fitted\n", more);
+}
+
+/* The effect's label, and what comes near the winner. */
+static void print_alternatives(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
+{
+  static const char *const label[] = {"certain", "one of a group",
+                                      "small, what it is cannot be known"};
+  const struct um_diagnosis_alternative *winner = &step->alternative[0];
+  if (!step->removed) printf("  %s\n", label[step->standing]);
+  for (size_t r = 1; r < step->nalternative; r++) {
+    const struct um_diagnosis_alternative *alternative = &step->alternative[r];
+    double behind = alternative->bic - winner->bic;
+    const char *how = relation(alternative, behind);
+    if (how == NULL) continue;
+    printf("  %s ", how);
+    print_alternative(d, alternative);
+    if (alternative->fitted && isfinite(behind)) printf(", BIC %+.1f", behind);
+    printf(", expected chi-square difference %.3g%s\n", alternative->chi2_difference,
+           alternative->implausible ? ", not a plausible value" : "");
   }
   if (step->by_prior) printf("  only the priors of the effects tell them apart\n");
 }
@@ -92,54 +158,86 @@ static void print_rivals(const struct um_diagnosis *d, const struct um_diagnosis
 static enum um_status print_step(struct um_context *context, const struct um_diagnosis *d, size_t s)
 {
   const struct um_diagnosis_step *step = &d->step[s];
-  const double *before = s == 0 ? d->value_before : um_diagnosis_step_values(d, step - 1);
+  const double *before = s == 0 ? d->value_before : um_diagnosis_report_step_values(d, step - 1);
   double dof_before = s == 0 ? d->dof : step[-1].dof;
   double reduced = s == 0 ? d->chi2_reduced : step[-1].chi2_reduced;
-  const double *after = um_diagnosis_step_values(d, step);
+  const double *after = um_diagnosis_report_step_values(d, step);
   printf("\nstep %zu: ", s + 1);
   print_name(step->addition.effect, step->addition.target);
   printf("%s\n", step->removed ? ", no longer needed at the end and taken out again" : "");
-  print_parameters(step->addition.effect, step->addition.value, step->sigma);
+  print_parameters(d, step->addition.effect, step->addition.target, step->addition.value,
+                   step->sigma);
   printf("  reduced chi-square %.4g -> %.4g, p %s%.2g, delta BIC %.4g, held-out chi-square %.4g -> "
          "%.4g\n",
          reduced, step->chi2_reduced, step->p_value < TINY ? "below " : "",
          fmax(step->p_value, TINY), step->delta_bic, step->held_out_before, step->held_out);
   if (before != NULL && after != NULL)
     UM_TRY(print_channels(context, d, before, dof_before, after, step->dof));
-  print_rivals(d, step);
+  print_alternatives(d, step);
+  print_worse(d, step);
   return UM_OK;
 }
 
-static void print_uses(const char *title, const struct um_diagnosis_addition *addition,
+static void print_uses(const struct um_diagnosis *d, const char *title,
+                       const struct um_model_addition *addition,
                        double (*sigma)[UM_EFFECT_PARAMETERS_MAX], size_t n)
 {
   for (size_t i = 0; i < n; i++) {
     printf("\n%s: ", title);
     print_name(addition[i].effect, addition[i].target);
     printf("\n");
-    print_parameters(addition[i].effect, addition[i].value, sigma[i]);
+    print_parameters(d, addition[i].effect, addition[i].target, addition[i].value, sigma[i]);
   }
 }
 
 /* ---- what is left ---- */
 
-static void print_next(const struct um_diagnosis_next *next)
+static void print_one_next(const struct um_diagnosis *d, const struct um_diagnosis_next *next)
 {
   char from[40], to[40];
-  if (next == NULL) return;
+  printf("  %s from %s: ", d->candidates->candidate[d->step[next->step].candidate].name,
+         d->candidates->candidate[next->candidate].name);
   if (next->what == NULL) {
-    printf("\nnext measurement: nothing that this scenario observes would tell them apart\n");
+    printf("nothing that this scenario observes%s%s\n",
+           next->told_apart_by != NULL ? "; told apart from " : "",
+           next->told_apart_by != NULL ? next->told_apart_by : "");
     return;
   }
   um_compare_time_text(next->from, from);
   um_compare_time_text(next->to, to);
-  printf("\nnext measurement: %s, %s to %s\n  a row of sigma %.3g %s there tells them apart by a "
-         "chi-square of %.3g\n",
+  printf("%s, %s to %s; a row of sigma %.3g %s there tells them apart by a chi-square of %.3g\n",
          next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
-         next->separation);
+         next->chi2_difference);
 }
 
-static void print_unexplained(const struct um_diagnosis_unexplained *u)
+static void print_next(const struct um_diagnosis *d)
+{
+  if (d->nnext > 0) printf("\nnext measurement, to tell\n");
+  for (size_t i = 0; i < d->nnext; i++) print_one_next(d, &d->next_of[i]);
+}
+
+static void print_superseded(const struct um_diagnosis *d)
+{
+  for (size_t i = 0; i < d->nsuperseded; i++) {
+    const struct um_diagnosis_superseded *s = &d->superseded[i];
+    printf("\ntaken over by others, BIC %+.1f%s: ", s->bic - d->bic_after,
+           s->alone ? " alone" : "");
+    print_name(s->addition.effect, s->addition.target);
+    printf("\n");
+    print_parameters(d, s->addition.effect, s->addition.target, s->addition.value, s->sigma);
+  }
+}
+
+static void print_residual(const struct um_missing_heat_residual *r)
+{
+  if (r->channel == NULL) return;
+  printf("residual: worst in %s, chi-square %.3g a row, in the mean %+.2g sigma", r->channel,
+         r->chi2_reduced, r->mean);
+  if (r->coordinate != NULL) printf(", goes with %s (p %.2g)", r->coordinate, r->p);
+  printf("\n");
+}
+
+static void print_unexplained(const struct um_missing_heat_unexplained *u)
 {
   if (u == NULL) return;
   printf("\nunexplained:");
@@ -147,10 +245,10 @@ static void print_unexplained(const struct um_diagnosis_unexplained *u)
   if (u->coordinate != NULL) printf(", goes with %s (p %.2g)", u->coordinate, u->p);
   printf("\n");
   for (size_t i = 0; i < u->nheat && i < 3; i++) {
-    const struct um_diagnosis_heat *h = &u->heat[i];
+    const struct um_missing_heat *h = &u->heat[i];
     char start[32], energy[80];
     um_orbit_time_format(h->start, start);
-    um_diagnosis_value_text(h->energy, h->energy_sigma, "+-", energy);
+    um_diagnosis_report_value_text(h->energy, h->energy_sigma, "+-", energy);
     printf("  %s %s: %s J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
            i == 0 && u->found ? "missing heat of"
            : i == 0           ? "at most heat of"
@@ -179,21 +277,26 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
                                       const struct um_diagnosis *diagnosis, const char *folder)
 {
   const struct um_diagnosis *d = diagnosis;
-  const struct um_diagnosis_forward *f = d->forward;
-  printf("%s against %s: %zu rows", f->model->scenario->name, f->measurements->path, f->nrow);
+  const struct um_sensitivity_forward *f = d->forward;
+  printf("%s against %s: %zu rows", f->model->scenario->name, f->measurements->path,
+         f->nobservation);
   if (d->candidates != NULL) printf(", %zu candidates", d->candidates->count);
   printf("\n\nbaseline: reduced chi-square %.4g (%.6g of %.6g degrees of freedom)\n",
          d->chi2_reduced, d->chi2, d->dof);
   UM_TRY(print_channels(context, d, d->value_before, d->dof, NULL, 0.0));
+  print_residual(&d->residual);
+  print_sampling(f);
   for (size_t s = 0; s < d->nstep; s++) UM_TRY(print_step(context, d, s));
   if (d->nstep == 0 && d->naddition > 0) { /* chosen, not found */
-    print_uses("fitted", d->addition, d->addition_sigma, d->naddition);
+    print_uses(d, "fitted", d->addition, d->addition_sigma, d->naddition);
     printf("  reduced chi-square %.4g -> %.4g\n", d->chi2_reduced, d->chi2_reduced_after);
     UM_TRY(print_channels(context, d, d->value_before, d->dof, d->value_after, d->dof_after));
   }
-  print_uses("fitted along", d->nuisance, d->nuisance_sigma, d->nnuisance);
-  print_next(d->next);
+  print_uses(d, "fitted along", d->nuisance, d->nuisance_sigma, d->nnuisance);
+  print_superseded(d);
+  print_next(d);
   print_unexplained(d->unexplained);
+  if (d->allowance) printf("\nwhat is left is not quite noise\n");
   printf("\nverdict: %s\n", um_diagnosis_verdict_name(d->verdict));
   print_wrapped(d->sentence != NULL ? d->sentence : "");
   printf("\n%zu model evaluations in the time of %.3g forward runs (%.3g s)\n", f->evaluations,

@@ -9,7 +9,7 @@ static void json_parameter(const struct um_effect_parameter *p)
   printf(", \"unit\": ");
   um_core_json_string(stdout, p->unit);
   printf(", \"default\": ");
-  um_core_json_number(stdout, p->fallback);
+  um_core_json_number(stdout, p->default_value);
   printf(", \"minimum\": ");
   um_core_json_number(stdout, p->minimum);
   printf(", \"maximum\": ");
@@ -71,13 +71,8 @@ static enum um_status print_one(struct um_context *context,
                                 const struct um_effects_registry *registry, const char *name,
                                 bool json)
 {
-  char names[2048];
   const struct um_effect *e = um_effects_registry_find(registry, name);
-  if (e == NULL) {
-    um_effects_registry_names(registry, names, sizeof names);
-    return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%s'; accepted: %s", name,
-                        names);
-  }
+  if (e == NULL) return um_effects_registry_refuse(context, registry, name);
   if (json) {
     json_effect(e);
     printf("\n");

@@ -15,10 +15,6 @@ static enum um_status fit(struct um_context *context, const struct um_app_option
 int um_app_fit(struct um_context *context, const struct um_app_options *options)
 {
   struct um_app_diagnosis work = {0};
-  if (options->nadd == 0) {
-    fputs("umbra: fit wants --add EFFECT[:TARGET], once or more\n", stderr);
-    return UM_APP_MISUSE;
-  }
   enum um_status status = fit(context, options, &work);
   um_app_diagnosis_release(context, &work);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

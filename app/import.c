@@ -11,10 +11,6 @@ int um_app_import(struct um_context *context, const struct um_app_options *optio
   enum um_status status;
   struct um_compare_measurements *m = NULL;
   struct um_compare_noise noise = {0};
-  if (options->out == NULL) {
-    fputs("umbra: import needs -o measured.csv\n", stderr);
-    return UM_APP_MISUSE;
-  }
   if (options->noise != NULL &&
       !um_app_noise_parse(options->noise, 0.0, &noise.relative, &noise.floor)) {
     fputs("umbra: --noise takes one number, or two with a comma between them\n", stderr);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "environment/environment.h"
 
 #define ROOM 300.0 /* temperature of the emittances [K] */
 
@@ -109,7 +110,11 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
   enum um_status status;
   char *folder = NULL;
   struct um_materials_library *library = NULL;
-  UM_CHECK(um_materials_library_create(context, &library));
+  struct um_environment environment;
+  struct um_materials_sun sun;
+  um_environment_defaults(&environment);
+  um_environment_sun_shares(&environment, &sun);
+  UM_CHECK(um_materials_library_create(context, &sun, &library));
   UM_CHECK(um_materials_library_folder(context, &folder));
   UM_CHECK(um_materials_library_read_folder(context, library, folder));
   if (options->npositional == 1) {

@@ -1,86 +1,66 @@
-/* The options of the command line, parsed once for all verbs. */
+/* The command line of a verb, parsed by getopt_long from the table of options. */
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "app/app.h"
 #include "core/csv.h"
+#include "core/words.h"
+
+#define OPTIONS_MAX 32 /* of one verb */
+#define FIRST_ID    256
 
 int um_app_misuse(const struct um_app_verb *verb, const char *format, const char *what)
 {
   fputs("umbra: ", stderr);
-  fprintf(stderr, format, what); /* NOLINT: formats are literals of this file */
+  fprintf(stderr, format, what); /* NOLINT: formats are literals */
   fputc('\n', stderr);
-  if (verb != NULL)
-    fprintf(stderr, "usage: %s\n", verb->usage);
-  else
+  if (verb != NULL) {
+    fputs("usage: ", stderr);
+    um_app_usage(stderr, verb);
+    fputc('\n', stderr);
+  } else {
     fputs("umbra --help lists the commands\n", stderr);
+  }
   return UM_APP_MISUSE;
 }
 
-enum option_id {
-  OUT = 256,
-  SET,
-  WITH,
-  WITHOUT,
-  EFFECT_FILE,
-  TIME,
-  BAND,
-  WIDTH,
-  SAMPLES,
-  NOISE,
-  SEED,
-  TEMPERATURES,
-  TEMPERATURE_SIGMA,
-  ONLY,
-  EXCLUDE,
-  NUISANCE,
-  ADD,
-  LEVEL,
-  STEPS,
-  FORCE,
-  JSON,
-  THERMAL,
-  OPTICS,
-  NO_PLOTS,
-  THREADS,
-  HELP
+/* What getopt_long wants to know of a verb. */
+struct grammar {
+  const struct um_app_option *option[OPTIONS_MAX];
+  struct option names[OPTIONS_MAX + 1]; /* val: FIRST_ID + index */
+  char letters[2 * OPTIONS_MAX + 3];
+  size_t count;
 };
-static const struct option long_options[] = {
-    {"out", required_argument, NULL, OUT},
-    {"set", required_argument, NULL, SET},
-    {"with", required_argument, NULL, WITH},
-    {"without", required_argument, NULL, WITHOUT},
-    {"effect-file", required_argument, NULL, EFFECT_FILE},
-    {"time", required_argument, NULL, TIME},
-    {"band", required_argument, NULL, BAND},
-    {"width", required_argument, NULL, WIDTH},
-    {"samples", required_argument, NULL, SAMPLES},
-    {"noise", required_argument, NULL, NOISE},
-    {"seed", required_argument, NULL, SEED},
-    {"temperatures", required_argument, NULL, TEMPERATURES},
-    {"temperature-sigma", required_argument, NULL, TEMPERATURE_SIGMA},
-    {"only", required_argument, NULL, ONLY},
-    {"exclude", required_argument, NULL, EXCLUDE},
-    {"nuisance", required_argument, NULL, NUISANCE},
-    {"add", required_argument, NULL, ADD},
-    {"level", required_argument, NULL, LEVEL},
-    {"steps", required_argument, NULL, STEPS},
-    {"force", no_argument, NULL, FORCE},
-    {"json", no_argument, NULL, JSON},
-    {"thermal", no_argument, NULL, THERMAL},
-    {"optics", no_argument, NULL, OPTICS},
-    {"no-plots", no_argument, NULL, NO_PLOTS},
-    {"threads", required_argument, NULL, THREADS},
-    {"help", no_argument, NULL, HELP},
-    {NULL, 0, NULL, 0}};
 
-static bool accepted(const struct um_app_verb *verb, const char *name)
+static void grammar_add(struct grammar *g, const char *list)
 {
-  size_t n = strlen(name);
-  for (const char *at = verb->accepts; (at = strstr(at, name)) != NULL; at += n)
-    if ((at == verb->accepts || at[-1] == ' ') && (at[n] == ' ' || at[n] == '\0')) return true;
-  return strcmp(name, "threads") == 0 || strcmp(name, "help") == 0;
+  const struct um_app_option *o;
+  while (g->count < OPTIONS_MAX && (o = um_app_option_next(&list)) != NULL) {
+    bool bare = o->argument == NULL;
+    g->names[g->count] = (struct option){o->name, bare ? no_argument : required_argument, NULL,
+                                         FIRST_ID + (int)g->count};
+    g->option[g->count++] = o;
+    size_t n = strlen(g->letters);
+    if (o->letter != 0)
+      snprintf(g->letters + n, sizeof g->letters - n, "%c%s", o->letter, bare ? "" : ":");
+  }
+}
+
+/* "+": stop at what is no option; ":": a missing value is told from an unknown option. */
+static void grammar_make(struct grammar *g, const struct um_app_verb *verb)
+{
+  *g = (struct grammar){.letters = "+:"};
+  grammar_add(g, verb->needs);
+  grammar_add(g, verb->accepts);
+  grammar_add(g, "threads help");
+}
+
+static const struct um_app_option *grammar_find(const struct grammar *g, int id)
+{
+  for (size_t i = 0; i < g->count; i++)
+    if (id == FIRST_ID + (int)i || (id != 0 && id == g->option[i]->letter)) return g->option[i];
+  return NULL;
 }
 
 static bool positive_integer(const char *text, int limit, int *out)
@@ -94,134 +74,146 @@ static bool positive_integer(const char *text, int limit, int *out)
 }
 
 /* One option into the struct; false when its value is refused. */
-static bool take(struct um_context *context, struct um_app_options *o, int id, const char *value)
+static bool take(struct um_context *context, struct um_app_options *options,
+                 const struct um_app_option *o, const char *value)
 {
+  void *at = (char *)options + o->at;
+  size_t *count = (size_t *)(void *)((char *)options + o->count);
   int threads = 0;
-  switch (id) {
-  case OUT:
-    o->out = value;
+  switch (o->takes) {
+  case UM_APP_FLAG:
+    *(bool *)at = true;
     return true;
-  case SET:
-    o->set[o->nset++] = value;
-    return strchr(value, '=') != NULL;
-  case WITH:
-    o->with[o->nwith++] = value;
+  case UM_APP_TEXT:
+    *(const char **)at = value;
     return true;
-  case WITHOUT:
-    o->without[o->nwithout++] = value;
-    return true;
-  case EFFECT_FILE:
-    o->effect_file[o->neffect_file++] = value;
-    return true;
-  case TIME:
-    o->time_utc = value;
-    return true;
-  case BAND:
-    o->band = value;
-    return true;
-  case WIDTH:
-    return positive_integer(value, 8192, &o->width);
-  case SAMPLES:
-    return positive_integer(value, 65536, &o->samples);
-  case NOISE:
-    o->noise = value;
-    return true;
-  case SEED:
-    o->seed = value;
-    return true;
-  case TEMPERATURES:
-    o->temperatures = value;
-    return true;
-  case TEMPERATURE_SIGMA:
-    o->temperature_sigma = value;
-    return true;
-  case ONLY:
-    o->only[o->nonly++] = value;
-    return true;
-  case EXCLUDE:
-    o->exclude[o->nexclude++] = value;
-    return true;
-  case NUISANCE:
-    o->nuisance[o->nnuisance++] = value;
-    return true;
-  case ADD:
-    o->add[o->nadd++] = value;
-    return true;
-  case LEVEL:
-    return um_core_number_parse(value, &o->level) && o->level > 0.0 && o->level < 1.0;
-  case STEPS:
-    return positive_integer(value, 20, &o->steps);
-  case FORCE:
-    o->force = true;
-    return true;
-  case JSON:
-    o->json = true;
-    return true;
-  case THERMAL:
-    o->thermal = true;
-    return true;
-  case OPTICS:
-    o->optics = true;
-    return true;
-  case NO_PLOTS:
-    o->no_plots = true;
-    return true;
-  case THREADS:
-    if (!positive_integer(value, 4096, &threads)) return false;
+  case UM_APP_LIST:
+    (*(const char ***)at)[(*count)++] = value;
+    return strcmp(o->id, "set") != 0 || strchr(value, '=') != NULL;
+  case UM_APP_NUMBER:
+    return positive_integer(value, o->most, at);
+  case UM_APP_SHARE:
+    return um_core_number_parse(value, at) && *(double *)at > 0.0 && *(double *)at < 1.0;
+  case UM_APP_THREADS:
+    if (!positive_integer(value, o->most, &threads)) return false;
     um_core_context_set_threads(context, threads);
     return true;
-  default:
-    return true;
+  case UM_APP_HELP:
+    break;
   }
+  return true;
+}
+
+/* An option that getopt_long did not take: of another verb, without its value, with one it does not
+ * take, or unknown. */
+static int refuse_option(const struct um_app_verb *verb, const struct grammar *g, int id,
+                         const char *typed)
+{
+  char what[200], name[64];
+  const struct um_app_option *known = grammar_find(g, optopt);
+  if (id == ':') return um_app_misuse(verb, "'%s' wants a value", typed);
+  if (known != NULL && known->argument == NULL)
+    return um_app_misuse(verb, "'%s': this option takes no value", typed);
+  if (strncmp(typed, "--", 2) != 0) return um_app_misuse(verb, "unknown option '%s'", typed);
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(typed + 2, "="), typed + 2);
+  if (um_app_option_find(name) != NULL)
+    return um_app_misuse(verb, "this command does not take --%s", name);
+  struct um_core_words_guess guess = {.written = name};
+  for (size_t i = 0; i < g->count; i++) um_core_words_consider(&guess, g->option[i]->name);
+  bool near = guess.nearest != NULL;
+  snprintf(what, sizeof what, "'--%s'%s%s%s", name, near ? "; did you mean '--" : "",
+           near ? guess.nearest : "", near ? "'?" : "");
+  return um_app_misuse(verb, "unknown or ambiguous option %s", what);
 }
 
 /* The next option, -1 for a positional argument at optind; behind "--" there are only those. */
-static int next_option(int argc, char **argv, bool *literal, int *index)
+static int next_option(int argc, char **argv, const struct grammar *g, bool *literal)
 {
   if (!*literal && optind < argc && strcmp(argv[optind], "--") == 0) {
     *literal = true;
     optind++;
   }
-  return *literal ? -1 : getopt_long(argc, argv, "+o:h", long_options, index);
+  return *literal ? -1 : getopt_long(argc, argv, g->letters, g->names, NULL);
 }
 
-/* The positional argument of that number, as the usage line calls it: behind "umbra verb ". */
-static int missing(const struct um_app_verb *verb, int number)
+/* How many positional arguments the verb takes and wants; the first that is missing. */
+static int check_arguments(const struct um_app_verb *verb, const struct um_app_options *o)
 {
-  char name[64];
-  const char *at = verb->usage + strlen("umbra ") + strlen(verb->name) + 1;
-  for (int i = 0; i < number; i++) at += strcspn(at, " ") + 1;
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(at, " "), at);
-  return um_app_misuse(verb, "%s is missing", name);
+  const char *list = verb->arguments;
+  char name[32];
+  bool optional;
+  for (int i = 0; um_app_argument_next(&list, name, &optional); i++)
+    if (i == o->npositional && !optional) return um_app_misuse(verb, "%s is missing", name);
+  return UM_APP_DONE;
+}
+
+/* Was an option given that takes a text or a list? */
+static bool is_given(const struct um_app_option *option, const struct um_app_options *o)
+{
+  const char *at = (const char *)o + (option->takes == UM_APP_LIST ? option->count : option->at);
+  if (option->takes == UM_APP_LIST) return *(const size_t *)(const void *)at > 0;
+  return *(const char *const *)(const void *)at != NULL;
+}
+
+/* Options without which the verb cannot work: all that are missing. */
+static int check_needed(const struct um_app_verb *verb, const struct um_app_options *o)
+{
+  const char *list = verb->needs;
+  char missing[200] = "";
+  const struct um_app_option *option;
+  while ((option = um_app_option_next(&list)) != NULL) {
+    size_t n = strlen(missing);
+    const char *comma = n > 0 ? ", " : "";
+    if (is_given(option, o)) continue;
+    if (option->letter != '\0')
+      snprintf(missing + n, sizeof missing - n, "%s-%c %s", comma, option->letter,
+               option->argument);
+    else
+      snprintf(missing + n, sizeof missing - n, "%s--%s %s", comma, option->name, option->argument);
+  }
+  return missing[0] != '\0' ? um_app_misuse(verb, "%s is missing", missing) : UM_APP_DONE;
+}
+
+static int arguments_most(const struct um_app_verb *verb)
+{
+  const char *list = verb->arguments;
+  char name[32];
+  bool optional;
+  int n = 0;
+  while (um_app_argument_next(&list, name, &optional)) n++;
+  return n;
 }
 
 int um_app_options_parse(struct um_context *context, const struct um_app_verb *verb, int argc,
                          char **argv, struct um_app_options *o)
 {
-  int id, index = 0;
+  struct grammar g;
+  int id, most = arguments_most(verb);
   bool literal = false;
+  grammar_make(&g, verb);
   opterr = 0;
   optind = 2;
-  while ((id = next_option(argc, argv, &literal, &index)) != -1 || optind < argc) {
+  for (;;) {
+    const char *typed = optind < argc ? argv[optind] : "";
+    id = next_option(argc, argv, &g, &literal);
+    if (id == -1 && optind >= argc) break;
     if (id == -1) { /* options may follow it */
-      if (o->npositional == verb->npositional_max)
+      if (o->npositional == most)
         return um_app_misuse(verb, "too many arguments: '%s'", argv[optind]);
       o->positional[o->npositional++] = argv[optind++];
       continue;
     }
-    if (id == '?')
-      return um_app_misuse(verb, "unknown option or missing value: '%s'", argv[optind - 1]);
-    const char *name = id == 'o' ? "out" : id == 'h' ? "help" : long_options[index].name;
-    if (id == 'h' || id == HELP) {
-      printf("%s\n  %s\n", verb->usage, verb->summary);
+    const struct um_app_option *option = grammar_find(&g, id);
+    if (option == NULL) return refuse_option(verb, &g, id, typed);
+    if (option->takes == UM_APP_HELP) {
+      um_app_help_verb(stdout, verb);
       return -1;
     }
-    if (!accepted(verb, name)) return um_app_misuse(verb, "this command does not take --%s", name);
-    if (!take(context, o, id == 'o' ? OUT : id, optarg))
+    if (!take(context, o, option, optarg))
       return um_app_misuse(verb, "value of an option not understood: '%s'", optarg);
   }
-  if (o->npositional < verb->npositional_min) return missing(verb, o->npositional);
-  return UM_APP_DONE;
+  int code = check_arguments(verb, o);
+  return code == UM_APP_DONE ? check_needed(verb, o) : code;
 }
 
 bool um_app_options_allocate(struct um_app_options *options, int argc)

@@ -7,6 +7,11 @@
 #include "core/file.h"
 #include "orbit/time.h"
 
+static bool is_named(const struct um_compare_period *p)
+{
+  return p->false_alarm < UM_COMPARE_PERIOD_LEVEL;
+}
+
 static void print_report(const struct um_compare_period_report *r, const char *folder)
 {
   printf("%-28s %14s %12s %8s %12s  %s\n", "light curve", "period [s]", "sigma [s]", "power",
@@ -17,9 +22,20 @@ static void print_report(const struct um_compare_period_report *r, const char *f
     char name[80], epoch[32];
     snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(of->quantity), of->of);
     um_orbit_time_format(p->epoch, epoch);
-    printf("%-28s %14.6g %12.2g %8.3f %12.2g  %s\n", name, p->period, p->period_sigma,
-           p->best_power, p->false_alarm, epoch);
+    if (is_named(p))
+      printf("%-28s %14.6g %12.2g %8.3f %12.2g  %s\n", name, p->period, p->period_sigma,
+             p->best_power, p->false_alarm, epoch);
+    else
+      printf("%-28s %14s %12s %8.3f %12.2g  no period: noise peaks as high (at %.4g s)\n", name,
+             "-", "-", p->best_power, p->false_alarm, p->period);
+    if (p->red > 0.0)
+      printf("%28s red noise: %.2g times the white variance, correlated over %.3g s\n", "", p->red,
+             p->red_time);
   }
+  printf("a trend of every track (polynomial, up to the seventh degree) is taken out; two turns in "
+         "the "
+         "longest track is the slowest looked for; named below a false alarm of %g\n",
+         UM_COMPARE_PERIOD_LEVEL);
   printf("the light of a tumbling body often repeats twice or more a turn: look at 2 and 4 times "
          "the period too\n");
   printf("results in %s\n", folder);
@@ -36,8 +52,14 @@ static void print_json(const struct um_compare_period_report *r)
     printf("%s{\"quantity\": \"%s\", \"of\": ", i > 0 ? ", " : "",
            um_compare_quantity_name(of->quantity));
     um_core_json_string(stdout, of->of);
-    printf(", \"period_s\": ");
+    printf(", \"named\": %s, \"period_s\": ", is_named(p) ? "true" : "false");
+    um_core_json_number(stdout, is_named(p) ? p->period : (double)NAN);
+    printf(", \"highest_peak_s\": ");
     um_core_json_number(stdout, p->period);
+    printf(", \"red_noise\": ");
+    um_core_json_number(stdout, p->red);
+    printf(", \"red_noise_time_s\": ");
+    um_core_json_number(stdout, p->red_time);
     printf(", \"sigma_s\": ");
     um_core_json_number(stdout, p->period_sigma);
     printf(", \"power\": ");

@@ -4,10 +4,8 @@
 #include <sys/stat.h>
 
 #include "app/app.h"
+#include "orbit/time.h"
 #include "output/output.h"
-
-#define DEFAULT_WIDTH   512
-#define DEFAULT_SAMPLES 16
 
 /* The scenario's overrides plus the one instant that is wanted. */
 static enum um_status overrides_of(struct um_context *context, const struct um_app_options *options,
@@ -26,25 +24,27 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
                              struct um_model *model)
 {
   enum um_status status;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   struct um_optics_image *image = NULL;
-  size_t band = um_model_band_find(model, options->band);
-  if (band == (size_t)-1)
-    return um_core_fail(context, UM_ERR_INPUT, "--band %s: %s has no such band", options->band,
-                        model->scenario->at.file);
-  UM_CHECK(um_model_trace_create(context, model, &trace));
-  UM_CHECK(um_model_run(context, model, trace, &result));
-  UM_CHECK(um_model_picture(context, model, trace, result, 0, band,
-                            options->width > 0 ? options->width : DEFAULT_WIDTH,
-                            options->samples > 0 ? options->samples : DEFAULT_SAMPLES, &image));
+  size_t band;
+  if (um_model_band_require(context, model, options->band, &band) != UM_OK) {
+    um_core_message_prefix(context, "--band %s", options->band);
+    return UM_ERR_INPUT;
+  }
+  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  UM_CHECK(um_model_run(context, model, precomputed, &result));
+  UM_CHECK(um_model_picture(context, model, precomputed, result, 0, band,
+                            options->width > 0 ? options->width : UM_APP_RENDER_WIDTH,
+                            options->samples > 0 ? options->samples : UM_APP_RENDER_SAMPLES,
+                            &image));
   UM_CHECK(um_output_write_exr(context, image, options->out));
   printf("%s: %d x %d pixels of %.4g m, %zu wavelengths\n", options->out, image->width,
          image->height, image->pixel_size, image->nbin);
 done:
   um_optics_image_destroy(context, &image);
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   return status;
 }
 
@@ -70,16 +70,21 @@ static enum um_status check_target(struct um_context *context, const struct um_a
                       out, there ? "is a folder" : "there is no such folder");
 }
 
+static enum um_status check_time(struct um_context *context, const char *utc)
+{
+  double unused;
+  enum um_status status = um_orbit_time_parse(context, utc, &unused);
+  if (status == UM_ERR_INPUT) um_core_message_prefix(context, "--time");
+  return status;
+}
+
 int um_app_render(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_model *model = NULL;
   const char **overrides = NULL;
   char *at[2] = {NULL, NULL};
-  if (options->time_utc == NULL || options->band == NULL || options->out == NULL) {
-    fputs("umbra: render needs --time UTC, --band NAME and -o image.exr\n", stderr);
-    return UM_APP_MISUSE;
-  }
+  UM_CHECK(check_time(context, options->time_utc));
   UM_CHECK(check_target(context, options));
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(overrides_of(context, options, &overrides, at));

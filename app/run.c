@@ -12,6 +12,7 @@
 
 #define PANEL_COLUMNS 3
 #define PANEL_WIDTH   320 /* pixels */
+#define CAPTION       64  /* [bytes] of a panel's, its end included */
 
 /* Radiant energy toward the observer per material over the run, one band [W s/sr]. */
 static void material_energy(const struct um_model_result *r, size_t band, double *out)
@@ -33,7 +34,7 @@ struct band_summary {
   double umbra_low; /* their lowest total [W/sr] */
 };
 
-static struct band_summary band_summary(const struct um_model_trace *trace,
+static struct band_summary band_summary(const struct um_model_precomputed *precomputed,
                                         const struct um_model_result *r, size_t band)
 {
   struct band_summary s = {INFINITY, 0.0, 0.0, 0, 0.0, INFINITY};
@@ -42,7 +43,7 @@ static struct band_summary band_summary(const struct um_model_trace *trace,
     s.low = fmin(s.low, total);
     s.high = fmax(s.high, total);
     if (total > 0.0) s.error = fmax(s.error, r->standard_error[k * r->nband + band] / total);
-    if (trace->sunlit[k] > 0.0) continue;
+    if (precomputed->sunlit[k] > 0.0) continue;
     s.umbra++;
     s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
     s.umbra_low = fmin(s.umbra_low, total);
@@ -53,7 +54,7 @@ static struct band_summary band_summary(const struct um_model_trace *trace,
 static void print_band(const struct um_output_run *run, size_t band, double *energy)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->trace, r, band);
+  struct band_summary s = band_summary(run->precomputed, r, band);
   double sum = 0.0;
   size_t best = 0;
   printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
@@ -77,7 +78,7 @@ static void print_band(const struct um_output_run *run, size_t band, double *ene
 static void json_band(const struct um_output_run *run, size_t band, double *energy)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->trace, r, band);
+  struct band_summary s = band_summary(run->precomputed, r, band);
   double sum = 0.0;
   printf("{\"name\": ");
   um_core_json_string(stdout, run->model->band[band].name);
@@ -113,12 +114,14 @@ static void place_summary(const struct um_model_result *r, size_t place, double 
   }
 }
 
-static double orbits_of(const struct um_model_trace *trace)
+static double orbits_of(const struct um_model_precomputed *precomputed)
 {
-  return (trace->loads->t[trace->loads->ntime - 1] - trace->t_start) / trace->period;
+  return (precomputed->loads->t[precomputed->loads->ntime - 1] - precomputed->t_start) /
+         precomputed->period;
 }
 
-static void print_heat(const struct um_model_trace *trace, const struct um_model_result *r)
+static void print_heat(const struct um_model_precomputed *precomputed,
+                       const struct um_model_result *r)
 {
   printf("%-24s %10s %10s %10s %14s\n", "temperatures [K]", "mean", "lowest", "highest",
          "drift/orbit");
@@ -133,7 +136,7 @@ static void print_heat(const struct um_model_trace *trace, const struct um_model
   }
   const struct um_thermal_heat *a = &r->audit;
   printf("energy audit");
-  if (!isnan(trace->period)) printf(" over %.2f orbits", orbits_of(trace));
+  if (!isnan(precomputed->period)) printf(" over %.2f orbits", orbits_of(precomputed));
   printf(": in %.6g J, out %.6g J, stored %.6g J, error %.1e of the turnover (limit 1e-6)\n",
          a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
 }
@@ -158,14 +161,14 @@ static void json_heat(const struct um_model_result *r)
 
 /* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
  * the last band; where these coincide, the middle of a third of the run. In order of time. */
-static void choose_instants(const struct um_model_trace *trace, const struct um_model_result *r,
-                            size_t k[PANEL_COLUMNS])
+static void choose_instants(const struct um_model_precomputed *precomputed,
+                            const struct um_model_result *r, size_t k[PANEL_COLUMNS])
 {
   size_t longest = 0, n = r->nobs;
   for (size_t c = 0; c < PANEL_COLUMNS; c++) k[c] = n * (2 * c + 1) / (2 * PANEL_COLUMNS);
   for (size_t i = 0; i < n; i++) {
     size_t end = i;
-    while (end < n && !(trace->sunlit[end] > 0.0)) end++;
+    while (end < n && !(precomputed->sunlit[end] > 0.0)) end++;
     if (end - i > longest) {
       longest = end - i;
       k[0] = i + longest / 2;
@@ -190,6 +193,15 @@ static void choose_instants(const struct um_model_trace *trace, const struct um_
       }
 }
 
+/* "2016-09-21 20:36:59 UTC, in shadow" */
+static void caption(const struct um_model_precomputed *precomputed, size_t k, char out[CAPTION])
+{
+  char time[32];
+  um_orbit_time_format(precomputed->t_obs[k], time);
+  snprintf(out, CAPTION, "%.10s %.8s UTC%s", time, time + 11,
+           precomputed->sunlit[k] > 0.0 ? "" : ", in shadow");
+}
+
 static enum um_status pictures(struct um_context *context, const struct um_output_run *run,
                                const char *folder)
 {
@@ -197,20 +209,22 @@ static enum um_status pictures(struct um_context *context, const struct um_outpu
   size_t nband = run->model->nband, n = nband * PANEL_COLUMNS;
   struct um_output_panel *panels = NULL;
   struct um_optics_image **images = NULL;
-  char(*captions)[32] = NULL;
+  char(*captions)[CAPTION] = NULL;
   UM_TRY(um_core_allocate(context, n, sizeof *panels, &panels));
   UM_CHECK(um_core_allocate(context, n, sizeof *images, &images));
   UM_CHECK(um_core_allocate(context, PANEL_COLUMNS, sizeof *captions, &captions));
   size_t instant[PANEL_COLUMNS];
-  choose_instants(run->trace, run->result, instant);
+  choose_instants(run->precomputed, run->result, instant);
   for (size_t c = 0; c < PANEL_COLUMNS; c++) {
     size_t k = instant[c];
-    um_orbit_time_format(run->trace->t_obs[k], captions[c]);
+    caption(run->precomputed, k, captions[c]);
     for (size_t b = 0; b < nband; b++) {
-      UM_CHECK(um_model_picture(context, run->model, run->trace, run->result, k, b, PANEL_WIDTH, 4,
-                                &images[b * PANEL_COLUMNS + c]));
+      UM_CHECK(um_model_picture(context, run->model, run->precomputed, run->result, k, b,
+                                PANEL_WIDTH, 4, &images[b * PANEL_COLUMNS + c]));
       panels[b * PANEL_COLUMNS + c] = (struct um_output_panel){
-          images[b * PANEL_COLUMNS + c], run->model->band[b].name, captions[c]};
+          images[b * PANEL_COLUMNS + c],
+          &run->precomputed->sample[k * run->precomputed->nsub + run->precomputed->nsub / 2],
+          &run->model->band[b], captions[c]};
     }
   }
   UM_CHECK(um_output_plot_panels(context, panels, nband, PANEL_COLUMNS, folder));
@@ -222,13 +236,33 @@ done:
   return status;
 }
 
+static size_t hidden_count(const struct um_model_precomputed *precomputed)
+{
+  size_t n = 0;
+  for (size_t k = 0; k < precomputed->nobs; k++) n += precomputed->hidden[k];
+  return n;
+}
+
 static void print_run(const struct um_output_run *run, const char *folder, double *energy)
 {
   const struct um_model_result *r = run->result;
   printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
          run->model->scenario->name, r->nobs, r->nsurface, r->nnode, r->steps);
-  print_heat(run->trace, r);
+  print_heat(run->precomputed, r);
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) print_band(run, b, energy);
+  const struct um_model *model = run->model;
+  if (!isnan(model->orbit_error))
+    printf("two-line elements %.1f days %s: %.2g km, %.2g s of error along the track expected "
+           "(1 sigma)\n",
+           fabs(model->orbit_age) / 86400.0, model->orbit_age >= 0.0 ? "old" : "ahead",
+           1e-3 * model->orbit_error, model->orbit_delay);
+  size_t hidden = hidden_count(run->precomputed);
+  if (hidden > 0)
+    printf("%zu of %zu observations are not seen, %s: no irradiance and no magnitude is given\n",
+           hidden, r->nobs,
+           run->model->observer.kind == UM_OBSERVER_STATION
+               ? "the satellite being below the horizon"
+               : "the Earth being in between");
   printf("results in %s\n", folder);
 }
 
@@ -239,9 +273,12 @@ static void json_run(const struct um_output_run *run, const char *folder, double
   um_core_json_string(stdout, run->model->scenario->name);
   printf(", \"folder\": ");
   um_core_json_string(stdout, folder);
-  printf(",\n  \"observations\": %zu, \"surfaces\": %zu, \"heat_nodes\": %zu, "
-         "\"integrator_steps\": %zu",
-         r->nobs, r->nsurface, r->nnode, r->steps);
+  printf(",\n  \"observations\": %zu, \"hidden_observations\": %zu, \"surfaces\": %zu, "
+         "\"heat_nodes\": %zu, \"integrator_steps\": %zu",
+         r->nobs, hidden_count(run->precomputed), r->nsurface, r->nnode, r->steps);
+  um_core_json_field(stdout, ",\n  ", "orbit_age_days", run->model->orbit_age / 86400.0);
+  um_core_json_field(stdout, ", ", "orbit_error_km", 1e-3 * run->model->orbit_error);
+  um_core_json_field(stdout, ", ", "orbit_error_s", run->model->orbit_delay);
   json_heat(r);
   printf(",\n  \"bands\": [");
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) {
@@ -276,24 +313,22 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   enum um_status status;
   struct um_output_run run = {.command = options->command, .version = UM_APP_VERSION};
   struct um_model *model = NULL;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
   double began = seconds(), traced, computed;
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
-  if (options->out != NULL)
-    UM_CHECK(um_core_strdup(context, options->out, &out));
-  else
-    UM_CHECK(um_core_asprintf(context, &out, "out/%s", model->scenario->name));
+  UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_model_trace_create(context, model, &trace));
+  UM_CHECK(um_model_precompute(context, model, &precomputed));
   traced = seconds();
-  UM_CHECK(um_model_run(context, model, trace, &result));
+  UM_CHECK(um_model_run(context, model, precomputed, &result));
   computed = seconds();
+  run.context = context;
   run.model = model;
-  run.trace = trace;
+  run.precomputed = precomputed;
   run.result = result;
   if (!options->no_plots && model->has_observer)
     UM_CHECK(pictures(context, &run, um_core_folder_path(folder)));
@@ -307,7 +342,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
 done:
   um_core_folder_abort(&folder);
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
   um_core_free(context, out);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

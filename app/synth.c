@@ -10,9 +10,7 @@
 #include "compare/compare.h"
 #include "core/csv.h"
 
-#define DEFAULT_FLOOR             1e-3               /* of the peak */
-#define DEFAULT_TEMPERATURE_SIGMA 0.5                /* [K] */
-#define SEED_MAX                  9007199254740992.0 /* 2^53: whole numbers that a double holds */
+#define SEED_MAX 9007199254740992.0 /* 2^53: whole numbers that a double holds */
 
 /* A list "a,b" cut in place; names borrow from it. */
 static enum um_status split_places(struct um_context *context, char *list, const char ***out,
@@ -38,15 +36,13 @@ static int misuse(const char *what)
 static int read_options(const struct um_app_options *options, struct um_compare_synth *o)
 {
   double seed;
-  if (options->out == NULL || options->noise == NULL || options->seed == NULL)
-    return misuse("synth needs --noise REL[,FLOOR], --seed N and -o measured.csv");
-  if (!um_app_noise_parse(options->noise, DEFAULT_FLOOR, &o->relative, &o->floor))
+  if (!um_app_noise_parse(options->noise, UM_APP_FLOOR, &o->relative, &o->floor))
     return misuse("--noise takes one number, or two with a comma between them");
   if (!um_core_number_parse(options->seed, &seed) || !(seed >= 0.0 && seed <= SEED_MAX) ||
       seed != floor(seed))
     return misuse("--seed takes a whole number from 0 to 2^53");
   o->seed = (uint64_t)seed;
-  o->temperature_sigma = DEFAULT_TEMPERATURE_SIGMA;
+  o->temperature_sigma = UM_APP_TEMPERATURE_SIGMA;
   if (options->temperature_sigma != NULL &&
       !um_core_number_parse(options->temperature_sigma, &o->temperature_sigma))
     return misuse("--temperature-sigma takes a number [K]");
@@ -67,17 +63,19 @@ static enum um_status make(struct um_context *context, const struct um_app_optio
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_compare_synth_check(context, model, o));
-  UM_CHECK(um_model_trace_create(context, model, &trace));
-  UM_CHECK(um_model_run(context, model, trace, &result));
-  UM_CHECK(um_compare_synth_create(context, model, trace, result, o, options->out, out));
+  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  struct um_compare_synth looked_at = *o;
+  UM_CHECK(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
+                             um_compare_synth_share, &looked_at, &result, NULL));
+  UM_CHECK(um_compare_synth_create(context, model, precomputed, result, o, options->out, out));
 done:
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
   return status;
 }

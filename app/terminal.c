@@ -1,11 +1,15 @@
 /* Log and progress on the terminal: a bar with the time left, nothing of it in a pipe; Ctrl-C. */
 #include "app/terminal.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+
+#include "app/app.h"
 
 #define BAR_WIDTH 28
 
@@ -14,14 +18,28 @@ struct progress {
   double began, drawn; /* [s] */
 };
 
-/* Set by SIGINT and SIGTERM: the work stops at its next step and takes its unfinished results away.
- * A second signal ends the process at once. */
-static volatile sig_atomic_t interrupted;
+/* SIGINT and SIGTERM: the work stops at its next step and takes its unfinished results away. What
+ * one call into a foreign library keeps longer than PATIENCE ends with the process, whose children
+ * die with it and whose unfinished folder the next run removes. A second signal ends the process at
+ * once. */
+#define PATIENCE 1.0 /* [s] */
+
+static atomic_int interrupted; /* the signal's number */
+static timer_t deadline;
+static bool has_deadline;
 
 static void interrupt(int signal_number)
 {
+  static const struct itimerspec patience = {
+      .it_value = {(time_t)PATIENCE, (long)((PATIENCE - (double)(time_t)PATIENCE) * 1e9)}};
+  atomic_store(&interrupted, signal_number);
+  if (has_deadline) (void)timer_settime(deadline, 0, &patience, NULL);
+}
+
+static void give_up(int signal_number)
+{
   (void)signal_number;
-  interrupted = 1;
+  _exit(UM_APP_SIGNAL + atomic_load(&interrupted));
 }
 
 static void listen(int signal_number)
@@ -31,6 +49,34 @@ static void listen(int signal_number)
   /* a signal that the caller has switched off stays off */
   if (sigaction(signal_number, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
     (void)sigaction(signal_number, &action, NULL);
+}
+
+static void listen_all(void)
+{
+  struct sigaction alarm_action = {.sa_handler = give_up}, ignore = {.sa_handler = SIG_IGN};
+  struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGALRM};
+  has_deadline = sigaction(SIGALRM, &alarm_action, NULL) == 0 &&
+                 timer_create(CLOCK_MONOTONIC, &event, &deadline) == 0;
+  /* a file that reaches its largest size is an error of its write */
+  (void)sigaction(SIGXFSZ, &ignore, NULL);
+  listen(SIGINT);
+  listen(SIGTERM);
+}
+
+static bool stop(void *self)
+{
+  (void)self;
+  return atomic_load_explicit(&interrupted, memory_order_relaxed) != 0;
+}
+
+int um_app_terminal_signal(void) { return atomic_load(&interrupted); }
+
+void um_app_terminal_open_standard(void)
+{
+  int fd;
+  do fd = open("/dev/null", O_RDWR);
+  while (fd >= 0 && fd <= STDERR_FILENO);
+  if (fd >= 0) close(fd);
 }
 
 static double now(void)
@@ -60,7 +106,8 @@ static void log_line(void *self, enum um_core_log_level level, const char *line)
 static bool draw(void *self, const char *task, size_t done, size_t total)
 {
   struct progress *p = self;
-  if (interrupted || !isatty(STDERR_FILENO)) return !interrupted;
+  if (stop(NULL)) return false;
+  if (!isatty(STDERR_FILENO)) return true;
   double t = now();
   if (p->task != task || done == 0) {
     p->task = task;
@@ -90,6 +137,6 @@ void um_app_terminal_attach(struct um_context *context)
   static struct progress progress; /* one terminal, one bar */
   um_core_log_set_sink(context, log_line, NULL);
   um_core_progress_set_sink(context, draw, &progress);
-  listen(SIGINT);
-  listen(SIGTERM);
+  um_core_context_set_stop(context, stop, NULL);
+  listen_all();
 }

@@ -5,8 +5,15 @@
 #include "core/context.h"
 
 /* Warnings and errors go to stderr always, information and a progress bar with the time left only
- * when stderr is a terminal. SIGINT and SIGTERM cancel work at its next step of progress. */
+ * when stderr is a terminal. SIGINT and SIGTERM stop the work through the context's stop; where
+ * nothing asks for 1 s the process ends all the same. SIGXFSZ is ignored, so that a file too
+ * large is an error. */
 void um_app_terminal_attach(struct um_context *context);
+/* The signal that asked to stop, or 0. */
+int um_app_terminal_signal(void);
+/* /dev/null where the caller has closed stdin, stdout or stderr, so that no file or pipe of ours
+ * gets their numbers. Before anything is opened. */
+void um_app_terminal_open_standard(void);
 /* Remove a progress bar from the line. */
 void um_app_terminal_clear(void);
 

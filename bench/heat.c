@@ -48,7 +48,7 @@ static const struct size sizes[SIZES] = {
 struct satellite {
   struct um_geometry *geometry;
   struct um_thermal_body *body;
-  struct um_thermal_loads *loads;
+  struct um_irradiation_loads *loads;
   double period; /* [s] */
 };
 
@@ -135,8 +135,8 @@ static void loads_trace(const struct bench *bench, struct satellite *s)
     sample[k].sunlit_fraction = um_environment_sunlit_fraction(
         &environment, sample[k].r, sample[k].sun, UM_AU, sample[k].pole);
   }
-  bench_must(bench, um_thermal_loads_trace(bench->context, s->geometry, &environment, sample, n,
-                                           edge, 2, 1, &s->loads));
+  bench_must(bench, um_irradiation_loads_trace(bench->context, s->geometry, &environment, sample, n,
+                                               edge, 2, 1, &s->loads));
 }
 
 /* Bytes of an evaluation of the rate when every array passes once. */
@@ -283,7 +283,7 @@ static double size_figures(struct bench *bench, const struct size *size, double 
   um_thermal_history_destroy(bench->context, &history);
   if (first) error_figure(bench, &s);
   if (first) periodic_figures(bench, &s, bench_median(&time));
-  um_thermal_loads_destroy(bench->context, &s.loads);
+  um_irradiation_loads_destroy(bench->context, &s.loads);
   um_thermal_body_destroy(bench->context, &s.body);
   um_geometry_destroy(&s.geometry);
   return per_node;

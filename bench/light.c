@@ -4,14 +4,14 @@
  *   spectra factor out     the light curve in 2000 bins against the same in one bin, alone and with
  *                          the tracing of the view that both need; with inter-reflection too,
  *                          whose paths do carry spectra
- *   geometry once          heat and light on a traced timeline against trace and run
- *   threads                view and light curve on two threads against one; the same bytes
+ *   geometry once          heat and light on a traced timeline against geometry precomputation and
+ * run threads                view and light curve on two threads against one; the same bytes
  *
  * Goals. 2000 bins: with the view twice one bin ("hardly more than one"), alone 20 times, a
- * hundredth of 2000 runs. Rerun a fifth of trace and run, so that a study of a thousand points is a
- * study of heat balances; light alone a fiftieth. Two threads 0.6 of one, 0.5 being the best there
- * is. Error: bands of 80 bins, as the scenario has them, within 0.1 % of 1000. Time of this thread
- * where there is one; the wall clock of two says little on a busy machine. */
+ * hundredth of 2000 runs. Rerun a fifth of geometry precomputation and run, so that a study of a
+ * thousand points is a study of heat balances; light alone a fiftieth. Two threads 0.6 of one, 0.5
+ * being the best there is. Error: bands of 80 bins, as the scenario has them, within 0.1 % of 1000.
+ * Time of this thread where there is one; the wall clock of two says little on a busy machine. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -28,7 +28,7 @@
 struct pass {
   double trace_time, run_time; /* [s] */
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
   float *albedo, *view_factor; /* [nobs][nsurface] */
   struct um_optics_scene scene;
@@ -47,25 +47,25 @@ static void pass_create(const struct bench *bench, struct pass *pass)
   struct um_context *context = bench->context;
   bench_must(bench, um_model_create(context, SCENARIO, &options, &pass->model));
   double a = now(bench);
-  bench_must(bench, um_model_trace_create(context, pass->model, &pass->trace));
+  bench_must(bench, um_model_precompute(context, pass->model, &pass->precomputed));
   double b = now(bench);
-  bench_must(bench, um_model_run(context, pass->model, pass->trace, &pass->result));
+  bench_must(bench, um_model_run(context, pass->model, pass->precomputed, &pass->result));
   pass->trace_time = b - a;
   pass->run_time = now(bench) - b;
-  const struct um_model_trace *trace = pass->trace;
-  size_t n = trace->nobs, nsurface = trace->loads->nsurface;
+  const struct um_model_precomputed *precomputed = pass->precomputed;
+  size_t n = precomputed->nobs, nsurface = precomputed->loads->nsurface;
   pass->albedo = bench_allocate(bench, n * nsurface, sizeof(float));
   pass->view_factor = bench_allocate(bench, n * nsurface, sizeof(float));
   for (size_t k = 0; k < n; k++) {
-    size_t row = trace->load_row[k] * nsurface;
-    memcpy(pass->albedo + k * nsurface, trace->loads->albedo + row, nsurface * sizeof(float));
-    memcpy(pass->view_factor + k * nsurface, trace->loads->view_factor + row,
+    size_t row = precomputed->load_row[k] * nsurface;
+    memcpy(pass->albedo + k * nsurface, precomputed->loads->albedo + row, nsurface * sizeof(float));
+    memcpy(pass->view_factor + k * nsurface, precomputed->loads->view_factor + row,
            nsurface * sizeof(float));
   }
   pass->scene = (struct um_optics_scene){.geometry = pass->model->geometry,
                                          .environment = &pass->model->environment,
-                                         .samples = trace->sample,
-                                         .view = trace->view,
+                                         .samples = precomputed->sample,
+                                         .view = precomputed->view,
                                          .material = pass->model->material,
                                          .temperature = pass->result->surface_temperature,
                                          .albedo = pass->albedo,
@@ -78,7 +78,7 @@ static void pass_destroy(const struct bench *bench, struct pass *pass)
   um_core_free(context, pass->albedo);
   um_core_free(context, pass->view_factor);
   um_model_result_destroy(context, &pass->result);
-  um_model_trace_destroy(context, &pass->trace);
+  um_model_precomputed_destroy(context, &pass->precomputed);
   um_model_destroy(context, &pass->model);
 }
 
@@ -112,8 +112,9 @@ static double view_time(const struct bench *bench, const struct pass *pass)
 {
   struct um_optics_view *view = NULL;
   double began = now(bench);
-  bench_must(bench, um_optics_view_trace(bench->context, pass->model->geometry, pass->trace->sample,
-                                         pass->trace->nobs, SAMPLES, &view));
+  bench_must(bench,
+             um_optics_view_trace(bench->context, pass->model->geometry, pass->precomputed->sample,
+                                  pass->precomputed->nobs, SAMPLES, &view));
   double time = now(bench) - began;
   um_optics_view_destroy(bench->context, &view);
   return time;
@@ -170,7 +171,7 @@ static void rerun_figures(struct bench *bench, const struct pass *pass)
     double run = pass->run_time;
     if (i > 0) {
       double began = now(bench);
-      bench_must(bench, um_model_run(bench->context, pass->model, pass->trace, &result));
+      bench_must(bench, um_model_run(bench->context, pass->model, pass->precomputed, &result));
       run = now(bench) - began;
       um_model_result_destroy(bench->context, &result);
     }
@@ -216,9 +217,10 @@ int main(int argc, char **argv)
   struct pass pass = {0};
   bench_begin(&bench, argc, argv, "light: ENVISAT's pass, one thread where none are named");
   pass_create(&bench, &pass);
-  bench_number(&bench, "observations", "1", (double)pass.trace->nobs, NAN, NAN);
-  bench_number(&bench, "surfaces", "1", (double)pass.trace->loads->nsurface, NAN, NAN);
-  bench_number(&bench, "rows of the heat loads", "1", (double)pass.trace->loads->ntime, NAN, NAN);
+  bench_number(&bench, "observations", "1", (double)pass.precomputed->nobs, NAN, NAN);
+  bench_number(&bench, "surfaces", "1", (double)pass.precomputed->loads->nsurface, NAN, NAN);
+  bench_number(&bench, "rows of the heat loads", "1", (double)pass.precomputed->loads->ntime, NAN,
+               NAN);
   spectra_figures(&bench, &pass);
   error_figure(&bench, &pass);
   rerun_figures(&bench, &pass);

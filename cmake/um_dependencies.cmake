@@ -9,7 +9,6 @@ pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)
-pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
 list(APPEND CMAKE_MODULE_PATH /usr/share/cmake/geographiclib)

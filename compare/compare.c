@@ -3,15 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/compare_impl.h"
+#include "compare/compare.h"
 #include "compare/correlation_impl.h"
+#include "compare/intervals_impl.h"
 #include "compare/series.h"
-
-double um_compare_normalised(const struct um_compare_comparison *comparison, size_t row)
-{
-  double sigma = comparison->sigma[row];
-  return isnan(sigma) ? comparison->residual[row] : comparison->residual[row] / sigma;
-}
 
 static enum um_status find_residuals(struct um_context *context, struct um_compare_comparison *c)
 {
@@ -19,7 +14,9 @@ static enum um_status find_residuals(struct um_context *context, struct um_compa
   UM_TRY(um_core_allocate(context, m->count, sizeof *c->model, &c->model));
   UM_TRY(um_core_allocate(context, m->count, sizeof *c->residual, &c->residual));
   UM_TRY(um_core_allocate(context, m->count, sizeof *c->sigma, &c->sigma));
-  UM_TRY(um_compare_predict(context, c->run.plan, c->run.trace, c->run.result, c->model));
+  UM_TRY(um_core_allocate(context, m->count, sizeof *c->model_sigma, &c->model_sigma));
+  um_compare_predict_error(c->run.plan, c->run.result, c->model_sigma);
+  UM_TRY(um_compare_predict(context, c->run.plan, c->run.precomputed, c->run.result, c->model));
   for (size_t i = 0; i < m->count; i++) {
     enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
     double measured, model, unused;
@@ -32,8 +29,8 @@ static enum um_status find_residuals(struct um_context *context, struct um_compa
 
 /* Values of one channel in order of time, in the quantity's unit, and the labels of its rows. */
 struct gathered {
-  double *measured, *model, *sigma; /* [count] */
-  size_t *light, *motion;           /* [count] */
+  double *measured, *model, *sigma, *model_sigma; /* [count] */
+  size_t *light, *motion;                         /* [count] */
 };
 
 static enum um_status gather(struct um_context *context, const struct um_compare_comparison *c,
@@ -41,16 +38,18 @@ static enum um_status gather(struct um_context *context, const struct um_compare
                              struct gathered *g)
 {
   const struct um_compare_plan *plan = c->run.plan;
-  UM_TRY(um_core_allocate(context, 3 * channel->count, sizeof *g->measured, &g->measured));
+  UM_TRY(um_core_allocate(context, 4 * channel->count, sizeof *g->measured, &g->measured));
   UM_TRY(um_core_allocate(context, 2 * channel->count, sizeof *g->light, &g->light));
   g->model = g->measured + channel->count;
   g->sigma = g->model + channel->count;
+  g->model_sigma = g->sigma + channel->count;
   g->motion = g->light + channel->count;
   for (size_t i = 0; i < channel->count; i++) {
     size_t row = channel->row[i], k = plan->observation[row];
     g->measured[i] = plan->measurements->row[row].value;
     g->model[i] = c->model[row];
     g->sigma[i] = plan->measurements->row[row].sigma;
+    g->model_sigma[i] = c->model_sigma[row];
     g->light[i] = (size_t)c->light[k];
     g->motion[i] = UM_COMPARE_LABEL_NONE;
     if (c->motion[k] != UM_SEGMENT_COUNT) g->motion[i] = (size_t)(c->motion[k] - UM_SEGMENT_RISING);
@@ -67,12 +66,12 @@ static enum um_status channel_metrics(struct um_context *context,
   enum um_status status;
   UM_CHECK(gather(context, c, channel, &g));
   UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
-                                      g.sigma, g.light, UM_SEGMENT_RISING, fitted, channel->segment,
-                                      &channel->all));
+                                      g.sigma, g.model_sigma, g.light, UM_SEGMENT_RISING, fitted,
+                                      channel->segment, &channel->all));
   /* the parameters' share of rising and setting is that of all rows, as for light */
-  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
-                                      g.sigma, g.motion, UM_SEGMENT_COUNT - UM_SEGMENT_RISING,
-                                      fitted, channel->segment + UM_SEGMENT_RISING, NULL));
+  UM_CHECK(um_compare_metrics_compute(
+      context, quantity, channel->count, g.measured, g.model, g.sigma, g.model_sigma, g.motion,
+      UM_SEGMENT_COUNT - UM_SEGMENT_RISING, fitted, channel->segment + UM_SEGMENT_RISING, NULL));
 done:
   if (status != UM_OK)
     um_core_message_prefix(context, "%s: %s '%s'", c->run.plan->measurements->path,
@@ -173,11 +172,16 @@ static enum um_status make_channels(struct um_context *context, struct um_compar
     double share = weighted == 0 ? 0.0 : fitted * (double)own / (double)weighted;
     UM_TRY(make_channel(context, c, i, share, &c->channel[c->nchannel++]));
   }
-  c->chi2 = c->dof = c->chi2_reduced = NAN;
+  c->chi2 = c->dof = c->chi2_reduced = c->model_share = NAN;
   if (weighted == 0) return UM_OK;
-  c->chi2 = 0.0;
+  c->chi2 = c->model_share = 0.0;
   for (size_t i = 0; i < c->nchannel; i++)
     if (!isnan(c->channel[i].all.chi2)) c->chi2 += c->channel[i].all.chi2;
+  for (size_t i = 0; i < m->count; i++)
+    if (c->run.plan->observation[i] != UM_COMPARE_NOWHERE && !isnan(c->sigma[i])) {
+      double share = c->model_sigma[i] / hypot(c->sigma[i], c->model_sigma[i]);
+      c->model_share += share * share / (double)weighted;
+    }
   c->dof = (double)weighted - fitted;
   if (c->dof > 0.0) c->chi2_reduced = c->chi2 / c->dof;
   return UM_OK;
@@ -188,42 +192,20 @@ enum um_status um_compare_create(struct um_context *context, const struct um_com
 {
   struct um_compare_comparison *c = NULL;
   enum um_status status;
-  size_t nobs = run->trace->nobs;
+  size_t nobs = run->precomputed->nobs;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *c, &c));
   c->run = *run;
+  c->samples = c->samples_before = run->model->scenario->optics->samples;
   UM_CHECK(find_residuals(context, c));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->light, &c->light));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->motion, &c->motion));
-  UM_CHECK(um_compare_segments_find(context, run->model, run->trace, c->light, c->motion));
-  UM_CHECK(um_compare_coordinates_create(context, run->model, run->trace, &c->coordinates));
+  UM_CHECK(um_compare_segments_find(context, run->model, run->precomputed, c->light, c->motion));
+  UM_CHECK(um_compare_coordinates_create(context, run->model, run->precomputed, &c->coordinates));
   UM_CHECK(make_channels(context, c, fitted));
   *out = c;
   c = NULL;
 done:
   um_compare_destroy(context, &c);
   return status;
-}
-
-void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison)
-{
-  if (comparison == NULL || *comparison == NULL) return;
-  struct um_compare_comparison *c = *comparison;
-  for (size_t i = 0; i < c->nchannel; i++) {
-    for (size_t w = 0; w < UM_COMPARE_WORST; w++) {
-      um_core_free(context, c->channel[i].worst[w].mechanism);
-      um_core_free(context, c->channel[i].worst[w].material);
-    }
-    um_core_free(context, c->channel[i].row);
-    um_core_free(context, c->channel[i].correlation);
-  }
-  um_core_free(context, c->channel);
-  um_compare_coordinates_destroy(context, &c->coordinates);
-  um_core_free(context, c->model);
-  um_core_free(context, c->residual);
-  um_core_free(context, c->sigma);
-  um_core_free(context, c->light);
-  um_core_free(context, c->motion);
-  um_core_free(context, c);
-  *comparison = NULL;
 }

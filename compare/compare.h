@@ -2,82 +2,15 @@
 #ifndef UMBRA_COMPARE_COMPARE_H
 #define UMBRA_COMPARE_COMPARE_H
 
-#include "compare/coordinates.h"
-#include "compare/metrics.h"
-#include "compare/predict.h"
-#include "compare/segments.h"
+#include "compare/comparison.h"
 #include "core/file.h"
 
-#define UM_COMPARE_WORST 3 /* intervals per channel */
-
-/* A model and a run of it on a trace of the plan; everything borrowed. */
-struct um_compare_run {
-  const struct um_model *model;
-  const struct um_compare_plan *plan;
-  const struct um_model_trace *trace;
-  const struct um_model_result *result;
-};
-
-/* A share of a model value: radiant intensity [W/sr] by mechanism or material, or heat [W]. */
-struct um_compare_share {
-  const char *name; /* borrowed from the model */
-  double value;
-};
-
-/* A run of neighbouring rows of one channel. */
-struct um_compare_interval {
-  size_t first, count;  /* of the channel's rows in order of time */
-  double from, to;      /* t_tai of the first and last [s] */
-  double chi2;          /* sum (r / sigma)^2; sum r^2 over the mean r^2 where a row has no sigma */
-  double bias;          /* mean residual, linear unit */
-  double mean_measured; /* linear unit */
-  double sunlit;        /* mean sunlit fraction */
-  /* Light: mean over the rows, first by mechanism, then by material [W/sr]. Temperatures of a place
-   * of the heat network: mean heat flows into it [W]. */
-  struct um_compare_share *mechanism, *material; /* [nmechanism], [nmaterial] */
-  size_t nmechanism, nmaterial;
-};
-
-/* Of the normalised residual r / sigma (r where a row has no sigma) with a coordinate: Spearman's
- * rank correlation, with a circular coordinate the circular-linear one. p takes rows as
- * independent, which residuals of a wrong model are not: read it as an order, not as a level. */
-struct um_compare_correlation {
-  const char *name; /* borrowed from the comparison */
-  size_t count;     /* rows where the coordinate has a meaning */
-  double value, p;  /* NaN where it does not vary */
-};
-
-struct um_compare_channel_comparison {
-  size_t channel;  /* of the measurements */
-  size_t left_out; /* rows with a flag */
-  size_t count;    /* rows in use */
-  size_t *row;     /* [count] in order of time */
-  struct um_compare_metrics all, segment[UM_SEGMENT_COUNT];
-  struct um_compare_interval worst[UM_COMPARE_WORST]; /* by chi2, falling; they do not overlap */
-  size_t nworst;
-  struct um_compare_correlation *correlation; /* [ncorrelation] by p, rising */
-  size_t ncorrelation;
-};
-
-struct um_compare_comparison {
-  struct um_compare_run run;
-  double *model;                  /* [rows] in the quantity's unit; NaN for rows left out */
-  double *residual;               /* [rows] measured - model, linear unit */
-  double *sigma;                  /* [rows] linear unit; NaN for none */
-  enum um_compare_segment *light; /* [nobs] */
-  enum um_compare_segment *motion;
-  struct um_compare_coordinates *coordinates;
-  struct um_compare_channel_comparison *channel; /* [nchannel] of channels in use */
-  size_t nchannel;
-  double chi2, dof, chi2_reduced; /* of all rows with a sigma; NaN without */
-};
-
-/* Compare. fitted: number of parameters that were fitted to these rows; each channel takes its
- * share by rows. The parts of `run` outlive the comparison. Errors of um_compare_predict and
- * um_compare_metrics_compute. The caller destroys. */
+/* Compare; every residual is measured against sigma and model_sigma in quadrature. fitted: number
+ * of parameters that were fitted to these rows; each channel takes its share by rows. The parts of
+ * `run` outlive the comparison. Errors of um_compare_predict and um_compare_metrics_compute. The
+ * caller destroys (um_compare_destroy). */
 enum um_status um_compare_create(struct um_context *context, const struct um_compare_run *run,
                                  double fitted, struct um_compare_comparison **out);
-void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison);
 
 /* compare.json, metrics.csv and residuals.csv into a folder in the making; docs/files.md tells what
  * stands in them. command and version: for the record. UM_ERR_IO. */

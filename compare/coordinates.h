@@ -31,7 +31,7 @@ struct um_compare_coordinates {
  * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_coordinates_create(struct um_context *context,
                                              const struct um_model *model,
-                                             const struct um_model_trace *trace,
+                                             const struct um_model_precomputed *precomputed,
                                              struct um_compare_coordinates **out);
 void um_compare_coordinates_destroy(struct um_context *context,
                                     struct um_compare_coordinates **coordinates);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/csv.h"
 #include "core/json.h"
 
 void um_compare_figures(const struct um_compare_metrics *m,
@@ -19,6 +20,9 @@ void um_compare_figures(const struct um_compare_metrics *m,
                                                             {"scale", m->scale},
                                                             {"rms_scaled", m->rms_scaled},
                                                             {"correlation", m->correlation},
+                                                            {"bias_mag", m->bias_mag},
+                                                            {"rms_mag", m->rms_mag},
+                                                            {"model_share", m->model_share},
                                                             {"chi2", m->chi2},
                                                             {"dof", m->dof},
                                                             {"chi2_red", m->chi2_reduced},
@@ -49,25 +53,13 @@ void um_compare_json_channel(FILE *file, const struct um_compare_channel *channe
 
 void um_compare_csv_number(FILE *file, double value)
 {
-  if (isnan(value))
+  if (!isfinite(value))
     fputc(',', file);
   else
     fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
 }
 
-void um_compare_csv_text(FILE *file, const char *text)
-{
-  if (strpbrk(text, ",\"\r\n") == NULL && text[0] != '#' && text[0] != ' ') {
-    fputs(text, file);
-    return;
-  }
-  fputc('"', file);
-  for (; *text != '\0'; text++) {
-    if (*text == '"') fputc('"', file);
-    fputc(*text, file);
-  }
-  fputc('"', file);
-}
+void um_compare_csv_text(FILE *file, const char *text) { um_core_csv_put(file, text, ""); }
 
 bool um_compare_is_magnitude(enum um_compare_quantity quantity)
 {
@@ -78,6 +70,17 @@ const char *um_compare_residual_unit(enum um_compare_quantity quantity)
 {
   return um_compare_is_magnitude(quantity) ? "flux of magnitude 0"
                                            : um_compare_quantity_unit(quantity);
+}
+
+void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size)
+{
+  char quantity[64];
+  snprintf(quantity, sizeof quantity, "%s", um_compare_quantity_name(channel->quantity));
+  for (char *c = quantity; *c != '\0'; c++)
+    if (*c == '_') *c = ' ';
+  if (channel->quantity == UM_QUANTITY_MAGNITUDE_AB) strcpy(quantity, "AB magnitude");
+  if (channel->quantity == UM_QUANTITY_MAGNITUDE_VEGA) strcpy(quantity, "Vega magnitude");
+  snprintf(out, size, "%s %s", quantity, channel->of);
 }
 
 enum um_status um_compare_channel_file(struct um_context *context,

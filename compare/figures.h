@@ -12,7 +12,7 @@ struct um_compare_figure {
   const char *name;
   double value;
 };
-#define UM_COMPARE_FIGURES 16
+#define UM_COMPARE_FIGURES 19
 void um_compare_figures(const struct um_compare_metrics *metrics,
                         struct um_compare_figure out[UM_COMPARE_FIGURES]);
 /* before "name": {"count": 3, "mean_measured": ...} */
@@ -20,7 +20,7 @@ void um_compare_json_metrics(FILE *file, const char *before, const char *name,
                              const struct um_compare_metrics *metrics);
 /* "quantity": ..., "of": ..., "unit": ..., "residual_unit": ... without braces. */
 void um_compare_json_channel(FILE *file, const struct um_compare_channel *channel);
-/* ",value" with nine digits, "," for NaN. */
+/* ",value" with nine digits, "," for what is not a finite number. */
 void um_compare_csv_number(FILE *file, double value);
 /* A field by RFC 4180, in quotes where it needs them. */
 void um_compare_csv_text(FILE *file, const char *text);
@@ -31,6 +31,8 @@ const char *um_compare_residual_unit(enum um_compare_quantity quantity);
 /* UTC of a time as messages and files show it: milliseconds, or microseconds where it is not a
  * whole millisecond. */
 void um_compare_time_text(double t_tai, char out[40]);
+/* "band irradiance lwir", "AB magnitude vis" for a person. */
+void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size);
 /* The names of a channel as a file name: "band_irradiance_lwir"; the caller frees. */
 enum um_status um_compare_channel_file(struct um_context *context,
                                        const struct um_compare_channel *channel, char **out);

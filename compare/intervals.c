@@ -4,7 +4,7 @@
  * then the next that does not overlap it, and so on. */
 #include <math.h>
 
-#include "compare/compare_impl.h"
+#include "compare/intervals_impl.h"
 #include "compare/series.h"
 
 #define WINDOWS  10
@@ -112,7 +112,7 @@ static void describe(const struct um_compare_comparison *c, const size_t *row,
     um_compare_linear(quantity, m->row[row[i]].value, NAN, &flux, &unused);
     w->bias += c->residual[row[i]] / (double)w->count;
     w->mean_measured += flux / (double)w->count;
-    w->sunlit += c->run.trace->sunlit[c->run.plan->observation[row[i]]] / (double)w->count;
+    w->sunlit += c->run.precomputed->sunlit[c->run.plan->observation[row[i]]] / (double)w->count;
   }
 }
 

@@ -11,7 +11,7 @@
 #include "core/constants.h"
 #include "core/csv.h"
 #include "core/words.h"
-#include "orbit/time.h"
+#include "orbit/time_form.h"
 
 #define MAGNITUDE_MAX 40.0 /* [mag]; the Sun is -26.7, beyond 40 nothing is measured */
 
@@ -29,7 +29,7 @@ enum column {
   ELEVATION,
   STATION,
   COLUMNS
-};
+};                        /* TIME stands for any of enum um_orbit_time_form */
 #define REQUIRED EXPOSURE /* those before it */
 
 static const char *const column_names[COLUMNS] = {
@@ -42,34 +42,40 @@ static const char *const column_names[COLUMNS] = {
 struct reader {
   struct um_context *context;
   struct um_core_csv *csv;
-  size_t at[COLUMNS]; /* SIZE_MAX: absent */
+  enum um_orbit_time_form form; /* of the times */
+  size_t at[COLUMNS];           /* SIZE_MAX: absent */
 };
+
+/* Every name a column may have: those of times, then the others. */
+#define ALL_NAMES (UM_ORBIT_TIME_FORMS + COLUMNS - 1)
+static const char *name_at(size_t i)
+{
+  return i < UM_ORBIT_TIME_FORMS ? um_orbit_time_form_column((enum um_orbit_time_form)i)
+                                 : column_names[i - UM_ORBIT_TIME_FORMS + 1];
+}
 
 static enum um_status refuse_column(struct um_context *context, const struct um_core_csv *csv,
                                     const char *name)
 {
-  char accepted[320] = "", hint[96] = "";
-  size_t nearest = COLUMNS, distance = SIZE_MAX;
-  for (size_t c = 0; c < COLUMNS; c++) {
-    um_core_words_append(accepted, sizeof accepted, column_names[c]);
-    size_t d = um_core_words_distance(name, column_names[c]);
-    if (!um_core_words_are_near(name, column_names[c]) || d >= distance) continue;
-    nearest = c;
-    distance = d;
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[400] = "", hint[UM_CORE_WORDS_HINT];
+  for (size_t c = 0; c < ALL_NAMES; c++) {
+    um_core_words_append(accepted, sizeof accepted, name_at(c));
+    um_core_words_consider(&guess, name_at(c));
   }
-  if (nearest < COLUMNS) snprintf(hint, sizeof hint, "; did you mean '%s'?", column_names[nearest]);
   return um_core_fail(context, UM_ERR_INPUT, "%s: header: unknown column '%s'%s; accepted: %s",
-                      um_core_csv_name(csv), name, hint, accepted);
+                      um_core_csv_name(csv), name, um_core_words_hint(&guess, hint), accepted);
 }
 
 static enum um_status find_columns(struct reader *r)
 {
   for (size_t i = 0; i < um_core_csv_columns(r->csv); i++) {
     size_t c = 0;
-    while (c < COLUMNS && strcmp(um_core_csv_header(r->csv, i), column_names[c]) != 0) c++;
-    if (c == COLUMNS) return refuse_column(r->context, r->csv, um_core_csv_header(r->csv, i));
+    while (c < ALL_NAMES && strcmp(um_core_csv_header(r->csv, i), name_at(c)) != 0) c++;
+    if (c == ALL_NAMES) return refuse_column(r->context, r->csv, um_core_csv_header(r->csv, i));
   }
-  for (size_t c = 0; c < COLUMNS; c++) {
+  UM_TRY(um_orbit_time_form_find(r->context, r->csv, &r->form, &r->at[TIME]));
+  for (size_t c = TIME + 1; c < COLUMNS; c++) {
     if (c < REQUIRED)
       UM_TRY(um_core_csv_require(r->context, r->csv, column_names[c], &r->at[c]));
     else
@@ -112,18 +118,80 @@ static enum um_status check_range(const struct reader *r, size_t row, enum colum
                           accepted);
 }
 
+/* Temperatures that name their unit. */
+#define CELSIUS "temperature_C"
+#define KELVIN  "temperature_K"
+
 static enum um_status read_quantity(const struct reader *r, size_t row,
                                     enum um_compare_quantity *quantity)
 {
   const char *text = field(r, row, QUANTITY);
-  char accepted[160] = "";
+  struct um_core_words_guess guess = {.written = text};
+  char accepted[192] = "", hint[UM_CORE_WORDS_HINT];
+  *quantity = UM_QUANTITY_TEMPERATURE;
+  if (strcmp(text, CELSIUS) == 0 || strcmp(text, KELVIN) == 0) return UM_OK;
   for (int q = 0; q < UM_QUANTITY_COUNT; q++) {
     *quantity = (enum um_compare_quantity)q;
     if (strcmp(text, um_compare_quantity_name(*quantity)) == 0) return UM_OK;
     um_core_words_append(accepted, sizeof accepted, um_compare_quantity_name(*quantity));
+    um_core_words_consider(&guess, um_compare_quantity_name(*quantity));
   }
+  um_core_words_append(accepted, sizeof accepted, CELSIUS);
+  um_core_words_append(accepted, sizeof accepted, KELVIN);
+  um_core_words_consider(&guess, CELSIUS);
+  um_core_words_consider(&guess, KELVIN);
   return um_core_csv_fail(r->context, r->csv, row, r->at[QUANTITY],
-                          "unknown quantity '%s'; accepted: %s", text, accepted);
+                          "unknown quantity '%s'%s; accepted: %s", text,
+                          um_core_words_hint(&guess, hint), accepted);
+}
+
+/* A temperature as written, to [K]. */
+static enum um_status read_temperature(const struct reader *r, size_t row, double *value)
+{
+  const char *text = field(r, row, VALUE);
+  if (strcmp(field(r, row, QUANTITY), CELSIUS) == 0) {
+    if (!(*value > -UM_ZERO_CELSIUS))
+      return um_core_csv_fail(r->context, r->csv, row, r->at[VALUE],
+                              "temperature %s C; accepted: above -273.15 C", text);
+    *value += UM_ZERO_CELSIUS;
+  }
+  if (*value > 0.0) return UM_OK;
+  return um_core_csv_fail(
+      r->context, r->csv, row, r->at[VALUE],
+      "temperature %s K; accepted: above 0 K (Celsius is the quantity " CELSIUS ")", text);
+}
+
+/* Temperatures whose unit is not named and that never reach UM_COMPARE_COLD are refused as Celsius:
+ * what is so cold in every row is a cooled instrument, which can name its unit. Rows of the file
+ * and of the set are the same. */
+static enum um_status check_celsius(const struct reader *r, const struct um_compare_set *set)
+{
+  enum um_status status = UM_OK;
+  double *warmest; /* [channel] of rows that name no unit, 0: none [K] */
+  size_t *first;
+  size_t n = set->channels.count;
+  if (n == 0) return UM_OK;
+  UM_TRY(um_core_allocate(r->context, n, sizeof *warmest, &warmest));
+  UM_CHECK(um_core_allocate(r->context, n, sizeof *first, &first));
+  for (size_t row = 0; row < set->made->count; row++) {
+    const struct um_compare_measurement *m = &set->made->row[row];
+    if (strcmp(field(r, row, QUANTITY), um_compare_quantity_name(UM_QUANTITY_TEMPERATURE)) != 0)
+      continue;
+    if (m->flag != 0) continue;
+    if (warmest[m->channel] == 0.0) first[m->channel] = row;
+    warmest[m->channel] = fmax(warmest[m->channel], m->value);
+  }
+  for (size_t c = 0; c < n && status == UM_OK; c++)
+    if (warmest[c] > 0.0 && warmest[c] < UM_COMPARE_COLD)
+      status = um_core_csv_fail(
+          r->context, r->csv, first[c], r->at[VALUE],
+          "temperature of '%s' is never above %.10g K, is it Celsius? accepted: %g K somewhere, or "
+          "a quantity that names its unit, " CELSIUS " or " KELVIN,
+          set->channels.text[c], warmest[c], UM_COMPARE_COLD);
+  um_core_free(r->context, first);
+done:
+  um_core_free(r->context, warmest);
+  return status;
 }
 
 static enum um_status read_value(const struct reader *r, size_t row,
@@ -131,9 +199,7 @@ static enum um_status read_value(const struct reader *r, size_t row,
                                  struct um_compare_measurement *m)
 {
   UM_TRY(um_core_csv_number(r->context, r->csv, row, r->at[VALUE], &m->value));
-  if (quantity == UM_QUANTITY_TEMPERATURE && !(m->value > 0.0))
-    return um_core_csv_fail(r->context, r->csv, row, r->at[VALUE],
-                            "temperature %s K; accepted: above 0 K", field(r, row, VALUE));
+  if (quantity == UM_QUANTITY_TEMPERATURE) UM_TRY(read_temperature(r, row, &m->value));
   bool magnitude = quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
   if (magnitude && !(fabs(m->value) <= MAGNITUDE_MAX))
     return um_core_csv_fail(r->context, r->csv, row, r->at[VALUE],
@@ -184,14 +250,27 @@ static enum um_status read_geometry(const struct reader *r, size_t row,
   return UM_OK;
 }
 
+/* The columns that hold names, which go on into tables and scripts of pictures. */
+static enum um_status check_names(const struct reader *r, size_t row)
+{
+  static const enum column names[] = {OF, TRACK, STATION};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (!um_core_name_is_safe(field(r, row, names[i])))
+      return um_core_csv_fail(r->context, r->csv, row, r->at[names[i]],
+                              "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED,
+                              field(r, row, names[i]));
+  return UM_OK;
+}
+
 static enum um_status read_row(const struct reader *r, size_t row, struct um_compare_set *set)
 {
   struct um_compare_measurement m = {.station = SIZE_MAX, .line = um_core_csv_line(r->csv, row)};
   enum um_compare_quantity quantity;
-  char why[160];
-  if (!um_orbit_time_parse_field(field(r, row, TIME), &m.t_tai, why, sizeof why))
+  char why[256];
+  if (!um_orbit_time_form_parse(r->form, field(r, row, TIME), &m.t_tai, why, sizeof why))
     return um_core_csv_fail(r->context, r->csv, row, r->at[TIME], "%s", why);
   UM_TRY(read_quantity(r, row, &quantity));
+  UM_TRY(check_names(r, row));
   if (field(r, row, OF)[0] == '\0')
     return um_core_csv_fail(r->context, r->csv, row, r->at[OF],
                             "empty; accepted: the name of a band, part, side, node, filter or "
@@ -219,8 +298,12 @@ enum um_status um_compare_measurements_read(struct um_context *context, const ch
   *out = NULL;
   UM_CHECK(um_core_csv_read(context, path, &r.csv));
   UM_CHECK(find_columns(&r));
-  UM_CHECK(um_compare_set_begin(context, path, column_names[TIME], &set));
-  for (size_t row = 0; row < um_core_csv_rows(r.csv); row++) UM_CHECK(read_row(&r, row, &set));
+  UM_CHECK(um_compare_set_begin(context, path, um_orbit_time_form_column(r.form), &set));
+  for (size_t row = 0; row < um_core_csv_rows(r.csv); row++) {
+    if (row % 4096 == 0) UM_CHECK(um_core_stop_check(context, "measurements were read"));
+    UM_CHECK(read_row(&r, row, &set));
+  }
+  UM_CHECK(check_celsius(&r, &set));
   set.made->independent = r.at[HEIGHT] != SIZE_MAX;
   UM_CHECK(um_compare_set_finish(context, &set, out));
 done:

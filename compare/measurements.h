@@ -43,6 +43,7 @@ struct um_compare_channel {
 
 struct um_compare_measurements {
   char *path;
+  const char *time_column;            /* what the file calls its times; static */
   struct um_compare_measurement *row; /* [count], in file order */
   size_t count;
   struct um_compare_channel *channel; /* [nchannel], in order of first appearance */
@@ -54,14 +55,19 @@ struct um_compare_measurements {
   size_t nstation;
 };
 
-/* Read `time_utc,quantity,of,value,sigma` with optional columns exposure_s, flag, track,
- * satellite_height_km, azimuth_deg, elevation_deg, station. Refused, one line naming file and line:
- * unreadable, missing or unknown columns, no rows, unknown quantity, non-finite or non-numeric
- * value, sigma not positive (empty is allowed), times out of order within a track, two rows of one
- * channel and track at one time, a magnitude beyond +-40 or a temperature <= 0 K, a negative
- * exposure, a flag that is not a whole number, incomplete independent geometry, a height <= 0, an
- * azimuth beyond +-360 deg, an elevation beyond +-90 deg. Values may be negative. UM_ERR_IO,
- * UM_ERR_INPUT, UM_ERR_MEMORY; *out is NULL then. The caller destroys. */
+/* Temperatures of a place that stay below it are Celsius or of a cooled instrument [K]. */
+#define UM_COMPARE_COLD 100.0
+
+/* Read `time_utc,quantity,of,value,sigma` (or time_unix_s, jd_utc, mjd_utc for the first:
+ * orbit/time_form.h; temperature_C or temperature_K for a temperature) with optional columns
+ * exposure_s, flag, track, satellite_height_km, azimuth_deg, elevation_deg, station. Refused, one
+ * line naming file and line: unreadable, missing or unknown columns, no rows, unknown quantity,
+ * non-finite or non-numeric value, sigma not positive (empty is allowed), times out of order within
+ * a track, two rows of one channel and track at one time, a magnitude beyond +-40, a temperature <=
+ * 0 K or one that names no unit and stays below UM_COMPARE_COLD in all rows of its place, a
+ * negative exposure, a flag that is not a whole number, incomplete independent geometry, a height
+ * <= 0, an azimuth beyond +-360 deg, an elevation beyond +-90 deg. Values may be negative.
+ * UM_ERR_IO, UM_ERR_INPUT, UM_ERR_MEMORY; *out is NULL then. The caller destroys. */
 enum um_status um_compare_measurements_read(struct um_context *context, const char *path,
                                             struct um_compare_measurements **out);
 void um_compare_measurements_destroy(struct um_context *context,
@@ -69,7 +75,8 @@ void um_compare_measurements_destroy(struct um_context *context,
 /* Write the same format (used by synthetic measurements): whole or not at all, beside `path` under
  * a temporary name and then renamed. Optional columns appear where a row has something to say.
  * Times to the millisecond, or the microsecond where a time is not a whole millisecond; numbers
- * with the fewest digits that read back as the same double. UM_ERR_IO; UM_ERR_NUMERIC for a value
+ * with the fewest digits that read back as the same double; temperatures in K, those below
+ * UM_COMPARE_COLD as temperature_K. UM_ERR_IO; UM_ERR_NUMERIC for a value
  * that the reader would refuse as not finite. */
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,

@@ -13,6 +13,7 @@
 struct rows {
   size_t n;
   double *y, *m, *sigma; /* [n]; sigma NaN: none */
+  double *own;           /* [n] the model's sigma */
   double *work;          /* [2 n] */
 };
 
@@ -21,6 +22,7 @@ static enum um_status rows_allocate(struct um_context *context, size_t n, struct
   UM_TRY(um_core_allocate(context, n, sizeof *rows->y, &rows->y));
   UM_TRY(um_core_allocate(context, n, sizeof *rows->m, &rows->m));
   UM_TRY(um_core_allocate(context, n, sizeof *rows->sigma, &rows->sigma));
+  UM_TRY(um_core_allocate(context, n, sizeof *rows->own, &rows->own));
   return um_core_allocate(context, 2 * n, sizeof *rows->work, &rows->work);
 }
 
@@ -29,6 +31,7 @@ static void rows_free(struct um_context *context, struct rows *rows)
   um_core_free(context, rows->y);
   um_core_free(context, rows->m);
   um_core_free(context, rows->sigma);
+  um_core_free(context, rows->own);
   um_core_free(context, rows->work);
 }
 
@@ -44,6 +47,9 @@ static struct um_compare_metrics no_metrics(void)
                                      .scale = NAN,
                                      .rms_scaled = NAN,
                                      .correlation = NAN,
+                                     .bias_mag = NAN,
+                                     .rms_mag = NAN,
+                                     .model_share = NAN,
                                      .chi2 = NAN,
                                      .dof = NAN,
                                      .chi2_reduced = NAN,
@@ -96,31 +102,41 @@ static void set_ratios(struct rows *rows, struct um_compare_metrics *out)
 }
 
 /* Of magnitudes, by the logarithms of the fluxes. */
-static void set_correlation(struct rows *rows, struct um_compare_metrics *out)
+static void set_magnitudes(struct rows *rows, struct um_compare_metrics *out)
 {
-  double *x = rows->work, *y = rows->work + rows->n;
+  const double magnitude = -2.5 / log(10.0); /* of one unit of ln(flux) */
+  double *x = rows->work, *y = rows->work + rows->n, sum = 0.0, squares = 0.0;
   size_t n = 0;
   for (size_t i = 0; i < rows->n; i++) {
     if (!(rows->y[i] > 0.0 && rows->m[i] > 0.0)) continue;
     x[n] = log(rows->m[i]);
-    y[n++] = log(rows->y[i]);
+    y[n] = log(rows->y[i]);
+    sum += magnitude * (y[n] - x[n]);
+    squares += magnitude * magnitude * (y[n] - x[n]) * (y[n] - x[n]);
+    n++;
   }
   out->correlation = um_compare_pearson(n, x, y);
+  if (n == 0) return;
+  out->bias_mag = sum / (double)n;
+  out->rms_mag = sqrt(squares / (double)n);
 }
 
 /* Chi-square over the rows that have a sigma; whiteness over all. share: parameters per row. */
 static void set_statistics(struct rows *rows, double share, struct um_compare_metrics *out)
 {
-  double chi2 = 0.0;
+  double chi2 = 0.0, model = 0.0;
   size_t weighted = 0;
   for (size_t i = 0; i < rows->n; i++) {
-    double r = rows->y[i] - rows->m[i];
+    double r = rows->y[i] - rows->m[i], own = rows->own[i];
     rows->work[i] = r;
     if (isnan(rows->sigma[i])) continue;
-    chi2 += (r / rows->sigma[i]) * (r / rows->sigma[i]);
+    double s = hypot(rows->sigma[i], own);
+    chi2 += (r / s) * (r / s);
+    model += (own / s) * (own / s);
     weighted++;
   }
   if (weighted > 0) {
+    out->model_share = model / (double)weighted;
     out->chi2 = chi2;
     out->dof = (double)weighted - share * (double)weighted;
     if (out->dof > 0.0) {
@@ -129,7 +145,7 @@ static void set_statistics(struct rows *rows, double share, struct um_compare_me
     }
   }
   if (weighted == rows->n)
-    for (size_t i = 0; i < rows->n; i++) rows->work[i] /= rows->sigma[i];
+    for (size_t i = 0; i < rows->n; i++) rows->work[i] /= hypot(rows->sigma[i], rows->own[i]);
   um_compare_durbin_watson(rows->n, rows->work, &out->durbin_watson, &out->white_p);
 }
 
@@ -141,14 +157,14 @@ static struct um_compare_metrics measure(enum um_compare_quantity quantity, stru
   if (rows->n == 0) return out;
   set_moments(rows, &out);
   if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(rows, &out);
-  if (um_compare_is_magnitude(quantity)) set_correlation(rows, &out);
+  if (um_compare_is_magnitude(quantity)) set_magnitudes(rows, &out);
   set_statistics(rows, share, &out);
   return out;
 }
 
 /* One row into `rows`, in linear flux. */
 static enum um_status gather(struct um_context *context, enum um_compare_quantity quantity,
-                             size_t i, double measured, double model, double sigma,
+                             size_t i, double measured, double model, double sigma, double own,
                              struct rows *rows)
 {
   double unused;
@@ -163,6 +179,11 @@ static enum um_status gather(struct um_context *context, enum um_compare_quantit
     return um_core_fail(context, UM_ERR_NUMERIC,
                         "metrics: row %zu: measured %g, model %g %s; accepted: finite numbers",
                         i + 1, measured, model, um_compare_quantity_unit(quantity));
+  if (!(own >= 0.0) || !isfinite(own))
+    return um_core_fail(context, UM_ERR_NUMERIC,
+                        "metrics: row %zu: standard error of the model %g; accepted: 0 or more",
+                        i + 1, own);
+  rows->own[k] = own;
   rows->n++;
   return UM_OK;
 }
@@ -170,8 +191,9 @@ static enum um_status gather(struct um_context *context, enum um_compare_quantit
 enum um_status um_compare_metrics_compute(struct um_context *context,
                                           enum um_compare_quantity quantity, size_t count,
                                           const double *measured, const double *model,
-                                          const double *sigma, const size_t *label, size_t nlabel,
-                                          double fitted, struct um_compare_metrics *segment,
+                                          const double *sigma, const double *model_sigma,
+                                          const size_t *label, size_t nlabel, double fitted,
+                                          struct um_compare_metrics *segment,
                                           struct um_compare_metrics *all)
 {
   struct rows rows = {0};
@@ -191,7 +213,8 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
       size_t l = label == NULL ? 0 : label[i];
       if (l == UM_COMPARE_LABEL_NONE || (s > 0 && l != s - 1)) continue;
       double given = sigma == NULL ? NAN : sigma[i];
-      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, &rows));
+      double own = model_sigma == NULL ? 0.0 : model_sigma[i];
+      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, own, &rows));
       if (!isnan(given)) weighted++;
     }
     if (s == 0 && weighted > 0) share = fitted / (double)weighted;

@@ -137,12 +137,21 @@ static enum um_status read_point(struct reader *r, char **word)
   return UM_OK;
 }
 
+/* Words of a line that become names. */
+static enum um_status check_name(const struct reader *r, enum column c, const char *text)
+{
+  if (um_core_name_is_safe(text)) return UM_OK;
+  return fail_field(r, c, text, UM_CORE_NAME_ACCEPTED);
+}
+
 /* "TRACK/CHANNEL", or what there is of it. */
 static enum um_status read_track(struct reader *r, char **word, size_t *track)
 {
   const char *number_of = r->track == NULL ? "" : r->track, *camera = "";
   if (r->at[TRACK] != SIZE_MAX) number_of = word[r->at[TRACK]];
   if (r->at[CHANNEL] != SIZE_MAX) camera = word[r->at[CHANNEL]];
+  UM_TRY(check_name(r, TRACK, number_of));
+  UM_TRY(check_name(r, CHANNEL, camera));
   char *name;
   UM_TRY(um_core_asprintf(r->context, &name, "%s%s%s", number_of, camera[0] != '\0' ? "/" : "",
                           camera));
@@ -190,6 +199,7 @@ static enum um_status read_row(struct reader *r, char *line)
   UM_TRY(check_satellite(r, word));
   UM_TRY(number(r, word, MAG, -MAGNITUDE_MAX, MAGNITUDE_MAX, "-40 to 40 mag", &m.value));
   UM_TRY(read_point(r, word));
+  UM_TRY(check_name(r, FILTER, word[r->at[FILTER]]));
   UM_TRY(um_compare_set_channel(r->context, &r->set, UM_QUANTITY_MAGNITUDE_VEGA,
                                 word[r->at[FILTER]], &m.channel));
   UM_TRY(read_track(r, word, &m.track));

@@ -4,6 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "core/words.h"
+
 static enum um_status search(struct um_context *context, const struct um_compare_measurements *m,
                              size_t channel, const struct um_compare_period_options *options,
                              struct um_compare_period_entry *out)
@@ -18,6 +20,22 @@ static enum um_status search(struct um_context *context, const struct um_compare
 done:
   um_compare_series_destroy(context, &series);
   return status;
+}
+
+static enum um_status refuse_band(struct um_context *context,
+                                  const struct um_compare_measurements *m, const char *of)
+{
+  char accepted[320] = "", hint[UM_CORE_WORDS_HINT] = "";
+  struct um_core_words_guess guess = {.written = of == NULL ? "" : of};
+  for (size_t c = 0; c < m->nchannel; c++) {
+    if (m->channel[c].quantity == UM_QUANTITY_TEMPERATURE) continue;
+    um_core_words_append(accepted, sizeof accepted, m->channel[c].of);
+    um_core_words_consider(&guess, m->channel[c].of);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "%s: no light curve%s%s%s; accepted: %s", m->path,
+                      of == NULL ? "" : " of ", of == NULL ? "" : of,
+                      um_core_words_hint(&guess, hint),
+                      accepted[0] == '\0' ? "rows of another quantity than temperature" : accepted);
 }
 
 enum um_status um_compare_period_report_create(struct um_context *context,
@@ -39,8 +57,7 @@ enum um_status um_compare_period_report_create(struct um_context *context,
     UM_CHECK(search(context, measurements, c, options, &r->entry[r->count++]));
   }
   if (r->count == 0) {
-    status = um_core_fail(context, UM_ERR_INPUT, "%s: no light curve%s%s; accepted: a band of it",
-                          measurements->path, of == NULL ? "" : " of ", of == NULL ? "" : of);
+    status = refuse_band(context, measurements, of);
     goto done;
   }
   *out = r;

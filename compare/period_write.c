@@ -6,9 +6,17 @@
 
 #include "compare/figures.h"
 #include "compare/period_report.h"
-#include "output/output.h"
+#include "core/file.h"
+#include "plot/plot.h"
 
-#define SCRIPT "period.gp"
+/* Pixels. */
+#define WIDTH  1000
+#define LEFT   100
+#define RIGHT  980
+#define TOP    70
+#define PANEL  270
+#define MIDDLE 64
+#define BELOW  52
 
 static enum um_status open_in(struct um_context *context, const char *folder, const char *name,
                               FILE **out)
@@ -22,15 +30,23 @@ static enum um_status open_in(struct um_context *context, const char *folder, co
   return status;
 }
 
+static void put_channel(const struct um_compare_channel *of, FILE *f)
+{
+  fprintf(f, "%s,", um_compare_quantity_name(of->quantity));
+  um_compare_csv_text(f, of->of);
+  fputc(',', f);
+}
+
 static void put_periodograms(const struct um_compare_period_report *r, FILE *f)
 {
   fputs("quantity,of,period_s,frequency_Hz,power\n", f);
   for (size_t c = 0; c < r->count; c++) {
     const struct um_compare_channel *of = &r->measurements->channel[r->entry[c].channel];
     const struct um_compare_period *p = r->entry[c].period;
-    for (size_t i = 0; i < p->count; i++)
-      fprintf(f, "%s,%s,%.9g,%.9g,%.6g\n", um_compare_quantity_name(of->quantity), of->of,
-              1.0 / p->frequency[i], p->frequency[i], p->power[i]);
+    for (size_t i = 0; i < p->count; i++) {
+      put_channel(of, f);
+      fprintf(f, "%.9g,%.9g,%.6g\n", 1.0 / p->frequency[i], p->frequency[i], p->power[i]);
+    }
   }
 }
 
@@ -41,8 +57,8 @@ static void put_folded(const struct um_compare_period_report *r, FILE *f)
     const struct um_compare_channel *of = &r->measurements->channel[r->entry[c].channel];
     for (size_t b = 0; b < UM_COMPARE_FOLD_BINS; b++) {
       const struct um_compare_fold_bin *bin = &r->entry[c].bin[b];
-      fprintf(f, "%s,%s,%.6g,%zu,", um_compare_quantity_name(of->quantity), of->of,
-              ((double)b + 0.5) / UM_COMPARE_FOLD_BINS, bin->count);
+      put_channel(of, f);
+      fprintf(f, "%.6g,%zu,", ((double)b + 0.5) / UM_COMPARE_FOLD_BINS, bin->count);
       if (bin->count > 0) fprintf(f, "%.9g", bin->mean);
       fputc(',', f);
       if (!isnan(bin->sigma)) fprintf(f, "%.6g", bin->sigma);
@@ -51,33 +67,102 @@ static void put_folded(const struct um_compare_period_report *r, FILE *f)
   }
 }
 
-static enum um_status put_script(struct um_context *context,
-                                 const struct um_compare_period_report *r, FILE *f)
+/* Numbers of a logarithmic axis: 1, 2 and 5, of many decades 1 alone. */
+static void ticks(struct um_plot *plot, double low, double high)
 {
-  fputs("set terminal pngcairo size 1000,760 enhanced font 'Sans,11'\nset encoding utf8\n"
-        "set datafile separator ','\nset grid linecolor rgb '#e4e4e4'\nunset key\n"
-        "own(i) = strcol(1) eq q && strcol(2) eq o\ny(i) = own(i) ? column(i) : NaN\n"
-        "s(i) = strcol(i) eq \"\" ? 0 : column(i)\n",
-        f);
+  static const double lead[] = {1.0, 2.0, 5.0};
+  bool few = high < 3e3 * low;
+  um_plot_add(plot, "set xtics (");
+  for (double power = pow(10.0, floor(log10(low))); power <= high; power *= 10.0)
+    for (size_t i = 0; i < (few ? 3 : 1); i++)
+      if (lead[i] * power >= low && lead[i] * power <= high)
+        um_plot_add(plot, "%g, ", lead[i] * power);
+  um_plot_add(plot, "%g)\n", 1e300); /* off the axis: a list has an end */
+}
+
+/* Periods that are drawn, and where the one that was found stands. first: row of periodogram.csv,
+ * counted from its header. */
+static void periodogram(struct um_plot *plot, const struct um_compare_period *p, size_t first)
+{
+  double low = INFINITY, high = 0.0, most = 0.0;
+  for (size_t i = 0; i < p->count; i++) {
+    low = fmin(low, 1.0 / p->frequency[i]);
+    high = fmax(high, 1.0 / p->frequency[i]);
+    most = fmax(most, p->power[i]);
+  }
+  ticks(plot, low, high);
+  um_plot_ylabel(plot, "", "share of χ² explained");
+  um_plot_panel(plot, LEFT, TOP, RIGHT, TOP + PANEL);
+  um_plot_add(
+      plot,
+      "set logscale x\nset xrange [%.6g:%.6g]\nset yrange [0:%.3g]\nset xlabel 'period "
+      "[s]'\nset arrow 1 from first %.9g, graph 0 to first %.9g, graph 1 nohead back "
+      "dashtype (6,4) linecolor rgb '#b3261e'\n"
+      "plot 'periodogram.csv' every ::%zu::%zu using 3:5 with lines linewidth 1.2 linecolor "
+      "rgb '#1f4e9c' notitle\nunset arrow 1\nunset logscale x\nset xtics autofreq\n",
+      low, high, most > 0.0 ? fmin(1.1 * most, 1.0) : 1.0, p->period, p->period, first,
+      first + p->count - 1);
+}
+
+/* Two turns, the second paler. first: row of folded.csv. */
+static void folded(struct um_plot *plot, const struct um_compare_period_entry *entry,
+                   const char *unit, size_t first)
+{
+  double largest = 0.0;
+  char own[80], words[120];
+  for (size_t b = 0; b < UM_COMPARE_FOLD_BINS; b++)
+    if (entry->bin[b].count > 0) largest = fmax(largest, fabs(entry->bin[b].mean));
+  double power = um_plot_power(largest, unit, own);
+  snprintf(words, sizeof words, "mean [%s]", own);
+  um_plot_ylabel(plot, "", words);
+  um_plot_panel(plot, LEFT, TOP + PANEL + MIDDLE, RIGHT, TOP + 2 * PANEL + MIDDLE);
+  um_plot_add(plot,
+              "set xrange [0:2]\nset yrange [*:*]\nset xlabel 'phase'\n"
+              "y(i) = column(i) / %g\ns(i) = strcol(i) eq '' ? 0 : column(i) / %g\nplot ",
+              power, power);
+  for (int turn = 0; turn < 2; turn++)
+    um_plot_add(plot,
+                "'folded.csv' every ::%zu::%zu using ($3+%d):(y(5)):(s(6)) with yerrorlines "
+                "pointtype 7 pointsize 0.7 linecolor rgb %s notitle, ",
+                first, first + UM_COMPARE_FOLD_BINS - 1, turn, turn == 0 ? "#b3261e" : "#d99a95");
+  um_plot_add(plot, "NaN notitle\n");
+}
+
+static enum um_status draw(struct um_context *context, const struct um_compare_period_report *r,
+                           const char *folder)
+{
+  enum um_status status = UM_OK;
+  struct um_plot *plot = NULL;
+  char *name = NULL, *file = NULL, words[200], found[120];
+  size_t row = 1;
+  UM_CHECK(um_plot_create(context, folder, "period.gp", &plot));
   for (size_t c = 0; c < r->count; c++) {
     const struct um_compare_channel *of = &r->measurements->channel[r->entry[c].channel];
     const struct um_compare_period *p = r->entry[c].period;
-    char *name = NULL;
-    UM_TRY(um_compare_channel_file(context, of, &name));
-    fprintf(f,
-            "\nset output 'period_%s.png'\nq = \"%s\"\no = \"%s\"\nset multiplot layout 2,1 title "
-            "\"period %.6g +- %.2g s, false alarm %.2g\"\nset logscale x\nset xlabel 'period "
-            "[s]'\nset ylabel 'share of chi-square explained'\nset yrange [0:1]\n"
-            "plot 'periodogram.csv' every ::1 using (y(3)):(y(5)) with lines linecolor rgb "
-            "'#1f4e9c'\nunset logscale x\nset xlabel 'phase'\nset ylabel 'mean, linear flux'\nset "
-            "yrange [*:*]\nplot 'folded.csv' every ::1 using (y(3)):(y(5)):(s(6)) with yerrorlines "
-            "pointtype 7 linecolor rgb '#b3261e', '' every ::1 using (y(3)+1):(y(5)):(s(6)) with "
-            "yerrorlines pointtype 7 linecolor rgb '#d99a95'\nunset multiplot\n",
-            name, um_compare_quantity_name(of->quantity), of->of, p->period, p->period_sigma,
-            p->false_alarm);
+    UM_CHECK(um_compare_channel_file(context, of, &name));
+    UM_CHECK(um_core_asprintf(context, &file, "period_%s", name));
+    um_plot_picture(plot, file, WIDTH, TOP + 2 * PANEL + MIDDLE + BELOW);
+    um_compare_channel_words(of, words, sizeof words);
+    int decimals = p->period_sigma > 0.0 && p->period_sigma < 10.0
+                       ? (int)fmin(1.0 - floor(log10(p->period_sigma)), 9.0)
+                       : 0;
+    snprintf(found, sizeof found, "period %.*f ± %.*f s, false alarm %.2g", decimals, p->period,
+             decimals, p->period_sigma, p->false_alarm);
+    um_plot_title(plot, words, found);
+    periodogram(plot, p, row);
+    folded(plot, &r->entry[c], um_compare_residual_unit(of->quantity),
+           1 + c * UM_COMPARE_FOLD_BINS);
+    row += p->count;
     um_core_free(context, name);
+    um_core_free(context, file);
+    name = file = NULL;
   }
-  return UM_OK;
+  status = um_plot_draw(context, &plot);
+done:
+  um_core_free(context, name);
+  um_core_free(context, file);
+  um_plot_destroy(context, &plot);
+  return status;
 }
 
 enum um_status um_compare_period_write(struct um_context *context,
@@ -91,12 +176,5 @@ enum um_status um_compare_period_write(struct um_context *context,
   UM_TRY(open_in(context, folder, "folded.csv", &f));
   put_folded(report, f);
   UM_TRY(um_core_file_close(context, "folded.csv", &f));
-  if (!plots) return UM_OK;
-  UM_TRY(open_in(context, folder, SCRIPT, &f));
-  enum um_status status = put_script(context, report, f);
-  enum um_status closed = um_core_file_close(context, SCRIPT, &f);
-  UM_TRY(status);
-  UM_TRY(closed);
-  um_output_plot_script(context, folder, SCRIPT);
-  return UM_OK;
+  return plots ? draw(context, report, folder) : UM_OK;
 }

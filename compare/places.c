@@ -17,26 +17,12 @@ static size_t find_material(const struct um_model *model, const char *name)
   return SIZE_MAX;
 }
 
-/* What could have been meant. */
-struct guess {
-  const char *nearest;
-  size_t distance;
-};
-
-static void consider(const char *written, const char *known, struct guess *guess)
-{
-  size_t d = um_core_words_distance(written, known);
-  if (!um_core_words_are_near(written, known) || d >= guess->distance) return;
-  guess->distance = d;
-  guess->nearest = known;
-}
-
 enum um_status um_compare_place_find(struct um_context *context, const struct um_model *model,
                                      const char *name, size_t *place)
 {
   const struct um_thermal_body *body = model->body;
-  struct guess guess = {NULL, SIZE_MAX};
-  char accepted[640] = "", alike[320] = "";
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[640] = "", alike[320] = "", hint[UM_CORE_WORDS_HINT];
   size_t found = 0;
   bool material = strncmp(name, MATERIAL, sizeof MATERIAL - 1) == 0;
   *place = material ? find_material(model, name + sizeof MATERIAL - 1)
@@ -45,9 +31,9 @@ enum um_status um_compare_place_find(struct um_context *context, const struct um
   for (size_t p = 0; p < body->nplace; p++) {
     const char *known = body->place[p].name, *dot = strchr(known, '.');
     um_core_words_append(accepted, sizeof accepted, known);
-    consider(name, known, &guess);
+    um_core_words_consider(&guess, known);
     if (dot == NULL) continue;
-    consider(name, dot + 1, &guess);
+    um_core_words_consider(&guess, dot + 1);
     if (strcmp(dot + 1, name) != 0) continue;
     um_core_words_append(alike, sizeof alike, known);
     *place = p;
@@ -58,8 +44,7 @@ enum um_status um_compare_place_find(struct um_context *context, const struct um
   if (found > 1)
     return um_core_fail(context, UM_ERR_INPUT, "'%s' stands for more than one place; accepted: %s",
                         name, alike);
-  return um_core_fail(
-      context, UM_ERR_INPUT, "the scenario has no place '%s'%s%s%s; accepted: %s, " MATERIAL "NAME",
-      name, guess.nearest == NULL ? "" : "; did you mean '",
-      guess.nearest == NULL ? "" : guess.nearest, guess.nearest == NULL ? "" : "'?", accepted);
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "the scenario has no place '%s'%s; accepted: %s, " MATERIAL "NAME", name,
+                      um_core_words_hint(&guess, hint), accepted);
 }

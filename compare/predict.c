@@ -9,6 +9,7 @@
 #include "compare/predict_impl.h"
 #include "compare/set_impl.h"
 #include "core/constants.h"
+#include "core/sort.h"
 
 #define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
 
@@ -79,9 +80,9 @@ static enum um_status check_time(struct um_context *context, const struct um_mod
     um_compare_time_text(time->start, start);
     um_compare_time_text(time->stop, stop);
     return um_core_fail(context, UM_ERR_INPUT,
-                        "%s:%d: column 'time_utc': %s is outside the scenario; accepted: %s to %s "
+                        "%s:%d: column '%s': %s is outside the scenario; accepted: %s to %s "
                         "(time.start_utc, time.stop_utc)",
-                        m->path, m->row[row].line, text, start, stop);
+                        m->path, m->row[row].line, m->time_column, text, start, stop);
   }
   enum um_status status = sample_of(context, model, wanted);
   if (status != UM_OK) um_core_message_prefix(context, "%s:%d", m->path, m->row[row].line);
@@ -128,7 +129,7 @@ static enum um_status merge(struct um_context *context, const struct um_model *m
   UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
   if (model->points) UM_TRY(um_core_allocate(context, n, sizeof *plan->point, &plan->point));
-  qsort(wanted, n, sizeof *wanted, compare_wanted);
+  UM_TRY(um_core_sort(context, wanted, n, sizeof *wanted, compare_wanted));
   for (size_t i = 0, end; i < n; i = end) {
     for (end = i + 1; end < n && wanted[end].t - wanted[i].t <= SAME_TIME &&
                       compare_points(&wanted[end].point, &wanted[i].point) == 0;)
@@ -221,37 +222,36 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
 
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
-                                     struct um_model_trace **out)
+                                     struct um_model_precomputed **out)
 {
   if (plan->point != NULL)
-    return um_model_trace_create_points(context, model, plan->point, plan->ntime, out);
-  return um_model_trace_create_at(context, model, plan->time, plan->exposure, plan->ntime, out);
+    return um_model_precompute_points(context, model, plan->point, plan->ntime, out);
+  return um_model_precompute_at(context, model, plan->time, plan->exposure, plan->ntime, out);
 }
 
 /* --- values ---------------------------------------------------------------------------------- */
 
-static enum um_status refuse_horizon(struct um_context *context,
-                                     const struct um_compare_measurements *m, size_t row,
-                                     const struct um_model_trace *trace, size_t k)
+static enum um_status refuse_hidden(struct um_context *context,
+                                    const struct um_compare_measurements *m, size_t row,
+                                    const struct um_model_precomputed *precomputed, size_t k)
 {
   double lowest = INFINITY; /* [rad] */
-  for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++)
-    lowest = fmin(lowest, trace->look[i].elevation);
+  for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++)
+    lowest = fmin(lowest, precomputed->look[i].elevation); /* NaN without a station */
+  if (isinf(lowest))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: column 'time_utc': the Earth stands between satellite and "
+                        "observer; accepted: rows in which it does not, or a flag that leaves the "
+                        "row out",
+                        m->path, m->row[row].line);
   return um_core_fail(context, UM_ERR_INPUT,
-                      "%s:%d: column 'time_utc': the satellite is below the horizon (elevation "
+                      "%s:%d: column '%s': the satellite is below the horizon (elevation "
                       "%.2f deg); accepted: rows above it, or a flag that leaves the row out",
-                      m->path, m->row[row].line, lowest / UM_DEG);
-}
-
-static bool below_horizon(const struct um_model_trace *trace, size_t k)
-{
-  for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++)
-    if (trace->look[i].elevation < 0.0) return true; /* NaN without a station */
-  return false;
+                      m->path, m->row[row].line, m->time_column, lowest / UM_DEG);
 }
 
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
-                                  const struct um_model_trace *trace,
+                                  const struct um_model_precomputed *precomputed,
                                   const struct um_model_result *result, double *value)
 {
   const struct um_compare_measurements *m = plan->measurements;
@@ -263,9 +263,9 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
     if (quantity == UM_QUANTITY_TEMPERATURE) {
       value[i] = result->place[s].mean[k];
     } else if (quantity == UM_QUANTITY_RADIANT_INTENSITY) {
-      value[i] = um_model_result_intensity(result, k, s, -1);
-    } else if (below_horizon(trace, k)) {
-      return refuse_horizon(context, m, i, trace, k);
+      value[i] = result->measured_intensity[k * result->nband + s]; /* the satellite's own */
+    } else if (precomputed->hidden[k]) {
+      return refuse_hidden(context, m, i, precomputed, k);
     } else if (quantity == UM_QUANTITY_BAND_IRRADIANCE) {
       value[i] = result->irradiance[k * result->nband + s];
     } else {
@@ -273,4 +273,21 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
     }
   }
   return UM_OK;
+}
+
+void um_compare_predict_error(const struct um_compare_plan *plan,
+                              const struct um_model_result *result, double *model_sigma)
+{
+  const struct um_compare_measurements *m = plan->measurements;
+  for (size_t i = 0; i < m->count; i++) {
+    size_t k = plan->observation[i], channel = m->row[i].channel;
+    model_sigma[i] = NAN;
+    if (k == UM_COMPARE_NOWHERE) continue;
+    size_t at = k * result->nband + plan->source[channel];
+    enum um_compare_quantity quantity = m->channel[channel].quantity;
+    model_sigma[i] = quantity == UM_QUANTITY_TEMPERATURE         ? 0.0
+                     : quantity == UM_QUANTITY_RADIANT_INTENSITY ? result->standard_error[at]
+                     : quantity == UM_QUANTITY_BAND_IRRADIANCE   ? result->irradiance_error[at]
+                                                                 : result->magnitude_error[at];
+  }
 }

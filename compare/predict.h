@@ -1,4 +1,5 @@
-/* What a model says of every row of a measurement set: one trace and one run for all of them. */
+/* What a model says of every row of a measurement set: one geometry precomputation and one run for
+ * all of them. */
 #ifndef UMBRA_COMPARE_PREDICT_H
 #define UMBRA_COMPARE_PREDICT_H
 
@@ -8,9 +9,9 @@
 /* An index that stands for nothing. */
 #define UM_COMPARE_NOWHERE ((size_t)-1)
 
-/* Which observation of a trace, and which number of it, answers each row. It depends on the times,
- * names and exposures of the rows and on the names of bands and places, so it serves every variant
- * of a scenario with the same parts and bands. */
+/* Which observation of a geometry precomputation, and which number of it, answers each row. It
+ * depends on the times, names and exposures of the rows and on the names of bands and places, so it
+ * serves every variant of a scenario with the same parts and bands. */
 struct um_compare_plan {
   const struct um_compare_measurements *measurements; /* borrowed */
   size_t ntime;
@@ -43,18 +44,26 @@ enum um_status um_compare_plan_create(struct um_context *context, const struct u
                                       struct um_compare_plan **out);
 void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan);
 
-/* The trace of a plan: um_model_trace_create_at at its times and exposures, of points
- * um_model_trace_create_points. */
+/* The geometry precomputation of a plan: um_model_precompute_at at its times and exposures, of
+ * points um_model_precompute_points. */
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
-                                     struct um_model_trace **out);
+                                     struct um_model_precomputed **out);
 
-/* Model value of every row in the unit of its quantity, from a run on a trace of the plan; value:
- * shape [count of the set]; NaN for rows that are left out, +infinity for a magnitude of no light.
- * UM_ERR_INPUT with file and line: a row of irradiance or magnitude while the satellite is below
- * the horizon. */
+/* Model value of every row in the unit of its quantity, from a run on a geometry precomputation of
+ * the plan; value: shape [count of the set]; NaN for rows that are left out, +infinity for a
+ * magnitude of no light. UM_ERR_INPUT with file and line: a row of irradiance or magnitude while
+ * the satellite is below the horizon. */
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
-                                  const struct um_model_trace *trace,
+                                  const struct um_model_precomputed *precomputed,
                                   const struct um_model_result *result, double *value);
+
+/* Standard error of those values by the sampling of the model: sigma of each observation in linear
+ * flux (magnitudes: of the flux relative to magnitude 0), shape [count of the set]; NaN for rows
+ * that are left out, 0 for temperatures, whose error the model does not state. All instants look at
+ * the same points of the body, so the errors of neighbouring observations are not independent:
+ * their squares add to chi-square as stated, but they do not average out. Does not fail. */
+void um_compare_predict_error(const struct um_compare_plan *plan,
+                              const struct um_model_result *result, double *model_sigma);
 
 #endif

@@ -3,34 +3,12 @@
 
 #include "compare/places_impl.h"
 #include "compare/predict_impl.h"
-#include "core/words.h"
 
 static size_t first_used(const struct um_compare_measurements *m, size_t channel)
 {
   for (size_t i = 0; i < m->count; i++)
     if (m->row[i].channel == channel && m->row[i].flag == 0) return i;
   return UM_COMPARE_NOWHERE;
-}
-
-static enum um_status find_band(struct um_context *context, const struct um_model *model,
-                                const char *name, size_t *out)
-{
-  const char *nearest = NULL;
-  char accepted[320] = "";
-  size_t distance = SIZE_MAX;
-  *out = um_model_band_find(model, name);
-  if (*out != UM_COMPARE_NOWHERE) return UM_OK;
-  for (size_t b = 0; b < model->nband; b++) {
-    const char *known = model->band[b].name;
-    size_t d = um_core_words_distance(name, known);
-    um_core_words_append(accepted, sizeof accepted, known);
-    if (!um_core_words_are_near(name, known) || d >= distance) continue;
-    distance = d;
-    nearest = known;
-  }
-  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s%s%s; accepted: %s",
-                      name, nearest == NULL ? "" : "; did you mean '",
-                      nearest == NULL ? "" : nearest, nearest == NULL ? "" : "'?", accepted);
 }
 
 /* Of light, of which the scenario needs an observer. */
@@ -63,7 +41,7 @@ enum um_status um_compare_source_find(struct um_context *context, const struct u
         "radiant_intensity, magnitude_ab",
         m->path, line);
   if (is_light(quantity) || quantity == UM_QUANTITY_TEMPERATURE) {
-    enum um_status status = is_light(quantity) ? find_band(context, model, of, out)
+    enum um_status status = is_light(quantity) ? um_model_band_require(context, model, of, out)
                                                : um_compare_place_find(context, model, of, out);
     if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
     return status;

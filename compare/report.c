@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/compare_impl.h"
+#include "compare/compare.h"
 #include "compare/figures.h"
 #include "core/json.h"
 
@@ -95,6 +95,9 @@ void um_compare_write_json(const struct um_compare_comparison *comparison, const
   um_core_json_field(file, ",\n  ", "chi2", c->chi2);
   um_core_json_field(file, ", ", "dof", c->dof);
   um_core_json_field(file, ", ", "chi2_red", c->chi2_reduced);
+  um_core_json_field(file, ",\n  ", "model_share", c->model_share);
+  fprintf(file, ", \"optics_samples\": %d, \"optics_samples_of_scenario\": %d", c->samples,
+          c->samples_before);
   fputs(",\n  \"channels\": [", file);
   for (size_t i = 0; i < c->nchannel; i++) json_channel(file, c, i);
   fputs("]\n}\n", file);
@@ -107,8 +110,9 @@ static void csv_metrics(FILE *file, const struct um_compare_channel *channel, co
 {
   struct um_compare_figure all[UM_COMPARE_FIGURES];
   um_compare_figures(m, all);
-  fprintf(file, "%s,%s,%s,%s,%zu", um_compare_quantity_name(channel->quantity), channel->of,
-          segment, um_compare_residual_unit(channel->quantity), m->count);
+  fprintf(file, "%s,", um_compare_quantity_name(channel->quantity));
+  um_compare_csv_text(file, channel->of);
+  fprintf(file, ",%s,%s,%zu", segment, um_compare_residual_unit(channel->quantity), m->count);
   for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) um_compare_csv_number(file, all[i].value);
   fputc('\n', file);
 }
@@ -136,8 +140,8 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   size_t k = c->run.plan->observation[row];
   char time[40];
   um_compare_time_text(r->t_tai, time);
-  fprintf(file, "%s,%s,%s", time, um_compare_quantity_name(m->channel[r->channel].quantity),
-          m->channel[r->channel].of);
+  fprintf(file, "%s,%s,", time, um_compare_quantity_name(m->channel[r->channel].quantity));
+  um_compare_csv_text(file, m->channel[r->channel].of);
   um_compare_csv_number(file, r->value);
   um_compare_csv_number(file, c->model[row]);
   um_compare_csv_number(file, r->sigma);
@@ -145,6 +149,7 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   um_compare_csv_number(file, isnan(c->sigma[row]) ? (double)NAN : um_compare_normalised(c, row));
   fprintf(file, ",%s,%s", um_compare_segment_name(c->light[k]),
           um_compare_segment_name(c->motion[k]));
+  um_compare_csv_number(file, c->model_sigma[row]);
   for (size_t j = 0; j < c->coordinates->count; j++)
     um_compare_csv_number(file, c->coordinates->coordinate[j].value[k]);
   fputc('\n', file);
@@ -153,9 +158,13 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
 /* Channel after channel, each in order of time; rows that are left out do not appear. */
 static void write_residuals(const struct um_compare_comparison *c, FILE *file)
 {
-  fputs("time_utc,quantity,of,measured,model,sigma,residual,residual_in_sigma,light,motion", file);
-  for (size_t j = 0; j < c->coordinates->count; j++)
-    fprintf(file, ",%s", c->coordinates->coordinate[j].name);
+  fputs("time_utc,quantity,of,measured,model,sigma,residual,residual_in_sigma,light,motion,model_"
+        "sigma",
+        file);
+  for (size_t j = 0; j < c->coordinates->count; j++) {
+    fputc(',', file);
+    um_compare_csv_text(file, c->coordinates->coordinate[j].name);
+  }
   fputc('\n', file);
   for (size_t i = 0; i < c->nchannel; i++)
     for (size_t r = 0; r < c->channel[i].count; r++) residual_row(c, c->channel[i].row[r], file);

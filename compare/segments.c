@@ -18,15 +18,15 @@ const char *um_compare_segment_name(enum um_compare_segment segment)
   return (unsigned)segment < UM_SEGMENT_COUNT ? names[segment] : "";
 }
 
-static enum um_compare_segment light_of(const struct um_model_trace *trace, size_t k)
+static enum um_compare_segment light_of(const struct um_model_precomputed *precomputed, size_t k)
 {
   size_t full = 0, none = 0;
-  for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++) {
-    if (trace->sample[i].sunlit_fraction >= 1.0) full++;
-    if (trace->sample[i].sunlit_fraction <= 0.0) none++;
+  for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
+    if (precomputed->sample[i].sunlit_fraction >= 1.0) full++;
+    if (precomputed->sample[i].sunlit_fraction <= 0.0) none++;
   }
-  if (full == trace->nsub) return UM_SEGMENT_SUNLIT;
-  return none == trace->nsub ? UM_SEGMENT_UMBRA : UM_SEGMENT_PENUMBRA;
+  if (full == precomputed->nsub) return UM_SEGMENT_SUNLIT;
+  return none == precomputed->nsub ? UM_SEGMENT_UMBRA : UM_SEGMENT_PENUMBRA;
 }
 
 /* The difference is one-sided where the orbit ends. */
@@ -45,16 +45,16 @@ static enum um_status motion_of(struct um_context *context, const struct um_mode
 }
 
 enum um_status um_compare_segments_find(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_trace *trace,
+                                        const struct um_model_precomputed *precomputed,
                                         enum um_compare_segment *light,
                                         enum um_compare_segment *motion)
 {
   bool station =
       !model->points && model->has_observer && model->observer.kind == UM_OBSERVER_STATION;
-  for (size_t k = 0; k < trace->nobs; k++) {
-    light[k] = light_of(trace, k);
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    light[k] = light_of(precomputed, k);
     motion[k] = UM_SEGMENT_COUNT;
-    if (station) UM_TRY(motion_of(context, model, trace->t_obs[k], &motion[k]));
+    if (station) UM_TRY(motion_of(context, model, precomputed->t_obs[k], &motion[k]));
   }
   return UM_OK;
 }

@@ -20,7 +20,7 @@ const char *um_compare_segment_name(enum um_compare_segment segment);
  * UM_SEGMENT_RISING or UM_SEGMENT_SETTING; UM_SEGMENT_COUNT where there is no station or no
  * track (orbit.points). Errors of the orbit. */
 enum um_status um_compare_segments_find(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_trace *trace,
+                                        const struct um_model_precomputed *precomputed,
                                         enum um_compare_segment *light,
                                         enum um_compare_segment *motion);
 

@@ -25,6 +25,7 @@ static enum um_status allocate_series(struct um_context *context, size_t n,
   UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
   UM_TRY(um_core_allocate(context, n, sizeof *s->value, &s->value));
   UM_TRY(um_core_allocate(context, n, sizeof *s->sigma, &s->sigma));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->track, &s->track));
   return um_core_allocate(context, n, sizeof *s->row, &s->row);
 }
 
@@ -54,6 +55,7 @@ enum um_status um_compare_series_create(struct um_context *context,
     const struct um_compare_measurement *row = &m->row[instant[k].row];
     s->t[k] = row->t_tai;
     s->row[k] = instant[k].row;
+    s->track[k] = row->track;
     um_compare_linear(quantity, row->value, row->sigma, &s->value[k], &s->sigma[k]);
     sigmas = sigmas && s->sigma[k] > 0.0;
   }
@@ -76,6 +78,7 @@ void um_compare_series_destroy(struct um_context *context, struct um_compare_ser
   um_core_free(context, (*series)->value);
   um_core_free(context, (*series)->sigma);
   um_core_free(context, (*series)->row);
+  um_core_free(context, (*series)->track);
   um_core_free(context, *series);
   *series = NULL;
 }
@@ -85,11 +88,6 @@ static double phase_of(double t, double period, double epoch)
 {
   double turns = (t - epoch) / period, phase = turns - floor(turns);
   return phase < 1.0 ? phase : 0.0;
-}
-
-void um_compare_fold(size_t count, const double *t, double period, double epoch, double *phase)
-{
-  for (size_t i = 0; i < count; i++) phase[i] = phase_of(t[i], period, epoch);
 }
 
 void um_compare_fold_bins(const struct um_compare_series *series, double period, double epoch,

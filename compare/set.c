@@ -69,6 +69,7 @@ enum um_status um_compare_set_begin(struct um_context *context, const char *path
 {
   *set = (struct um_compare_set){.time_column = time_column};
   UM_TRY(um_core_allocate(context, 1, sizeof *set->made, &set->made));
+  set->made->time_column = time_column;
   return um_core_strdup(context, path, &set->made->path);
 }
 

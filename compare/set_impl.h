@@ -13,7 +13,7 @@ struct um_compare_set {
   size_t row_capacity, last_capacity;
   size_t *last;            /* [track] row that was added last; SIZE_MAX: none */
   size_t *before;          /* [row] the row of the same track before it; SIZE_MAX: none */
-  const char *time_column; /* what messages call it; borrowed */
+  const char *time_column; /* what messages call it; static */
 };
 
 /* Begin; `path` is copied. After a failure of any call the caller abandons. */

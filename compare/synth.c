@@ -31,13 +31,13 @@ static enum um_status seed_source(struct um_context *context, uint64_t seed, con
   return UM_OK;
 }
 
-/* Largest irradiance of a band above the horizon; 0 when it is never. */
+/* Largest irradiance of a band where it is seen; 0 when it is never. */
 static double peak(const struct um_model_result *r, size_t band)
 {
   double largest = 0.0;
   for (size_t k = 0; k < r->nobs; k++) {
     double e = r->irradiance[k * r->nband + band];
-    if (e > largest) largest = e; /* NaN below the horizon */
+    if (e > largest) largest = e; /* NaN where hidden */
   }
   return largest;
 }
@@ -68,11 +68,11 @@ static enum um_status make_sources(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
-/* The row of a source at observation k, unless the satellite is below the horizon there. */
+/* The row of a source at observation k, unless the observer cannot see the satellite there. */
 static enum um_status add_row(struct um_context *context, const struct um_model *model,
-                              const struct um_model_trace *trace, const struct um_model_result *r,
-                              const struct um_compare_synth *o, const struct source *s, size_t k,
-                              struct um_compare_set *set)
+                              const struct um_model_precomputed *precomputed,
+                              const struct um_model_result *r, const struct um_compare_synth *o,
+                              const struct source *s, size_t k, struct um_compare_set *set)
 {
   bool heat = s->quantity == UM_QUANTITY_TEMPERATURE;
   double truth = heat ? r->place[s->index].mean[k] : r->irradiance[k * r->nband + s->index];
@@ -83,7 +83,7 @@ static enum um_status add_row(struct um_context *context, const struct um_model 
     return um_core_fail(
         context, UM_ERR_INPUT, "noise of %s '%s' of %g W/m^2 is %g; accepted: a floor above 0",
         um_compare_quantity_name(s->quantity), model->band[s->index].name, truth, sigma);
-  struct um_compare_measurement row = {.t_tai = trace->t_obs[k],
+  struct um_compare_measurement row = {.t_tai = precomputed->t_obs[k],
                                        .channel = s->channel,
                                        .value = truth + gsl_ran_gaussian_ziggurat(s->random, sigma),
                                        .sigma = sigma,
@@ -119,8 +119,34 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
                       model->scenario->at.file);
 }
 
+enum um_status um_compare_synth_share(struct um_context *context, void *user,
+                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_result *result,
+                                      const struct um_model_result *finer, double *share)
+{
+  const struct um_compare_synth *o = user;
+  (void)context;
+  *share = NAN;
+  for (size_t b = 0; precomputed->view != NULL && b < result->nband; b++) {
+    double floor = o->floor * peak(result, b), sum = 0.0;
+    size_t count = 0;
+    for (size_t k = 0; k < result->nobs; k++) {
+      size_t at = k * result->nband + b;
+      double sigma = hypot(o->relative * result->irradiance[at], floor);
+      double own = finer == NULL ? result->irradiance_error[at]
+                                 : fabs(finer->irradiance[at] - result->irradiance[at]);
+      double part = own / hypot(sigma, own);
+      if (!(sigma > 0.0)) continue; /* below the horizon, or refused later */
+      sum += part * part;
+      count++;
+    }
+    if (count > 0) *share = fmax(*share, sum / (double)count);
+  }
+  return UM_OK;
+}
+
 enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_trace *trace,
+                                       const struct um_model_precomputed *precomputed,
                                        const struct um_model_result *result,
                                        const struct um_compare_synth *options, const char *path,
                                        struct um_compare_measurements **out)
@@ -134,14 +160,16 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
   UM_TRY(um_core_allocate(context, model->nband + options->nplace, sizeof *source, &source));
   UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
   UM_CHECK(make_sources(context, model, result, options, &set, source, &count));
-  for (size_t k = 0; k < trace->nobs; k++)
+  for (size_t k = 0; k < precomputed->nobs; k++)
     for (size_t i = 0; i < count; i++)
-      UM_CHECK(add_row(context, model, trace, result, options, &source[i], k, &set));
+      UM_CHECK(add_row(context, model, precomputed, result, options, &source[i], k, &set));
   if (set.made->count == 0) {
-    status = um_core_fail(context, UM_ERR_INPUT,
-                          "%s: the satellite is never above the horizon; accepted: another time, "
-                          "or places whose temperatures are measured",
-                          model->scenario->at.file);
+    status = um_core_fail(
+        context, UM_ERR_INPUT,
+        "%s: the satellite is never seen, it is below the horizon or behind the Earth; "
+        "accepted: another time, "
+        "or places whose temperatures are measured",
+        model->scenario->at.file);
     goto done;
   }
   UM_CHECK(um_compare_set_finish(context, &set, out));

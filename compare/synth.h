@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "compare/measurements.h"
+#include "compare/refine.h"
 #include "model/model.h"
 
 struct um_compare_synth {
@@ -21,7 +22,7 @@ struct um_compare_synth {
 enum um_status um_compare_synth_check(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_synth *options);
 
-/* At every observation of the trace, for every band above the horizon,
+/* At every observation of the geometry precomputation, for every band above the horizon,
  *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
  * and the temperature of every place with temperature_sigma. Sigma is of the truth, as the noise
  * is. Each channel draws from a generator of its own (Mersenne twister, Matsumoto & Nishimura 1998;
@@ -32,9 +33,13 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
  * unknown place, or nothing to measure (no observer or never above the horizon, and no places).
  * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_trace *trace,
+                                       const struct um_model_precomputed *precomputed,
                                        const struct um_model_result *result,
                                        const struct um_compare_synth *options, const char *path,
                                        struct um_compare_measurements **out);
+
+/* um_compare_share_of for um_compare_refine: the model's own sampling error beside the noise that
+ * is to be added, which alone is stated as sigma; user: the options. */
+um_compare_share_of um_compare_synth_share;
 
 #endif

@@ -57,21 +57,10 @@ static void put_converted(FILE *file, double value)
   put_number(file, strtod(text, NULL));
 }
 
-/* ",text", quoted where CSV wants it (RFC 4180). */
 static void put_text(FILE *file, const char *text)
 {
-  size_t n = strlen(text);
-  bool blank = n > 0 && (strchr(" \t", text[0]) != NULL || strchr(" \t", text[n - 1]) != NULL);
-  if (!blank && strpbrk(text, ",\"\r\n") == NULL) {
-    fprintf(file, ",%s", text);
-    return;
-  }
-  fputs(",\"", file);
-  for (; *text != '\0'; text++) {
-    if (*text == '"') fputc('"', file);
-    fputc(*text, file);
-  }
-  fputc('"', file);
+  fputc(',', file);
+  um_core_csv_put(file, text, "");
 }
 
 static void put_row(FILE *file, const struct um_compare_measurements *m, const struct layout *l,
@@ -80,7 +69,10 @@ static void put_row(FILE *file, const struct um_compare_measurements *m, const s
   char time[40];
   um_compare_time_text(row->t_tai, time);
   fputs(time, file);
-  put_text(file, um_compare_quantity_name(m->channel[row->channel].quantity));
+  enum um_compare_quantity quantity = m->channel[row->channel].quantity;
+  put_text(file, um_compare_quantity_name(quantity));
+  /* below this bound a temperature states its unit, else it would be taken for Celsius */
+  if (quantity == UM_QUANTITY_TEMPERATURE && row->value < UM_COMPARE_COLD) fputs("_K", file);
   put_text(file, m->channel[row->channel].of);
   put_number(file, row->value);
   put_number(file, row->sigma);
@@ -149,13 +141,17 @@ enum um_status um_compare_measurements_write(struct um_context *context,
     UM_TRY(um_core_strdup(context, path, &partial));
   else
     UM_TRY(name_beside(context, path, &partial));
+  if (!in_place) um_core_file_leftovers_remove(context, path);
   file = fopen(partial, "w");
   if (file == NULL) {
     status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
     goto done;
   }
   put_file(file, measurements);
-  status = um_core_file_close(context, path, &file);
+  status = in_place ? UM_OK : um_core_file_sync(context, path, file);
+  enum um_status closed = um_core_file_close(context, path, &file);
+  if (status == UM_OK) status = closed;
+  if (status == UM_OK) status = um_core_stop_check(context, "the measurements were written");
   if (status == UM_OK && !in_place && rename(partial, path) != 0)
     status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
   if (status != UM_OK && !in_place) remove(partial);

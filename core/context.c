@@ -1,5 +1,5 @@
 /* The context: allocator, message, log, progress. */
-#include "core/context.h"
+#include "core/context_impl.h"
 
 #include <omp.h>
 #include <stdint.h>
@@ -22,6 +22,9 @@ struct um_context {
   const char *task;
   size_t done, total;
   int quiet; /* um_core_quiet_begin less um_core_quiet_end */
+  struct um_core_held_files *held;
+  um_core_stop_source stop_source;
+  void *stop_self;
 };
 
 static void *default_allocate(void *self, size_t bytes)
@@ -62,6 +65,11 @@ void um_core_context_destroy(struct um_context **context)
   a.release(a.self, (*context)->log);
   a.release(a.self, *context);
   *context = NULL;
+}
+
+struct um_core_held_files **um_core_context_held_files(struct um_context *context)
+{
+  return &context->held;
 }
 
 void um_core_context_set_threads(struct um_context *context, int threads)
@@ -217,6 +225,24 @@ const char *um_core_log_text(const struct um_context *context)
 void um_core_quiet_begin(struct um_context *context) { context->quiet++; }
 void um_core_quiet_end(struct um_context *context) { context->quiet--; }
 
+void um_core_context_set_stop(struct um_context *context, um_core_stop_source source, void *self)
+{
+  context->stop_source = source;
+  context->stop_self = self;
+}
+
+bool um_core_stopped(const struct um_context *context)
+{
+  return context != NULL && context->stop_source != NULL &&
+         context->stop_source(context->stop_self);
+}
+
+enum um_status um_core_stop_check(struct um_context *context, const char *what)
+{
+  if (!um_core_stopped(context)) return UM_OK;
+  return um_core_fail(context, UM_ERR_CANCELLED, "cancelled while %s", what);
+}
+
 void um_core_progress_set_sink(struct um_context *context, um_core_progress_sink sink, void *self)
 {
   context->progress_sink = sink;
@@ -237,6 +263,7 @@ enum um_status um_core_progress_step(struct um_context *context, size_t steps)
 {
   if (context->quiet == 0) context->done += steps;
   if (context->done > context->total) context->done = context->total;
+  UM_TRY(um_core_stop_check(context, context->task != NULL ? context->task : "computing"));
   if (context->task == NULL) return UM_OK; /* quiet, and nothing larger reports */
   if (context->progress_sink == NULL ||
       context->progress_sink(context->progress_self, context->task, context->done, context->total))

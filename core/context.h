@@ -83,6 +83,17 @@ const char *um_core_log_text(const struct um_context *context);
 void um_core_quiet_begin(struct um_context *context);
 void um_core_quiet_end(struct um_context *context);
 
+/* Asked whether to stop: true ends the work, from then on for good. Called from worker threads too;
+ * must be cheap. */
+typedef bool (*um_core_stop_source)(void *self);
+/* Default: none, nothing stops. */
+void um_core_context_set_stop(struct um_context *context, um_core_stop_source source, void *self);
+/* Has a stop been asked for? Thread-safe; for loops that leave by themselves. NULL: false. */
+bool um_core_stopped(const struct um_context *context);
+/* UM_ERR_CANCELLED with "cancelled while <what>" once a stop has been asked for; every loop that
+ * may last calls it at least every few tenths of a second. Thread-safe. Context NULL: UM_OK. */
+enum um_status um_core_stop_check(struct um_context *context, const char *what);
+
 /* Progress of long work. begin/step/end around a loop; steps are counted, never timed here. */
 void um_core_progress_set_sink(struct um_context *context, um_core_progress_sink sink, void *self);
 void um_core_progress_begin(struct um_context *context, const char *task, size_t total);

@@ -8,6 +8,7 @@
 #include "core/file.h"
 
 #define CSV_BYTES_MAX ((size_t)1 << 30)
+#define COLUMNS_MAX   10000 /* each name is compared with each */
 
 struct um_core_csv {
   struct um_context *context;
@@ -134,6 +135,9 @@ static enum um_status read_record(struct um_core_csv *csv, struct cursor *c)
 
 static enum um_status check_header(struct um_core_csv *csv)
 {
+  if (csv->columns > COLUMNS_MAX)
+    return um_core_fail(csv->context, UM_ERR_INPUT, "%s:%d: %zu columns; accepted: at most %d",
+                        csv->name, csv->lines[0], csv->columns, COLUMNS_MAX);
   for (size_t i = 0; i < csv->columns; i++) {
     if (csv->fields[i][0] == '\0')
       return um_core_fail(csv->context, UM_ERR_INPUT, "%s:%d: column %zu has no name in the header",
@@ -157,6 +161,7 @@ static enum um_status parse_records(struct um_core_csv *csv, size_t length)
                         (size_t)(nul - csv->text));
   while (next_record(&c)) {
     bool header = csv->records == 0;
+    if (csv->records % 4096 == 0) UM_TRY(um_core_stop_check(csv->context, "a table was read"));
     UM_TRY(read_record(csv, &c));
     if (header) UM_TRY(check_header(csv));
   }
@@ -261,6 +266,7 @@ enum um_status um_core_csv_number(struct um_context *context, const struct um_co
                                   size_t row, size_t column, double *out)
 {
   const char *text = um_core_csv_text(csv, row, column);
+  if (row % 256 == 0) UM_TRY(um_core_stop_check(context, "a table was read"));
   if (um_core_number_parse(text, out)) return UM_OK;
   return um_core_csv_fail(context, csv, row, column, "'%s' is not a finite number", text);
 }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "core/context.h"
+#include "core/number.h"
 
 struct um_core_csv;
 
@@ -40,8 +41,12 @@ enum um_status um_core_csv_number(struct um_context *context, const struct um_co
 enum um_status um_core_csv_fail(struct um_context *context, const struct um_core_csv *csv,
                                 size_t row, size_t column, const char *format, ...) UM_PRINTF(5, 6);
 
-/* Strict number: the whole text, finite, decimal point; false otherwise. Locale-independent. */
-bool um_core_number_parse(const char *text, double *out);
+/* One field of a row that is written, `text` and what is put behind it ("" for nothing), as one
+ * text by RFC 4180: in quotes where it holds a comma, a quote or an end of line, begins like a
+ * comment, or begins or ends with a blank, which a reader would trim. Every free text of every
+ * table is written by this. Errors of writing are the stream's. */
+void um_core_csv_put(FILE *file, const char *text, const char *tail);
+
 /* The shortest text that is read back as the same finite number. Does not fail. */
 void um_core_number_text(double value, char out[32]);
 

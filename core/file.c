@@ -5,6 +5,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "core/held_files_impl.h"
+
+#define PIECE ((size_t)16 << 20) /* read between two looks at the stop [bytes] */
+
 static enum um_status read_open_file(struct um_context *context, const char *path, FILE *file,
                                      size_t limit, char **out, size_t *length)
 {
@@ -21,8 +25,12 @@ static enum um_status read_open_file(struct um_context *context, const char *pat
   enum um_status status = UM_OK;
   size_t used = 0;
   for (;;) {
-    used += fread(text + used, 1, capacity - used, file);
-    if (used < capacity) break;
+    size_t piece = capacity - used < PIECE ? capacity - used : PIECE;
+    size_t got = fread(text + used, 1, piece, file);
+    used += got;
+    UM_CHECK(um_core_stop_check(context, "a file was read"));
+    if (got < piece) break;
+    if (used < capacity) continue;
     if (used > limit) {
       status =
           um_core_fail(context, UM_ERR_IO, "%s: larger than the %zu bytes accepted", path, limit);
@@ -49,10 +57,18 @@ enum um_status um_core_file_read(struct um_context *context, const char *path, s
 {
   *out = NULL;
   *length = 0;
+  bool found;
+  UM_TRY(um_core_held_files_find(context, path, out, length, &found));
+  if (found) return UM_OK; /* within the limit: the same reader asks again */
   FILE *file = fopen(path, "rb");
   if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
   enum um_status status = read_open_file(context, path, file, limit, out, length);
   fclose(file);
+  if (status == UM_OK) status = um_core_held_files_add(context, path, *out, *length);
+  if (status != UM_OK) {
+    um_core_free(context, *out);
+    *out = NULL;
+  }
   return status;
 }
 

@@ -11,6 +11,10 @@
  * `limit` bytes. UM_ERR_IO "path: reason". */
 enum um_status um_core_file_read(struct um_context *context, const char *path, size_t limit,
                                  char **out, size_t *length);
+/* Between the two, which nest, every file is read from the disk once and served from memory again;
+ * a file that could not be read is tried again. Hold: UM_ERR_MEMORY. Letting go does not fail. */
+enum um_status um_core_files_hold(struct um_context *context);
+void um_core_files_let_go(struct um_context *context);
 /* "dir of base_file / relative", or a copy when `relative` is absolute; the caller frees. */
 enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,
                                     const char *relative, char **out);
@@ -19,7 +23,8 @@ bool um_core_path_is_plain(const char *name);
 
 /* An output folder in the making: written beside `path` under a temporary name, renamed at commit.
  * begin fails with UM_ERR_IO when `path` exists and is not an Umbra folder (no ".umbra" marker
- * file) unless `force`; nothing is touched then. abort removes what was written. */
+ * file) unless `force`; nothing is touched then. What dead processes left beside `path` is removed.
+ * abort removes what was written. */
 struct um_core_folder;
 enum um_status um_core_folder_begin(struct um_context *context, const char *path, bool force,
                                     struct um_core_folder **out);
@@ -30,6 +35,11 @@ enum um_status um_core_folder_open(struct um_context *context, struct um_core_fo
                                    const char *name, FILE **out);
 /* fclose with its errors (disk full) turned into UM_ERR_IO; sets *file to NULL. */
 enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file);
+/* Bring what was written to the disk. UM_ERR_IO. */
+enum um_status um_core_file_sync(struct um_context *context, const char *name, FILE *file);
+/* Remove ".name.partial-<pid>..." beside `path` of processes that have died. Does not fail. */
+void um_core_file_leftovers_remove(struct um_context *context, const char *path);
+/* The folder takes its name, whole and on the disk; UM_ERR_CANCELLED when a stop was asked for. */
 enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder);
 /* Accepts NULL, sets NULL. */
 void um_core_folder_abort(struct um_core_folder **folder);

@@ -1,15 +1,21 @@
-/* An output folder that appears whole: written beside its place under a temporary name, then
- * renamed. A folder of Umbra carries the marker file ".umbra". */
+/* An output folder that appears whole: written beside its place under a temporary name, brought to
+ * the disk, then renamed; where a folder stands there already, the two change places in one step if
+ * the file system can. A folder of Umbra carries the marker file ".umbra", which its writer keeps
+ * locked: what a dead process left is known by the free lock (leftover.c). */
+#define _GNU_SOURCE /* renameat2 */
 #include <errno.h>
+#include <fcntl.h>
 #include <ftw.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/file.h"
+#include "core/leftover_impl.h"
 
-#define MARKER     ".umbra"
+#define MARKER     UM_CORE_FOLDER_MARKER
 #define NAME_TRIES 100
 
 struct um_core_folder {
@@ -17,25 +23,13 @@ struct um_core_folder {
   char *target;       /* without trailing slashes */
   char *partial;      /* the temporary folder; NULL: not made */
   size_t parent_made; /* number of parent folders that begin made */
+  int lock;           /* descriptor of the marker in `partial`, locked; -1: none */
   bool force;
 };
 
 static enum um_status fail_errno(struct um_context *context, const char *path, const char *what)
 {
   return um_core_fail(context, UM_ERR_IO, "%s: %s: %s", path, what, strerror(errno));
-}
-
-static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
-{
-  (void)st;
-  (void)kind;
-  (void)ftw;
-  return remove(path);
-}
-
-static int remove_tree(const char *path)
-{
-  return nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
 }
 
 /* "dir/.name.<kind>-<pid>" beside `path`, with "-<attempt>" behind when attempt > 0. */
@@ -176,7 +170,13 @@ static enum um_status write_marker(struct um_context *context, struct um_core_fo
   FILE *file;
   UM_TRY(um_core_folder_open(context, folder, MARKER, &file));
   fputs("This folder was written by Umbra; a later run may replace it.\n", file);
-  return um_core_file_close(context, MARKER, &file);
+  UM_TRY(um_core_file_close(context, MARKER, &file));
+  char *path;
+  UM_TRY(um_core_asprintf(context, &path, "%s/" MARKER, folder->partial));
+  folder->lock = open(path, O_RDONLY | O_CLOEXEC);
+  if (folder->lock >= 0) (void)flock(folder->lock, LOCK_EX | LOCK_NB);
+  um_core_free(context, path);
+  return UM_OK;
 }
 
 enum um_status um_core_folder_begin(struct um_context *context, const char *path, bool force,
@@ -188,10 +188,12 @@ enum um_status um_core_folder_begin(struct um_context *context, const char *path
   UM_TRY(um_core_allocate(context, 1, sizeof *folder, &folder));
   folder->context = context;
   folder->force = force;
+  folder->lock = -1;
   enum um_status status;
   UM_CHECK(clean_target(context, path, &folder->target));
   UM_CHECK(check_target(context, folder->target, force, &exists));
   UM_CHECK(make_parents(context, folder));
+  um_core_leftovers_remove(context, folder->target);
   UM_CHECK(make_partial(context, folder));
   UM_CHECK(write_marker(context, folder));
   *out = folder;
@@ -219,8 +221,14 @@ enum um_status um_core_folder_open(struct um_context *context, struct um_core_fo
   return status;
 }
 
-/* Rename the old folder away, the new one in, remove the old one. */
-static enum um_status replace_target(struct um_context *context, struct um_core_folder *folder)
+static void warn_left(struct um_context *context, const char *old)
+{
+  um_core_log(context, UM_LOG_WARNING, "%s: the replaced folder could not be removed: %s", old,
+              strerror(errno));
+}
+
+/* Where the two cannot change places: the old folder away, the new one in. */
+static enum um_status replace_in_steps(struct um_context *context, struct um_core_folder *folder)
 {
   char *old;
   UM_TRY(name_beside(context, folder->target, "old", 0, &old));
@@ -230,12 +238,19 @@ static enum um_status replace_target(struct um_context *context, struct um_core_
   } else if (rename(folder->partial, folder->target) != 0) {
     status = fail_errno(context, folder->target, "cannot be replaced");
     (void)rename(old, folder->target);
-  } else if (remove_tree(old) != 0) {
-    um_core_log(context, UM_LOG_WARNING, "%s: the replaced folder could not be removed: %s", old,
-                strerror(errno));
+  } else if (um_core_tree_remove(old) != 0) {
+    warn_left(context, old);
   }
   um_core_free(context, old);
   return status;
+}
+
+static enum um_status replace_target(struct um_context *context, struct um_core_folder *folder)
+{
+  if (renameat2(AT_FDCWD, folder->partial, AT_FDCWD, folder->target, RENAME_EXCHANGE) != 0)
+    return replace_in_steps(context, folder);
+  if (um_core_tree_remove(folder->partial) != 0) warn_left(context, folder->partial);
+  return UM_OK;
 }
 
 enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder)
@@ -245,6 +260,9 @@ enum um_status um_core_folder_commit(struct um_context *context, struct um_core_
   bool exists;
   *folder = NULL;
   UM_CHECK(check_target(context, f->target, f->force, &exists));
+  UM_CHECK(um_core_tree_sync(context, f->partial));
+  /* nothing of a run that was asked to stop is published, whoever overheard the stop */
+  UM_CHECK(um_core_stop_check(context, "the results were written"));
   if (exists)
     UM_CHECK(replace_target(context, f));
   else if (rename(f->partial, f->target) != 0)
@@ -252,6 +270,7 @@ enum um_status um_core_folder_commit(struct um_context *context, struct um_core_
   um_core_free(context, f->partial);
   f->partial = NULL;
   f->parent_made = 0;
+  um_core_folder_sync_parent(f->target);
 done:
   um_core_folder_abort(&f);
   return status;
@@ -261,7 +280,8 @@ void um_core_folder_abort(struct um_core_folder **folder)
 {
   if (folder == NULL || *folder == NULL) return;
   struct um_core_folder *f = *folder;
-  if (f->partial != NULL) (void)remove_tree(f->partial);
+  if (f->partial != NULL) (void)um_core_tree_remove(f->partial);
+  if (f->lock >= 0) close(f->lock);
   if (f->target != NULL) remove_parents(f);
   um_core_free(f->context, f->partial);
   um_core_free(f->context, f->target);

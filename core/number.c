@@ -1,10 +1,11 @@
 /* Strict decimal numbers: [+-] digits [. digits] [e [+-] digits], the whole text, finite. */
+#include "core/number.h"
+
 #include <locale.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "core/csv.h"
 
 #define NUMBER_LENGTH_MAX 256 /* characters; no measured value has more */
 

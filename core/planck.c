@@ -104,19 +104,3 @@ double um_core_planck_band_photons(double from, double to, double temperature)
   /* 2 c (T/C2)^3 int x^2/(e^x - 1) dx */
   return 2.0 * UM_LIGHT_SPEED * s * s * s * debye_between(z1, z2, 2);
 }
-
-double um_core_planck_band_temperature(double from, double to, double radiance)
-{
-  double low = 1.0, high = 20000.0;
-  if (!(radiance > um_core_planck_band(from, to, low)) ||
-      !(radiance <= um_core_planck_band(from, to, high)))
-    return NAN;
-  for (int i = 0; i < 200 && high - low > 1e-12 * high; i++) {
-    double middle = 0.5 * (low + high);
-    if (um_core_planck_band(from, to, middle) < radiance)
-      low = middle;
-    else
-      high = middle;
-  }
-  return 0.5 * (low + high);
-}

@@ -14,7 +14,5 @@ double um_core_planck_band(double from /* [m] */, double to /* [m] */,
 double um_core_planck_band_slope(double from, double to, double temperature);
 /* Photon band radiance [1/s/m^2/sr]. */
 double um_core_planck_band_photons(double from, double to, double temperature);
-/* Temperature [K] of the black body that has the given band radiance; NaN if none in 1..20000 K. */
-double um_core_planck_band_temperature(double from, double to, double radiance);
 
 #endif

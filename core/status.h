@@ -11,7 +11,8 @@
   X(UM_ERR_MEMORY, "out of memory")                                                                \
   X(UM_ERR_NUMERIC, "a computation did not converge or left its domain")                           \
   X(UM_ERR_LIBRARY, "a foreign library failed")                                                    \
-  X(UM_ERR_CANCELLED, "cancelled by the caller")
+  X(UM_ERR_CANCELLED, "cancelled by the caller")                                                   \
+  X(UM_ERR_REFUSED, "a model refuses the values it is asked for")
 
 #define UM_STATUS_ENUM(code, text) code,
 enum um_status { UM_STATUS_LIST(UM_STATUS_ENUM) UM_STATUS_COUNT };

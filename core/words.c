@@ -4,6 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
+bool um_core_words_same(const char *a, const char *b)
+{
+  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
+}
+
 #define WORD_MAX 63
 
 void um_core_words_append(char *buffer, size_t size, const char *word)
@@ -14,6 +19,16 @@ void um_core_words_append(char *buffer, size_t size, const char *word)
     snprintf(buffer + used, size - used, "%s...", used > 0 ? ", " : "");
   else
     snprintf(buffer + used, size - used, "%s%s", used > 0 ? ", " : "", word);
+}
+
+bool um_core_name_is_safe(const char *name)
+{
+  if (strlen(name) > UM_CORE_NAME_LONGEST) return false;
+  for (const unsigned char *c = (const unsigned char *)name; *c != '\0'; c++)
+    if (*c < 0x20 || *c == 0x7f || strchr("`\"\\$", *c) != NULL ||
+        (c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0))
+      return false;
+  return true;
 }
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
@@ -30,17 +45,21 @@ size_t um_core_words_distance(const char *written, const char *known)
 {
   size_t n = word_length(written), m = word_length(known);
   if (n > 0 && m > n && known[n] == '_' && strncmp(written, known, n) == 0) return 1;
-  /* row[j]: distance of the first i characters of `written` to the first j of `known` */
-  size_t row[WORD_MAX + 1];
+  /* row[j]: distance of the first i characters of `written` to the first j of `known`; the two rows
+   * above it are kept */
+  size_t rows[3][WORD_MAX + 1], *two = rows[0], *above = rows[1], *row = rows[2];
   for (size_t j = 0; j <= m; j++) row[j] = j;
   for (size_t i = 1; i <= n; i++) {
-    size_t diagonal = row[0];
+    size_t *oldest = two;
+    two = above;
+    above = row;
+    row = oldest;
     row[0] = i;
     for (size_t j = 1; j <= m; j++) {
-      size_t above = row[j];
-      size_t change = lower(written[i - 1]) == lower(known[j - 1]) ? 0 : 1;
-      row[j] = least(least(above, row[j - 1]) + 1, diagonal + change);
-      diagonal = above;
+      char a = lower(written[i - 1]), b = lower(known[j - 1]);
+      row[j] = least(least(above[j], row[j - 1]) + 1, above[j - 1] + (a == b ? 0 : 1));
+      if (i > 1 && j > 1 && a == lower(known[j - 2]) && lower(written[i - 2]) == b)
+        row[j] = least(row[j], two[j - 2] + 1);
     }
   }
   return row[m];
@@ -52,4 +71,22 @@ int um_core_words_are_near(const char *written, const char *known)
   if (m > longer) longer = m;
   size_t limit = longer / 3 > 1 ? longer / 3 : 1;
   return um_core_words_distance(written, known) <= limit;
+}
+
+void um_core_words_consider(struct um_core_words_guess *guess, const char *known)
+{
+  if (!um_core_words_are_near(guess->written, known)) return;
+  size_t distance = um_core_words_distance(guess->written, known);
+  if (guess->nearest != NULL && distance >= guess->distance) return;
+  guess->nearest = known;
+  guess->distance = distance;
+}
+
+const char *um_core_words_hint(const struct um_core_words_guess *guess,
+                               char out[UM_CORE_WORDS_HINT])
+{
+  out[0] = '\0';
+  if (guess->nearest != NULL)
+    snprintf(out, UM_CORE_WORDS_HINT, "; did you mean '%.70s'?", guess->nearest);
+  return out;
 }

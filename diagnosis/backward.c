@@ -1,7 +1,8 @@
 /* Effects that are no longer worth their parameters are taken out again. */
 #include <math.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/backward_impl.h"
+#include "diagnosis/state_impl.h"
 
 #define CLEAR 6.0 /* sigmas from null that need no second look */
 
@@ -22,7 +23,7 @@ static enum um_status jacobian_without(struct um_context *context,
                                        const struct um_diagnosis_state *state, size_t omit,
                                        double **out)
 {
-  size_t n = work->forward->nrow, kept = 0;
+  size_t n = work->forward->nobservation, kept = 0;
   UM_TRY(um_core_allocate(context, state->nparameter * n, sizeof **out, out));
   for (size_t b = 0, k = 0; b < state->nblock; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++, k++) {

@@ -5,31 +5,41 @@
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/backward_impl.h"
+#include "diagnosis/leave_one_out_impl.h"
+#include "diagnosis/next_impl.h"
 #include "diagnosis/nuisance_impl.h"
+#include "diagnosis/pair_swap_impl.h"
+#include "diagnosis/pulse_bic_impl.h"
+#include "diagnosis/rank_impl.h"
+#include "diagnosis/select_impl.h"
+#include "diagnosis/sentence_impl.h"
+#include "diagnosis/state_impl.h"
+#include "diagnosis/superseded_impl.h"
+#include "diagnosis/verdict_impl.h"
 
-#define LEVEL     0.01 /* family-wise false-alarm rate, when not asked for another */
-#define STEPS_MAX 4
-#define RIVALS    8
-#define FOLDS     5 /* blocks of time that are held out in turn */
+#define LEVEL        0.01 /* family-wise false-alarm rate, when not asked for another */
+#define STEPS_MAX    4
+#define ALTERNATIVES 8
+#define FOLDS        5 /* blocks of time that are held out in turn */
 
 static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
 {
   for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) values[p] = NAN;
 }
 
-/* Blocks of equal numbers of rows in order of time of the whole set. */
+/* Blocks of equal numbers of observations in order of time of the whole set. */
 static enum um_status make_folds(struct um_context *context, struct um_diagnosis_work *work)
 {
-  const struct um_diagnosis_forward *f = work->forward;
+  const struct um_sensitivity_forward *f = work->forward;
   double first = INFINITY, last = -INFINITY;
-  UM_TRY(um_core_allocate(context, f->nrow, sizeof *work->fold, &work->fold));
-  for (size_t j = 0; j < f->nrow; j++) {
+  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *work->fold, &work->fold));
+  for (size_t j = 0; j < f->nobservation; j++) {
     first = fmin(first, f->t[j]);
     last = fmax(last, f->t[j]);
   }
   work->nfold = FOLDS;
-  for (size_t j = 0; j < f->nrow && last > first; j++) {
+  for (size_t j = 0; j < f->nobservation && last > first; j++) {
     size_t fold = (size_t)(FOLDS * (f->t[j] - first) / (last - first));
     work->fold[j] = fold < FOLDS ? fold : FOLDS - 1;
   }
@@ -40,7 +50,7 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
 static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nrow;
+  size_t n = work->forward->nobservation;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
   if (!(um_diagnosis_free_parameters(state) < (double)n))
     return um_core_fail(
@@ -67,25 +77,28 @@ static enum um_status keep_ranking(struct um_context *context, const struct um_d
 static enum um_status go_forward(struct um_context *context, const struct um_diagnosis_work *work,
                                  struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nrow;
+  size_t n = work->forward->nobservation;
   UM_TRY(um_core_allocate(context, work->steps_max, sizeof *d->step, &d->step));
   for (bool added = true; added && d->nstep < work->steps_max;) {
     struct um_diagnosis_step *step = &d->step[d->nstep];
     nothing(step->sigma);
     enum um_status status = um_diagnosis_select(context, work, state, step, &added);
     if (status != UM_OK || !added) {
-      um_core_free(context, step->rival);
-      step->rival = NULL;
+      um_core_free(context, step->alternative);
+      step->alternative = NULL;
       UM_TRY(status);
       break;
     }
     d->nstep++;
     UM_TRY(um_core_allocate(context, n, sizeof *step->value, &step->value));
     memcpy(step->value, state->fit->value, n * sizeof *step->value);
-    if (state->nblock - state->nnuisance > 1) UM_TRY(um_diagnosis_exchange(context, work, state));
+    if (state->nblock - state->nnuisance > 1) UM_TRY(um_diagnosis_pair_swap(context, work, state));
     UM_TRY(um_diagnosis_backward(context, work, state, d));
   }
-  return um_diagnosis_conditional(context, work, state, d);
+  UM_TRY(um_diagnosis_superseded_take(context, d));
+  UM_TRY(um_diagnosis_leave_one_out(context, work, state, d));
+  um_diagnosis_superseded_keep(state, d);
+  return UM_OK;
 }
 
 static void ends_free(struct um_context *context, struct um_diagnosis *d)
@@ -104,7 +117,7 @@ static void ends_free(struct um_context *context, struct um_diagnosis *d)
 static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nrow, added = state->nblock - state->nnuisance;
+  size_t n = work->forward->nobservation, added = state->nblock - state->nnuisance;
   ends_free(context, d);
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition, &d->addition));
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition_sigma, &d->addition_sigma));
@@ -125,6 +138,7 @@ static enum um_status keep_end(struct um_context *context, const struct um_diagn
   UM_TRY(um_core_allocate(context, n, sizeof *d->value_after, &d->value_after));
   memcpy(d->value_after, state->fit->value, n * sizeof *d->value_after);
   d->chi2_after = state->fit->chi2;
+  d->bic_after = state->fit->bic;
   d->dof_after = (double)n - (double)state->nparameter;
   d->chi2_reduced_after = d->chi2_after / d->dof_after;
   return um_diagnosis_state_whiteness(context, work, state, &d->final_whiteness);
@@ -132,25 +146,33 @@ static enum um_status keep_end(struct um_context *context, const struct um_diagn
 
 /* --- what follows ----------------------------------------------------------------------------- */
 
-static enum um_status look_next(struct um_context *context, const struct um_diagnosis_work *work,
-                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
+/* What the residual of the baseline looks like, where the answer is not plain. */
+static enum um_status look_at_residual(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *bare,
+                                       struct um_diagnosis *d)
 {
-  for (size_t s = d->nstep; s-- > 0 && d->next == NULL && !work->options->no_next;)
-    if (um_diagnosis_has_group(&d->step[s]))
-      UM_TRY(um_diagnosis_next_find(context, work, state, &d->step[s], &d->next));
-  return UM_OK;
+  struct um_model_addition *addition = NULL;
+  if (d->verdict == UM_VERDICT_COMPLETE || d->verdict == UM_VERDICT_FOUND) return UM_OK;
+  UM_TRY(um_core_allocate(context, bare->nblock, sizeof *addition, &addition));
+  um_diagnosis_state_additions(bare, addition);
+  enum um_status status =
+      um_missing_heat_residual_of(context, work->forward, addition, bare->nblock,
+                                  um_diagnosis_free_parameters(bare), &d->residual);
+  um_core_free(context, addition);
+  return status;
 }
 
 /* Heat that is missing beside a state. */
 static enum um_status look_for_heat(struct um_context *context,
                                     const struct um_diagnosis_work *work,
                                     const struct um_diagnosis_state *state,
-                                    struct um_diagnosis_unexplained **out)
+                                    struct um_missing_heat_unexplained **out)
 {
-  struct um_diagnosis_addition *addition = NULL;
+  struct um_model_addition *addition = NULL;
   UM_TRY(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
   um_diagnosis_state_additions(state, addition);
-  enum um_status status = um_diagnosis_unexplained_create(
+  enum um_status status = um_missing_heat_unexplained_create(
       context, work->forward, addition, state->nblock, state->fit->value, state->fit->jacobian,
       state->nparameter, out);
   um_core_free(context, addition);
@@ -163,14 +185,13 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
                                  struct um_diagnosis_state *state,
                                  const struct um_diagnosis_state *bare, struct um_diagnosis *d)
 {
-  struct um_diagnosis_unexplained *heat = NULL;
-  double price = 4.0 * log((double)work->forward->nrow);
+  struct um_missing_heat_unexplained *heat = NULL;
   if (work->options->no_heat) return UM_OK;
   UM_TRY(look_for_heat(context, work, bare, &heat));
   bool better = d->naddition > 0 && heat->nheat > 0 &&
-                heat->chi2_after + bare->fit->chi2_prior + price < state->fit->bic;
+                um_diagnosis_pulse_bic(heat, bare->fit) < state->fit->bic;
   if (d->naddition > 0 && !better) {
-    um_diagnosis_unexplained_destroy(context, &heat);
+    um_missing_heat_unexplained_destroy(context, &heat);
     return look_for_heat(context, work, state, &d->unexplained);
   }
   d->unexplained = heat;
@@ -191,22 +212,24 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
   UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL));
   UM_CHECK(keep_ranking(context, work, state, d));
-  um_core_progress_begin(context, "fitting candidates", work->steps_max * work->rivals);
+  um_core_progress_begin(context, "fitting candidates", work->steps_max * work->alternatives);
   status = go_forward(context, work, state, d);
   um_core_progress_end(context);
   UM_CHECK(status);
   UM_CHECK(keep_end(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
-  UM_CHECK(look_next(context, work, state, d));
+  um_diagnosis_stand(d);
+  UM_CHECK(look_at_residual(context, work, &bare, d));
+  if (!work->options->no_next) UM_CHECK(um_diagnosis_next_find(context, work, state, d));
   UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
 done:
   um_diagnosis_state_release(context, &bare);
   return status;
 }
 
-static enum um_status begin(struct um_context *context, struct um_diagnosis_forward *forward,
-                            const struct um_diagnosis_candidates *candidates,
+static enum um_status begin(struct um_context *context, struct um_sensitivity_forward *forward,
+                            const struct um_sensitivity_candidates *candidates,
                             const struct um_diagnosis_options *options,
                             struct um_diagnosis_work *work, struct um_diagnosis **d)
 {
@@ -217,15 +240,16 @@ static enum um_status begin(struct um_context *context, struct um_diagnosis_forw
       .options = options,
       .level = options->level > 0.0 ? options->level : LEVEL,
       .steps_max = options->steps_max > 0 ? options->steps_max : STEPS_MAX,
-      .rivals = options->rivals > 0 ? options->rivals : RIVALS,
+      .alternatives = options->alternatives > 0 ? options->alternatives : ALTERNATIVES,
   };
   (*d)->forward = forward;
   (*d)->level = work->level;
   return make_folds(context, work);
 }
 
-enum um_status um_diagnosis_create(struct um_context *context, struct um_diagnosis_forward *forward,
-                                   struct um_diagnosis_candidates *candidates,
+enum um_status um_diagnosis_create(struct um_context *context,
+                                   struct um_sensitivity_forward *forward,
+                                   struct um_sensitivity_candidates *candidates,
                                    const struct um_diagnosis_options *options,
                                    struct um_diagnosis **out)
 {
@@ -247,31 +271,31 @@ done:
 }
 
 enum um_status um_diagnosis_fit_effects(struct um_context *context,
-                                        struct um_diagnosis_forward *forward,
-                                        const struct um_diagnosis_addition *wanted, size_t nwanted,
+                                        struct um_sensitivity_forward *forward,
+                                        const struct um_model_addition *wanted, size_t nwanted,
                                         const struct um_diagnosis_options *options,
                                         struct um_diagnosis **out)
 {
   enum um_status status;
-  struct um_diagnosis_candidates none = {.nrow = forward->nrow};
+  struct um_sensitivity_candidates none = {.nobservation = forward->nobservation};
   struct um_diagnosis_work work = {0};
   struct um_diagnosis_state state = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
   UM_CHECK(begin(context, forward, &none, options, &work, &d));
-  UM_CHECK(um_core_allocate(context, forward->nrow, sizeof *none.base, &none.base));
-  UM_CHECK(um_diagnosis_forward_evaluate(context, forward, NULL, 0, none.base));
+  UM_CHECK(um_core_allocate(context, forward->nobservation, sizeof *none.base, &none.base));
+  UM_CHECK(um_sensitivity_forward_evaluate(context, forward, NULL, 0, none.base));
   UM_CHECK(baseline(context, &work, &state, d));
   for (size_t i = 0; i < nwanted; i++) {
     struct um_diagnosis_block block;
     UM_CHECK(um_diagnosis_block_wanted(context, &work, &wanted[i], INFINITY, &block));
     UM_CHECK(um_diagnosis_state_append(context, &state, &block));
   }
-  if (!(um_diagnosis_free_parameters(&state) < (double)forward->nrow)) {
+  if (!(um_diagnosis_free_parameters(&state) < (double)forward->nobservation)) {
     status = um_core_fail(
         context, UM_ERR_INPUT,
         "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-        forward->measurements->path, forward->nrow, um_diagnosis_free_parameters(&state));
+        forward->measurements->path, forward->nobservation, um_diagnosis_free_parameters(&state));
     goto done;
   }
   um_core_progress_begin(context, "fitting", 1);
@@ -302,8 +326,10 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   um_core_free(context, d->step);
   um_core_free(context, d->value_before);
   um_core_free(context, d->ranking);
-  um_diagnosis_next_destroy(context, &d->next);
-  um_diagnosis_unexplained_destroy(context, &d->unexplained);
+  um_diagnosis_next_clear(context, d);
+  um_missing_heat_residual_release(context, &d->residual);
+  um_core_free(context, d->superseded);
+  um_missing_heat_unexplained_destroy(context, &d->unexplained);
   um_core_free(context, d);
   *diagnosis = NULL;
 }

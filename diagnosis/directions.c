@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/words.h"
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {
   um_core_free(context, d->direction);
@@ -14,15 +15,16 @@ void um_diagnosis_directions_release(struct um_context *context, struct um_diagn
 
 /* Inner unit in which a direction is handed over: the step of its difference, so that a length says
  * what a step does, whatever the unit of the parameter. */
-double um_diagnosis_unit(const struct um_diagnosis_candidate *c, size_t k)
+double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k)
 {
   if (c->is_switch || c->step[k] == 0.0) return 1.0;
   size_t p = c->parameter[k];
-  return fabs(c->step[k]) / um_diagnosis_slope(&c->effect->parameters[p], c->null_value[p]);
+  return fabs(c->step[k]) /
+         um_effect_transformed_slope(&c->effect->parameters[p], c->null_value[p]);
 }
 
 /* A switch has one column: 0 is off and 1 is on. Others in units of their step. */
-static void bounds_of(const struct um_diagnosis_candidate *c, double *low, double *high,
+static void bounds_of(const struct um_sensitivity_candidate *c, double *low, double *high,
                       double *prior, double *slope)
 {
   for (size_t k = 0; k < c->ncolumn; k++) {
@@ -33,10 +35,14 @@ static void bounds_of(const struct um_diagnosis_candidate *c, double *low, doubl
     const struct um_effect_parameter *of = &c->effect->parameters[c->parameter[k]];
     double null_value = c->null_value[c->parameter[k]];
     double unit = um_diagnosis_unit(c, k);
-    low[k] = (um_diagnosis_inner(of, of->minimum) - um_diagnosis_inner(of, null_value)) / unit;
-    high[k] = (um_diagnosis_inner(of, of->maximum) - um_diagnosis_inner(of, null_value)) / unit;
+    low[k] = (um_effect_transformed(of, c->minimum[c->parameter[k]]) -
+              um_effect_transformed(of, null_value)) /
+             unit;
+    high[k] = (um_effect_transformed(of, c->maximum[c->parameter[k]]) -
+               um_effect_transformed(of, null_value)) /
+              unit;
     prior[k] = of->prior_sigma / unit;
-    slope[k] = um_diagnosis_slope(of, null_value) * unit;
+    slope[k] = um_effect_transformed_slope(of, null_value) * unit;
   }
 }
 
@@ -45,38 +51,38 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
                                             const struct um_diagnosis_state *state,
                                             struct um_diagnosis_directions *d)
 {
-  const struct um_diagnosis_candidates *all = work->candidates;
-  size_t n = work->forward->nrow, columns = 0, at = 0;
+  const struct um_sensitivity_candidates *all = work->candidates;
+  size_t n = work->forward->nobservation, columns = 0, at = 0;
   for (size_t i = 0; i < all->count; i++) columns += all->candidate[i].ncolumn;
   UM_TRY(um_core_allocate(context, all->count, sizeof *d->direction, &d->direction));
   UM_TRY(um_core_allocate(context, columns * n, sizeof *d->column, &d->column));
   UM_TRY(um_core_allocate(context, 3 * columns, sizeof *d->bound, &d->bound));
   UM_TRY(um_core_allocate(context, state->nparameter, sizeof(double), &d->nuisance_sigma));
   for (size_t i = 0; i < all->count; i++) {
-    const struct um_diagnosis_candidate *c = &all->candidate[i];
+    const struct um_sensitivity_candidate *c = &all->candidate[i];
     double *low = d->bound + at, *high = low + columns, *prior = high + columns;
     double slope[UM_EFFECT_PARAMETERS_MAX];
     bounds_of(c, low, high, prior, slope);
     for (size_t k = 0; k < c->ncolumn; k++)
       for (size_t j = 0; j < n; j++)
         d->column[(at + k) * n + j] =
-            c->dead ? 0.0 : slope[k] * c->signature[k * n + j] / work->forward->sigma[j];
+            c->insensitive ? 0.0 : slope[k] * c->signature[k * n + j] / work->forward->sigma[j];
     d->direction[i] =
-        (struct um_diagnosis_direction){c->ncolumn, d->column + at * n, low, high, prior};
+        (struct um_inference_direction){c->ncolumn, d->column + at * n, low, high, prior};
     at += c->ncolumn;
   }
   for (size_t b = 0, k = 0; b < state->nblock; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++)
       d->nuisance_sigma[k++] = state->block[b].prior_sigma[p];
   d->nuisance =
-      (struct um_diagnosis_nuisance){state->nparameter, state->fit->jacobian, d->nuisance_sigma};
+      (struct um_inference_nuisance){state->nparameter, state->fit->jacobian, d->nuisance_sigma};
   return UM_OK;
 }
 
 /* Residual with the parameters at the means of their priors. */
 void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out)
 {
-  const struct um_diagnosis_fit *fit = state->fit;
+  const struct um_inference_fit *fit = state->fit;
   memcpy(out, fit->residual, n * sizeof *out);
   for (size_t b = 0, k = 0; b < state->nblock; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
@@ -86,18 +92,13 @@ void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size
     }
 }
 
-static bool same_text(const char *a, const char *b)
-{
-  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
-}
-
 /* An effect on a target that is fitted already. */
 bool um_diagnosis_is_taken(const struct um_diagnosis_state *state,
-                           const struct um_diagnosis_candidate *c)
+                           const struct um_sensitivity_candidate *c)
 {
   for (size_t b = 0; b < state->nblock; b++)
     if (strcmp(state->block[b].addition.effect->name, c->effect->name) == 0 &&
-        same_text(state->block[b].addition.target, c->target))
+        um_core_words_same(state->block[b].addition.target, c->target))
       return true;
   return false;
 }

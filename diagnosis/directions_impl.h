@@ -2,14 +2,14 @@
 #ifndef UMBRA_DIAGNOSIS_DIRECTIONS_IMPL_H
 #define UMBRA_DIAGNOSIS_DIRECTIONS_IMPL_H
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/state_impl.h"
 
 /* Directions of the candidates, and what they borrow. */
 struct um_diagnosis_directions {
-  struct um_diagnosis_direction *direction; /* [count of candidates] */
+  struct um_inference_direction *direction; /* [count of candidates] */
   double *column;                           /* whitened signatures, one after another */
   double *bound;                            /* [3][columns] lowest, highest step, prior sigma */
-  struct um_diagnosis_nuisance nuisance;
+  struct um_inference_nuisance nuisance;
   double *nuisance_sigma; /* [nparameter of the state] */
 };
 
@@ -20,12 +20,12 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d);
 /* Inner unit in which a column of a candidate is handed over: the step of its difference, so that
  * a length says what a step does, whatever the unit of the parameter. */
-double um_diagnosis_unit(const struct um_diagnosis_candidate *c, size_t k);
+double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k);
 /* Residual [n] with the parameters of the state at the means of their priors:
  *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0. */
 void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out);
 /* An effect on a target that is fitted already. */
 bool um_diagnosis_is_taken(const struct um_diagnosis_state *state,
-                           const struct um_diagnosis_candidate *c);
+                           const struct um_sensitivity_candidate *c);
 
 #endif

@@ -1,35 +1,48 @@
-/* The observation that would tell two explanations apart, among those the scenario has: its bands
- * and places in sunlight, penumbra and umbra of its own window.
+/* The observation that would tell an effect from an alternative, among those the scenario has: its
+ * bands and places in sunlight, penumbra and umbra of its own window, and of the bands those rows
+ * that lie at high airmass.
  *
  * Both explanations are computed as they were fitted; per row of a channel the expected chi-square
- * between them is the mean of ((M1 - M2) / sigma)^2. Sigma is that of rows of the channel which
- * were measured, else a usual one. */
+ * between them is the mean of ((M1 - M2) / sigma)^2. Sigma is that of observations of the channel
+ * which were measured, else a usual one. Where no row helps, what the effects themselves say tells
+ * them apart is said. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "compare/segments.h"
 #include "core/constants.h"
-#include "diagnosis/diagnose_impl.h"
+#include "core/order.h"
+#include "diagnosis/next_impl.h"
+#include "diagnosis/state_impl.h"
+#include "diagnosis/verdict_impl.h"
+#include "optics/atmosphere.h"
 
 #define USUAL_RELATIVE    0.02  /* of a band that was not measured [1] */
 #define USUAL_TEMPERATURE 0.5   /* of a place that was not measured [K] */
 #define FAINT             0.01  /* floor of sigma, of the brightest row of the band */
-#define WORTH_SAYING      0.025 /* chi-square a row: a thousand rows decide */
-#define NEAREST           3     /* rivals that are looked at */
+#define WORTH_SAYING      0.025 /* chi-square an observation: a thousand observations decide */
+#define NEAREST           4     /* alternatives of a step that are computed */
+#define HIGH              0.67  /* share of the rows that lie below a high airmass */
+#define RANGE             1.5   /* of airmasses, above which there is a high one */
+#define CLEARER           1.3   /* times the chi-square of all rows, for high airmass to be said */
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};
 
-struct separation {
-  double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT]; /* means over the rows */
+struct chi2_difference {
+  double airmass[UM_SEGMENT_COUNT];                        /* the rows lie above it; NaN: all */
+  double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT]; /* means over the observations */
   size_t count[UM_SEGMENT_COUNT];
 };
 
-/* Relative sigma of a band's rows, or sigma of a place's [K]; NaN when not measured. */
-static double measured_sigma(const struct um_diagnosis_forward *f, bool temperature, const char *of)
+/* Relative sigma of a band's observations, or sigma of a place's [K]; NaN when not measured. */
+static double measured_sigma(const struct um_sensitivity_forward *f, bool temperature,
+                             const char *of)
 {
   double sum = 0.0, rows = 0.0;
-  for (size_t j = 0; j < f->nrow; j++) {
+  for (size_t j = 0; j < f->nobservation; j++) {
     const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
     if ((c->quantity == UM_QUANTITY_TEMPERATURE) != temperature || strcmp(c->of, of) != 0) continue;
     sum += temperature ? f->sigma[j] : f->sigma[j] / fmax(fabs(f->measured[j]), f->sigma[j]);
@@ -38,7 +51,7 @@ static double measured_sigma(const struct um_diagnosis_forward *f, bool temperat
   return rows > 0.0 ? sum / rows : NAN;
 }
 
-static void collect(struct separation *s, enum um_compare_segment segment, double difference,
+static void collect(struct chi2_difference *s, enum um_compare_segment segment, double difference,
                     double sigma)
 {
   s->worth[segment] += difference * difference / (sigma * sigma);
@@ -47,7 +60,7 @@ static void collect(struct separation *s, enum um_compare_segment segment, doubl
 }
 
 /* Keep the best of a channel where it beats what is kept. */
-static enum um_status offer(struct um_context *context, const struct separation *s,
+static enum um_status offer(struct um_context *context, const struct chi2_difference *s,
                             enum um_compare_quantity quantity, const char *of,
                             struct um_diagnosis_next *next)
 {
@@ -55,49 +68,102 @@ static enum um_status offer(struct um_context *context, const struct separation 
     enum um_compare_segment g = light[i];
     if (s->count[g] == 0) continue;
     double worth = s->worth[g] / (double)s->count[g];
-    if (!(worth > next->separation)) continue;
+    double least = isnan(s->airmass[g]) ? 1.0 : CLEARER; /* of rows that are part of others */
+    if (!(worth > least * next->chi2_difference)) continue;
     um_core_free(context, next->of);
     next->of = NULL;
     UM_TRY(um_core_strdup(context, of, &next->of));
     next->quantity = quantity;
+    next->airmass = s->airmass[g];
     next->segment = g;
-    next->separation = worth;
+    next->chi2_difference = worth;
     next->sigma = s->sigma[g] / (double)s->count[g];
   }
   return UM_OK;
 }
 
-static enum um_status offer_bands(struct um_context *context, const struct um_diagnosis_forward *f,
-                                  const struct um_diagnosis_forward_run run[2],
-                                  const enum um_compare_segment *segment,
-                                  struct um_diagnosis_next *next)
+static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
-  const struct um_model_result *a = run[0].result, *b = run[1].result;
-  for (size_t band = 0; band < a->nband && run[0].model->has_observer; band++) {
-    const char *name = run[0].model->band[band].name;
-    struct separation s = {0};
-    double relative = measured_sigma(f, false, name), peak = 0.0;
-    if (isnan(relative)) relative = USUAL_RELATIVE;
-    for (size_t k = 0; k < a->nobs; k++)
-      if (a->irradiance[k * a->nband + band] > peak) peak = a->irradiance[k * a->nband + band];
-    for (size_t k = 0; k < a->nobs; k++) {
-      double ea = a->irradiance[k * a->nband + band], eb = b->irradiance[k * b->nband + band];
-      if (isnan(ea) || isnan(eb) || !(peak > 0.0)) continue;
-      collect(&s, segment[k], ea - eb, hypot(relative * ea, FAINT * peak));
-    }
-    UM_TRY(offer(context, &s, UM_QUANTITY_BAND_IRRADIANCE, name, next));
+  const struct um_model_precomputed *p = run->precomputed;
+  return um_optics_airmass(p->look[k * p->nsub + p->nsub / 2].elevation);
+}
+
+/* Airmass above which a third of the observations of a segment lie; NaN: no station, or too little
+ * range. */
+static enum um_status high_airmass(struct um_context *context,
+                                   const struct um_sensitivity_forward_run *run,
+                                   const enum um_compare_segment *segment,
+                                   enum um_compare_segment which, double *out)
+{
+  double *airmass = NULL;
+  size_t n = 0, nobs = run->precomputed->nobs;
+  *out = NAN;
+  if (!run->model->has_observer) return UM_OK;
+  UM_TRY(um_core_allocate(context, nobs, sizeof *airmass, &airmass));
+  for (size_t k = 0; k < nobs; k++) {
+    double x = airmass_at(run, k);
+    if (segment[k] == which && isfinite(x)) airmass[n++] = x;
   }
+  if (n > 2) {
+    qsort(airmass, n, sizeof *airmass, um_core_order_double);
+    if (airmass[n - 1] > RANGE * airmass[0]) *out = airmass[(size_t)(HIGH * (double)n)];
+  }
+  um_core_free(context, airmass);
   return UM_OK;
 }
 
-static enum um_status offer_places(struct um_context *context, const struct um_diagnosis_forward *f,
-                                   const struct um_diagnosis_forward_run run[2],
+/* A band in the segments, of all rows and of those at high airmass. */
+static enum um_status offer_band(struct um_context *context, const struct um_sensitivity_forward *f,
+                                 const struct um_sensitivity_forward_run run[2], size_t band,
+                                 const double *high, const enum um_compare_segment *segment,
+                                 struct um_diagnosis_next *next)
+{
+  const struct um_model_result *a = run[0].result, *b = run[1].result;
+  const char *name = run[0].model->band[band].name;
+  struct chi2_difference all = {0}, above = {0};
+  for (size_t g = 0; g < UM_SEGMENT_COUNT; g++) {
+    all.airmass[g] = NAN;
+    above.airmass[g] = high[g];
+  }
+  double relative = measured_sigma(f, false, name), peak = 0.0;
+  if (isnan(relative)) relative = USUAL_RELATIVE;
+  for (size_t k = 0; k < a->nobs; k++)
+    if (a->irradiance[k * a->nband + band] > peak) peak = a->irradiance[k * a->nband + band];
+  for (size_t k = 0; k < a->nobs; k++) {
+    double ea = a->irradiance[k * a->nband + band], eb = b->irradiance[k * b->nband + band];
+    if (isnan(ea) || isnan(eb) || !(peak > 0.0)) continue;
+    double sigma = hypot(relative * ea, FAINT * peak);
+    collect(&all, segment[k], ea - eb, sigma);
+    if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], ea - eb, sigma);
+  }
+  UM_TRY(offer(context, &all, UM_QUANTITY_BAND_IRRADIANCE, name, next));
+  return offer(context, &above, UM_QUANTITY_BAND_IRRADIANCE, name, next);
+}
+
+static enum um_status offer_bands(struct um_context *context,
+                                  const struct um_sensitivity_forward *f,
+                                  const struct um_sensitivity_forward_run run[2],
+                                  const enum um_compare_segment *segment,
+                                  struct um_diagnosis_next *next)
+{
+  double high[UM_SEGMENT_COUNT];
+  for (size_t g = 0; g < UM_SEGMENT_COUNT; g++)
+    UM_TRY(high_airmass(context, &run[0], segment, (enum um_compare_segment)g, &high[g]));
+  for (size_t band = 0; band < run[0].result->nband && run[0].model->has_observer; band++)
+    UM_TRY(offer_band(context, f, run, band, high, segment, next));
+  return UM_OK;
+}
+
+static enum um_status offer_places(struct um_context *context,
+                                   const struct um_sensitivity_forward *f,
+                                   const struct um_sensitivity_forward_run run[2],
                                    const enum um_compare_segment *segment,
                                    struct um_diagnosis_next *next)
 {
   const struct um_model_result *a = run[0].result, *b = run[1].result;
   for (size_t p = 0; p < a->nplace && p < b->nplace; p++) {
-    struct separation s = {0};
+    struct chi2_difference s = {0};
+    for (size_t g = 0; g < UM_SEGMENT_COUNT; g++) s.airmass[g] = NAN;
     double sigma = measured_sigma(f, true, a->place[p].name);
     if (isnan(sigma)) sigma = USUAL_TEMPERATURE;
     for (size_t k = 0; k < a->nobs; k++)
@@ -109,95 +175,141 @@ static enum um_status offer_places(struct um_context *context, const struct um_d
 
 static enum um_status say(struct um_context *context, struct um_diagnosis_next *next)
 {
-  if (next->of == NULL || next->separation < WORTH_SAYING) return UM_OK;
-  return um_core_asprintf(context, &next->what, "%s of %s, %s",
+  char above[48] = "";
+  if (next->of == NULL || next->chi2_difference < WORTH_SAYING) return UM_OK;
+  if (!isnan(next->airmass))
+    snprintf(above, sizeof above, ", at an airmass above %.2g", next->airmass);
+  return um_core_asprintf(context, &next->what, "%s of %s, %s%s",
                           next->quantity == UM_QUANTITY_TEMPERATURE ? "temperature" : "irradiance",
-                          next->of, um_compare_segment_name(next->segment));
+                          next->of, um_compare_segment_name(next->segment), above);
 }
 
-/* Additions of the state, the winner of the step replaced by a rival as it was fitted. */
+/* Additions of the state, the winner of the step replaced by an alternative as it was fitted. */
 static void replace(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
-                    const struct um_diagnosis_step *step, const struct um_diagnosis_rival *rival,
-                    struct um_diagnosis_addition *out)
+                    const struct um_diagnosis_step *step,
+                    const struct um_diagnosis_alternative *alternative,
+                    struct um_model_addition *out)
 {
   um_diagnosis_state_additions(state, out);
   for (size_t b = 0; b < state->nblock; b++) {
     if (state->block[b].candidate != step->candidate) continue;
-    const struct um_diagnosis_candidate *c = &work->candidates->candidate[rival->candidate];
-    out[b] = (struct um_diagnosis_addition){.effect = c->effect, .target = c->target};
-    memcpy(out[b].value, rival->value, sizeof out[b].value);
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[alternative->candidate];
+    out[b] = (struct um_model_addition){.effect = c->effect, .target = c->target};
+    memcpy(out[b].value, alternative->value, sizeof out[b].value);
   }
 }
 
 static enum um_status look(struct um_context *context, const struct um_diagnosis_work *work,
-                           const struct um_diagnosis_forward_run run[2],
+                           const struct um_sensitivity_forward_run run[2],
                            struct um_diagnosis_next *next)
 {
   enum um_status status;
   enum um_compare_segment *segment = NULL, *motion = NULL;
-  size_t nobs = run[0].trace->nobs;
-  struct um_diagnosis_next found = {.from = run[0].trace->t_obs[0],
-                                    .to = run[0].trace->t_obs[nobs - 1]};
+  size_t nobs = run[0].precomputed->nobs;
+  next->from = run[0].precomputed->t_obs[0];
+  next->to = run[0].precomputed->t_obs[nobs - 1];
   UM_CHECK(um_core_allocate(context, nobs, sizeof *segment, &segment));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *motion, &motion));
-  UM_CHECK(um_compare_segments_find(context, run[0].model, run[0].trace, segment, motion));
-  UM_CHECK(offer_bands(context, work->forward, run, segment, &found));
-  UM_CHECK(offer_places(context, work->forward, run, segment, &found));
-  /* the rival that is hardest to tell counts */
-  if (next->of == NULL || found.separation < next->separation) {
-    um_core_free(context, next->of);
-    *next = found;
-    found.of = NULL;
-  }
+  UM_CHECK(um_compare_segments_find(context, run[0].model, run[0].precomputed, segment, motion));
+  UM_CHECK(offer_bands(context, work->forward, run, segment, next));
+  UM_CHECK(offer_places(context, work->forward, run, segment, next));
+  UM_CHECK(say(context, next));
 done:
-  um_core_free(context, found.of);
   um_core_free(context, motion);
   um_core_free(context, segment);
+  return status;
+}
+
+/* What the effects say of each other: the one whose words name the other goes first. */
+static const char *told_apart(const struct um_effect *winner, const struct um_effect *other)
+{
+  if (winner->separated_by != NULL && strstr(winner->separated_by, other->name) != NULL)
+    return winner->separated_by;
+  if (other->separated_by != NULL && strstr(other->separated_by, winner->name) != NULL)
+    return other->separated_by;
+  return winner->separated_by != NULL ? winner->separated_by : other->separated_by;
+}
+
+/* A row of what would tell one alternative; run[0]: with the winner. */
+static enum um_status find_one(struct um_context *context, const struct um_diagnosis_work *work,
+                               const struct um_diagnosis_state *state, struct um_diagnosis *d,
+                               size_t s, const struct um_diagnosis_alternative *alternative,
+                               struct um_sensitivity_forward_run run[2])
+{
+  enum um_status status = UM_OK;
+  const struct um_diagnosis_step *step = &d->step[s];
+  struct um_model_addition *addition = NULL;
+  UM_TRY(um_core_reallocate(context, d->nnext + 1, sizeof *d->next_of, (void **)&d->next_of));
+  struct um_diagnosis_next *next = &d->next_of[d->nnext++];
+  *next = (struct um_diagnosis_next){
+      .airmass = NAN, .from = NAN, .to = NAN, .step = s, .candidate = alternative->candidate};
+  if (run != NULL) {
+    UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
+    replace(work, state, step, alternative, addition);
+    UM_CHECK(
+        um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[1]));
+    UM_CHECK(look(context, work, run, next));
+  }
+  if (next->what == NULL)
+    next->told_apart_by = told_apart(step->addition.effect,
+                                     work->candidates->candidate[alternative->candidate].effect);
+done:
+  if (run != NULL) um_sensitivity_forward_run_release(context, &run[1]);
+  um_core_free(context, addition);
+  return status;
+}
+
+static enum um_status find_of_step(struct um_context *context, const struct um_diagnosis_work *work,
+                                   const struct um_diagnosis_state *state, struct um_diagnosis *d,
+                                   size_t s)
+{
+  enum um_status status = UM_OK;
+  struct um_sensitivity_forward_run run[2] = {{0}, {0}};
+  struct um_model_addition *addition = NULL;
+  size_t looked = 0;
+  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
+  um_diagnosis_state_additions(state, addition);
+  UM_CHECK(
+      um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[0]));
+  for (size_t i = 1; i < d->step[s].nalternative; i++) {
+    const struct um_diagnosis_alternative *alternative = &d->step[s].alternative[i];
+    if (!alternative->indistinguishable) continue;
+    bool computed = alternative->fitted && looked < NEAREST;
+    UM_CHECK(find_one(context, work, state, d, s, alternative, computed ? run : NULL));
+    looked += computed;
+  }
+done:
+  um_core_free(context, addition);
+  um_sensitivity_forward_run_release(context, &run[0]);
   return status;
 }
 
 enum um_status um_diagnosis_next_find(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       const struct um_diagnosis_state *state,
-                                      const struct um_diagnosis_step *step,
-                                      struct um_diagnosis_next **out)
+                                      struct um_diagnosis *d)
 {
-  enum um_status status;
-  struct um_diagnosis_forward_run run[2] = {{0}, {0}};
-  struct um_diagnosis_addition *addition = NULL;
-  struct um_diagnosis_next *next = NULL;
-  size_t looked = 0;
-  *out = NULL;
-  UM_CHECK(um_core_allocate(context, 1, sizeof *next, &next));
-  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
-  um_diagnosis_state_additions(state, addition);
-  UM_CHECK(
-      um_diagnosis_forward_run(context, work->forward, addition, state->nblock, true, &run[0]));
-  for (size_t i = 1; i < step->nrival && looked < NEAREST; i++) {
-    if (!step->rival[i].indistinguishable || !step->rival[i].fitted) continue;
-    replace(work, state, step, &step->rival[i], addition);
-    UM_CHECK(
-        um_diagnosis_forward_run(context, work->forward, addition, state->nblock, true, &run[1]));
-    UM_CHECK(look(context, work, run, next));
-    um_diagnosis_forward_run_release(context, &run[1]);
-    looked++;
+  for (int small = 0; small < 2 && d->nnext == 0; small++)
+    for (size_t s = 0; s < d->nstep; s++)
+      if (um_diagnosis_has_group(&d->step[s]) &&
+          (d->step[s].standing == UM_STANDING_SMALL) == (small == 1))
+        UM_TRY(find_of_step(context, work, state, d, s));
+  for (size_t i = 0; i < d->nnext; i++) { /* one that was computed counts, the hardest first */
+    struct um_diagnosis_next *next = &d->next_of[i];
+    if (isnan(next->from)) continue;
+    if (d->next == NULL || next->chi2_difference < d->next->chi2_difference) d->next = next;
   }
-  UM_CHECK(say(context, next));
-  *out = next;
-  next = NULL;
-done:
-  um_core_free(context, addition);
-  um_diagnosis_forward_run_release(context, &run[0]);
-  um_diagnosis_forward_run_release(context, &run[1]);
-  um_diagnosis_next_destroy(context, &next);
-  return status;
+  if (d->next == NULL && d->nnext > 0) d->next = &d->next_of[0];
+  return UM_OK;
 }
 
-void um_diagnosis_next_destroy(struct um_context *context, struct um_diagnosis_next **next)
+void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d)
 {
-  if (next == NULL || *next == NULL) return;
-  um_core_free(context, (*next)->what);
-  um_core_free(context, (*next)->of);
-  um_core_free(context, *next);
-  *next = NULL;
+  for (size_t i = 0; i < d->nnext; i++) {
+    um_core_free(context, d->next_of[i].what);
+    um_core_free(context, d->next_of[i].of);
+  }
+  um_core_free(context, d->next_of);
+  d->next_of = d->next = NULL;
+  d->nnext = 0;
 }

@@ -2,14 +2,14 @@
 #ifndef UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 #define UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/state_impl.h"
 
 /* A block of a use with all its parameters free, starting at its values; prior about the
  * scenario's values of width sigma (INFINITY: the effect's own). UM_ERR_INPUT: an effect without
  * parameters that is no core switch. */
 enum um_status um_diagnosis_block_wanted(struct um_context *context,
                                          const struct um_diagnosis_work *work,
-                                         const struct um_diagnosis_addition *wanted, double sigma,
+                                         const struct um_model_addition *wanted, double sigma,
                                          struct um_diagnosis_block *out);
 /* UM_ERR_INPUT: one that is free per observation. */
 enum um_status um_diagnosis_nuisance_check(struct um_context *context,

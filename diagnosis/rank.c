@@ -1,76 +1,81 @@
-/* Which candidates the residual points to, and which of them these rows cannot tell apart.
+/* Which candidates the residual points to, and which of them these observations cannot tell apart.
  *
- * A candidate promises the chi-square it explains less the price of its parameters, S - dof ln n
- * (Schwarz 1978, Ann. Stat. 6:461). */
+ * A candidate's predicted reduction is the chi-square it explains less the BIC penalty of its
+ * parameters, S - dof ln n (Schwarz 1978, Ann. Stat. 6:461). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "core/words.h"
 #include "diagnosis/directions_impl.h"
+#include "diagnosis/rank_impl.h"
+#include "diagnosis/state_impl.h"
 
-struct promise {
+struct predicted_reduction {
   double worth;
-  struct um_diagnosis_rival rival;
+  struct um_diagnosis_alternative alternative;
 };
 
-static int compare_promises(const void *pa, const void *pb)
+static int compare_predicted(const void *pa, const void *pb)
 {
-  const struct promise *a = pa, *b = pb;
+  const struct predicted_reduction *a = pa, *b = pb;
   if (a->worth != b->worth) return a->worth > b->worth ? -1 : 1;
-  return a->rival.candidate < b->rival.candidate ? -1 : a->rival.candidate > b->rival.candidate;
+  return a->alternative.candidate < b->alternative.candidate
+             ? -1
+             : a->alternative.candidate > b->alternative.candidate;
 }
 
-static enum um_status sort_rivals(struct um_context *context, const struct um_diagnosis_work *work,
-                                  const struct um_diagnosis_state *state,
-                                  const struct um_diagnosis_score *score,
-                                  struct um_diagnosis_rival *rival, size_t *nrival)
+static enum um_status
+sort_alternatives(struct um_context *context, const struct um_diagnosis_work *work,
+                  const struct um_diagnosis_state *state, const struct um_inference_score *score,
+                  struct um_diagnosis_alternative *alternative, size_t *nalternative)
 {
-  const struct um_diagnosis_candidates *all = work->candidates;
-  double price = log((double)work->forward->nrow);
-  struct promise *promise = NULL;
-  UM_TRY(um_core_allocate(context, all->count, sizeof *promise, &promise));
-  *nrival = 0;
+  const struct um_sensitivity_candidates *all = work->candidates;
+  double penalty = log((double)work->forward->nobservation);
+  struct predicted_reduction *predicted_reduction = NULL;
+  UM_TRY(um_core_allocate(context, all->count, sizeof *predicted_reduction, &predicted_reduction));
+  *nalternative = 0;
   for (size_t i = 0; i < all->count; i++) {
-    const struct um_diagnosis_candidate *c = &all->candidate[i];
-    if (c->dead || um_diagnosis_is_taken(state, c)) continue;
-    struct promise *p = &promise[(*nrival)++];
-    p->rival = (struct um_diagnosis_rival){
+    const struct um_sensitivity_candidate *c = &all->candidate[i];
+    if (c->insensitive || um_diagnosis_is_taken(state, c)) continue;
+    struct predicted_reduction *p = &predicted_reduction[(*nalternative)++];
+    p->alternative = (struct um_diagnosis_alternative){
         .candidate = i, .score = score[i], .chi2 = NAN, .bic = NAN, .held_out = NAN};
-    p->rival.separation = NAN;
+    p->alternative.chi2_difference = NAN;
     /* a switch has no parameter to pay for */
-    p->worth = score[i].absorbed ? -INFINITY
-                                 : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * price;
+    p->worth = score[i].absorbed
+                   ? -INFINITY
+                   : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * penalty;
     /* the wrong side of a bound explains nothing */
     if (!score[i].absorbed && score[i].p >= 0.5) p->worth = -score[i].p;
   }
-  qsort(promise, *nrival, sizeof *promise, compare_promises);
-  for (size_t i = 0; i < *nrival; i++) rival[i] = promise[i].rival;
-  um_core_free(context, promise);
+  qsort(predicted_reduction, *nalternative, sizeof *predicted_reduction, compare_predicted);
+  for (size_t i = 0; i < *nalternative; i++) alternative[i] = predicted_reduction[i].alternative;
+  um_core_free(context, predicted_reduction);
   return UM_OK;
 }
 
 enum um_status um_diagnosis_rank(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state,
-                                 struct um_diagnosis_rival *rival, size_t *nrival)
+                                 struct um_diagnosis_alternative *alternative, size_t *nalternative)
 {
   enum um_status status;
-  size_t n = work->forward->nrow, count = work->candidates->count;
+  size_t n = work->forward->nobservation, count = work->candidates->count;
   struct um_diagnosis_directions d = {0};
-  struct um_diagnosis_score *score = NULL;
+  struct um_inference_score *score = NULL;
   double *residual = NULL;
   UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
   UM_CHECK(um_core_allocate(context, count, sizeof *score, &score));
   UM_CHECK(um_core_allocate(context, n, sizeof *residual, &residual));
   um_diagnosis_residual_at_means(state, n, residual);
-  UM_CHECK(um_diagnosis_score_test(context, n, residual, &d.nuisance, count, d.direction, score));
+  UM_CHECK(um_inference_score_test(context, n, residual, &d.nuisance, count, d.direction, score));
   for (size_t i = 0; i < count; i++)
     for (size_t k = 0; k < d.direction[i].ncolumn; k++) {
       double unit = um_diagnosis_unit(&work->candidates->candidate[i], k);
       score[i].estimate[k] *= unit;
       score[i].sigma[k] *= unit;
     }
-  UM_CHECK(sort_rivals(context, work, state, score, rival, nrival));
+  UM_CHECK(sort_alternatives(context, work, state, score, alternative, nalternative));
 done:
   um_core_free(context, residual);
   um_core_free(context, score);
@@ -79,17 +84,54 @@ done:
 }
 
 /* A value further from null than three prior widths. */
-static bool is_incredible(const struct um_diagnosis_candidate *c,
-                          const struct um_diagnosis_rival *rival)
+static bool is_implausible(const struct um_sensitivity_candidate *c,
+                           const struct um_diagnosis_alternative *alternative)
 {
   for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
     size_t p = c->parameter[k];
     const struct um_effect_parameter *of = &c->effect->parameters[p];
-    double away =
-        um_diagnosis_inner(of, rival->value[p]) - um_diagnosis_inner(of, c->null_value[p]);
+    double away = um_effect_transformed(of, alternative->value[p]) -
+                  um_effect_transformed(of, c->null_value[p]);
     if (fabs(away) > 3.0 * of->prior_sigma) return true;
   }
   return false;
+}
+
+/* A fitted value stands at an end of the candidate's range. */
+static bool is_at_bound(const struct um_sensitivity_candidate *c,
+                        const struct um_diagnosis_alternative *alternative)
+{
+  for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
+    size_t p = c->parameter[k];
+    if (alternative->value[p] <= c->minimum[p] || alternative->value[p] >= c->maximum[p])
+      return true;
+  }
+  return false;
+}
+
+static bool is_same_effect(const struct um_sensitivity_candidate *a,
+                           const struct um_sensitivity_candidate *b)
+{
+  return a->effect == b->effect && um_core_words_same(a->target, b->target);
+}
+
+/* What an alternative is beside the winner of its step. */
+static void relate(const struct um_diagnosis_alternative *winner,
+                   struct um_diagnosis_alternative *r, const struct um_sensitivity_candidate *c)
+{
+  if (!r->fitted) {
+    r->indistinguishable = !r->score.absorbed && r->chi2_difference < UM_INFERENCE_SEPARABLE &&
+                           r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
+    return;
+  }
+  double behind = r->bic - winner->bic;
+  r->indistinguishable = behind < UM_DIAGNOSIS_EVIDENCE;
+  if (r->indistinguishable) return;
+  r->excluded_by_prior =
+      behind - (r->chi2_prior - winner->chi2_prior) < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
+  /* straight lines know no range */
+  r->excluded_by_range = !r->excluded_by_prior && !r->same_effect && is_at_bound(c, r) &&
+                         r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
 }
 
 enum um_status um_diagnosis_rank_groups(struct um_context *context,
@@ -100,30 +142,28 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
   enum um_status status;
   size_t count = work->candidates->count;
   struct um_diagnosis_directions d = {0};
-  double *separation = NULL;
+  double *chi2_difference = NULL;
   UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
-  UM_CHECK(um_core_allocate(context, count, sizeof *separation, &separation));
-  UM_CHECK(um_diagnosis_separation(context, work->forward->nrow, signal, &d.nuisance, count,
-                                   d.direction, separation));
-  const struct um_diagnosis_rival *winner = &step->rival[0];
-  size_t credible = 0, tied = 0;
-  for (size_t i = 0; i < step->nrival; i++) {
-    struct um_diagnosis_rival *r = &step->rival[i];
-    const struct um_diagnosis_candidate *c = &work->candidates->candidate[r->candidate];
-    r->separation = i == 0 ? 0.0 : separation[r->candidate];
-    r->incredible = r->fitted && is_incredible(c, r);
+  UM_CHECK(um_core_allocate(context, count, sizeof *chi2_difference, &chi2_difference));
+  UM_CHECK(um_inference_chi2_difference(context, work->forward->nobservation, signal, &d.nuisance,
+                                        count, d.direction, chi2_difference));
+  const struct um_diagnosis_alternative *winner = &step->alternative[0];
+  size_t plausible = 0, tied = 0;
+  for (size_t i = 0; i < step->nalternative; i++) {
+    struct um_diagnosis_alternative *r = &step->alternative[i];
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
+    r->chi2_difference = i == 0 ? 0.0 : chi2_difference[r->candidate];
+    r->implausible = r->fitted && is_implausible(c, r);
     if (i == 0) continue;
-    if (r->fitted)
-      r->indistinguishable = r->bic - winner->bic < UM_DIAGNOSIS_EVIDENCE;
-    else
-      r->indistinguishable = !r->score.absorbed && r->separation < UM_DIAGNOSIS_SEPARABLE &&
-                             r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
+    r->same_effect = is_same_effect(c, &work->candidates->candidate[winner->candidate]);
+    relate(winner, r, c);
+    if (r->same_effect) r->indistinguishable = false; /* the effect is the same: it is known */
     tied += r->indistinguishable;
-    credible += r->indistinguishable && !r->incredible;
+    plausible += r->indistinguishable && !r->implausible;
   }
-  step->by_prior = tied > 0 && credible == 0 && !winner->incredible;
+  step->by_prior = tied > 0 && plausible == 0 && !winner->implausible;
 done:
-  um_core_free(context, separation);
+  um_core_free(context, chi2_difference);
   um_diagnosis_directions_release(context, &d);
   return status;
 }

@@ -9,27 +9,18 @@
 #include "diagnosis/nuisance_impl.h"
 #include "effects/effects.h"
 
-static bool same_target(const char *a, const char *b)
-{
-  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
-}
-
 static enum um_status find_effect(struct um_context *context, const struct um_model *model,
                                   const char *name, const struct um_effect **out)
 {
-  char names[2048];
   *out = um_model_effects_find(model, name);
-  if (*out != NULL) return UM_OK;
-  um_effects_registry_names(model->registry, names, sizeof names);
-  return um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s", name,
-                      names);
+  return *out != NULL ? UM_OK : um_effects_registry_refuse(context, model->registry, name);
 }
 
 /* Width of the prior of an effect whose parameters all have the same. */
 static enum um_status own_sigma(struct um_context *context, const struct um_effect *effect,
                                 double *out)
 {
-  if (effect->nparameter == 0)
+  if (effect->nparameter == 0 || effect->on_by_default)
     return um_core_fail(context, UM_ERR_INPUT,
                         "effect '%s' has no parameters to be uncertain of; accepted: an effect "
                         "with parameters",
@@ -53,11 +44,11 @@ static enum um_status add_nuisance(struct um_context *context, const struct um_m
   UM_TRY(um_model_check_target(context, model, effect, target));
   if (isnan(sigma))
     UM_TRY(own_sigma(context, effect, &sigma));
-  else if (effect->nparameter == 0)
+  else if (effect->nparameter == 0 || effect->on_by_default)
     UM_TRY(own_sigma(context, effect, &sigma)); /* says why not */
   size_t i = 0;
   while (i < r->nnuisance &&
-         !(r->nuisance[i].effect == effect && same_target(r->nuisance[i].target, target)))
+         !(r->nuisance[i].effect == effect && um_core_words_same(r->nuisance[i].target, target)))
     i++;
   if (i == r->nnuisance) {
     UM_TRY(um_core_reallocate(context, i + 1, sizeof *r->nuisance, (void **)&r->nuisance));
@@ -132,13 +123,11 @@ static enum um_status take_nuisance(struct um_context *context, const struct um_
   return add_nuisance(context, model, r, text, target, sigma, per);
 }
 
-static enum um_status set_start(struct um_context *context, struct um_diagnosis_addition *a,
+static enum um_status set_start(struct um_context *context, struct um_model_addition *a,
                                 const char *name, const char *text)
 {
-  char names[512] = "";
   for (size_t p = 0; p < a->effect->nparameter; p++) {
     const struct um_effect_parameter *parameter = &a->effect->parameters[p];
-    um_core_words_append(names, sizeof names, parameter->name);
     if (strcmp(parameter->name, name) != 0) continue;
     if (um_core_number_parse(text, &a->value[p]) && a->value[p] >= parameter->minimum &&
         a->value[p] <= parameter->maximum)
@@ -146,28 +135,27 @@ static enum um_status set_start(struct um_context *context, struct um_diagnosis_
     return um_core_fail(context, UM_ERR_INPUT, "%s '%.60s'; accepted: %g to %g %s", name, text,
                         parameter->minimum, parameter->maximum, parameter->unit);
   }
-  return um_core_fail(context, UM_ERR_INPUT, "effect '%s' has no parameter '%.60s'; accepted: %s",
-                      a->effect->name, name, names[0] != '\0' ? names : "none, it is a switch");
+  return um_effects_refuse_parameter(context, a->effect, name);
 }
 
 static enum um_status take_wanted(struct um_context *context, const struct um_model *model,
                                   struct um_diagnosis_request *r, const char *typed)
 {
   char *text, *target, *rest, *name, *value;
-  struct um_diagnosis_addition wanted = {0};
+  struct um_model_addition wanted = {0};
   UM_TRY(keep(context, r, typed, &text));
   cut(text, &target, &rest);
   UM_TRY(find_effect(context, model, text, &wanted.effect));
   UM_TRY(um_model_check_target(context, model, wanted.effect, target));
   wanted.target = target;
   for (size_t p = 0; p < wanted.effect->nparameter; p++)
-    wanted.value[p] = wanted.effect->parameters[p].fallback;
+    wanted.value[p] = wanted.effect->parameters[p].default_value;
   while (*rest != '\0') {
     UM_TRY(next_pair(context, &rest, &name, &value));
     UM_TRY(set_start(context, &wanted, name, value));
   }
   for (size_t i = 0; i < r->nwanted; i++)
-    if (r->wanted[i].effect == wanted.effect && same_target(r->wanted[i].target, target))
+    if (r->wanted[i].effect == wanted.effect && um_core_words_same(r->wanted[i].target, target))
       return um_core_fail(context, UM_ERR_INPUT, "'%s' is asked for twice; accepted: once", text);
   UM_TRY(um_core_reallocate(context, r->nwanted + 1, sizeof *r->wanted, (void **)&r->wanted));
   r->wanted[r->nwanted++] = wanted;
@@ -193,7 +181,7 @@ static enum um_status take_scenario(struct um_context *context, const struct um_
   for (size_t i = 0; i < from->nuisance.count; i++) {
     const struct um_scenario_nuisance *n = &nuisance[i];
     if (n->free && !isnan(n->sigma))
-      return um_core_mark_fail(context, &n->at, "sigma and free; accepted: one of them");
+      return um_document_mark_fail(context, &n->at, "sigma and free; accepted: one of them");
     enum um_status status = add_nuisance(context, model, r, n->effect, n->target,
                                          n->free ? INFINITY : n->sigma, n->per);
     if (status == UM_ERR_INPUT)

@@ -10,7 +10,7 @@ struct um_diagnosis_request {
   size_t nnuisance;
   const char **exclude; /* [nexclude] of the scenario, then of texts */
   size_t nexclude;
-  struct um_diagnosis_addition *wanted; /* [nwanted] */
+  struct um_model_addition *wanted; /* [nwanted] */
   size_t nwanted;
   char **text; /* private */
   size_t ntext;

@@ -1,7 +1,11 @@
-/* One step of forward selection: the residual is tested, the best rival by evidence is added. */
+/* One step of forward selection: the residual is tested, the best alternative by evidence is added.
+ */
 #include <math.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/alternatives_impl.h"
+#include "diagnosis/rank_impl.h"
+#include "diagnosis/select_impl.h"
+#include "diagnosis/state_impl.h"
 
 enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       const struct um_diagnosis_work *work,
@@ -10,9 +14,9 @@ enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       struct um_diagnosis_step *step)
 {
   enum um_status status;
-  size_t n = work->forward->nrow;
+  size_t n = work->forward->nobservation;
   double *signal = NULL;
-  const struct um_diagnosis_rival *winner = &step->rival[0];
+  const struct um_diagnosis_alternative *winner = &step->alternative[0];
   step->candidate = winner->candidate;
   step->p_value = winner->score.p_corrected;
   step->delta_bic = best->fit->bic - state->fit->bic;
@@ -39,13 +43,14 @@ enum um_status um_diagnosis_select(struct um_context *context, const struct um_d
   enum um_status status;
   struct um_diagnosis_state best = {0};
   *added = false;
-  UM_CHECK(um_core_allocate(context, work->candidates->count, sizeof *step->rival, &step->rival));
-  UM_CHECK(um_diagnosis_rank(context, work, state, step->rival, &step->nrival));
+  UM_CHECK(um_core_allocate(context, work->candidates->count, sizeof *step->alternative,
+                            &step->alternative));
+  UM_CHECK(um_diagnosis_rank(context, work, state, step->alternative, &step->nalternative));
   bool significant = false;
-  for (size_t i = 0; i < step->nrival; i++)
-    significant |= step->rival[i].score.p_corrected < work->level;
+  for (size_t i = 0; i < step->nalternative; i++)
+    significant |= step->alternative[i].score.p_corrected < work->level;
   if (!significant) goto done;
-  UM_CHECK(um_diagnosis_fit_rivals(context, work, state, step, &best));
+  UM_CHECK(um_diagnosis_fit_alternatives(context, work, state, step, &best));
   if (best.fit == NULL || !(best.fit->bic < state->fit->bic)) goto done;
   UM_CHECK(um_diagnosis_step_fill(context, work, state, &best, step));
   um_diagnosis_state_release(context, state);

@@ -1,15 +1,21 @@
-/* The verdict in words. */
+/* The verdict in words: a plain answer first names what is missing; one that abstains first says
+ * what the residual looks like. Each effect stands with its own label. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/sentence_impl.h"
+#include "diagnosis/words.h"
+#include "orbit/time.h"
 
-#define RESEMBLES 0.3 /* share of a signature that the nuisances leave */
+#define RESEMBLES  0.3   /* share of a signature that the nuisances leave */
+#define GOES_WITH  0.01  /* p of a correlation that is said */
+#define FAR_BEHIND 100.0 /* BIC of what others replaced that is left to the tables */
+#define NAMES      4     /* of a small group that are said */
 
 struct text {
-  char at[2048];
+  char at[8192];
   size_t used;
 };
 
@@ -24,34 +30,172 @@ static void add(struct text *text, const char *format, ...)
   if (text->used >= sizeof text->at) text->used = sizeof text->at - 1;
 }
 
-static void add_name(struct text *text, const struct um_effect *effect, const char *target)
+/* "emittance:white emittance_factor 0.9 +- 0.01 (emittance 0.77 instead of 0.85)" */
+static void add_use(struct text *text, const struct um_diagnosis *d, const struct um_effect *effect,
+                    const char *target, const double *value, const double *sigma)
 {
-  add(text, "%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "");
+  char values[UM_DIAGNOSIS_WORDS];
+  um_diagnosis_values_text(d->forward, effect, target, value, sigma, values);
+  add(text, "%s%s%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "",
+      values[0] != '\0' ? " " : "", values);
 }
 
-static void add_use(struct text *text, const struct um_diagnosis_addition *use, const double *sigma)
+static void add_addition(struct text *text, const struct um_diagnosis *d,
+                         const struct um_model_addition *a, const double *sigma)
 {
-  add_name(text, use->effect, use->target);
-  for (size_t p = 0; p < use->effect->nparameter; p++) {
-    const struct um_effect_parameter *of = &use->effect->parameters[p];
-    if (isnan(sigma[p]) && use->value[p] == of->null_value) continue;
-    add(text, " %s %.4g", of->name, use->value[p]);
-    if (!isnan(sigma[p])) add(text, " +- %.2g", sigma[p]);
+  add_use(text, d, a->effect, a->target, a->value, sigma);
+}
+
+/* With its values where it was fitted. */
+static void add_alternative(struct text *text, const struct um_diagnosis *d,
+                            const struct um_diagnosis_alternative *r)
+{
+  const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
+  if (r->fitted)
+    add_use(text, d, c->effect, c->target, r->value, r->sigma);
+  else
+    add(text, "%s", c->name);
+}
+
+/* ---- what stands beside one effect ---- */
+
+/* What only the priors or the end of a range keep out. */
+static void add_excluded(struct text *text, const struct um_diagnosis *d,
+                         const struct um_diagnosis_step *step)
+{
+  for (size_t i = 1; i < step->nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &step->alternative[i];
+    const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
+    bool tied = step->by_prior && r->indistinguishable && r->fitted;
+    if (!tied && !r->excluded_by_prior && !r->excluded_by_range) continue;
+    add(text, "; only the %s of %s keeps out ", r->excluded_by_range ? "range" : "prior", c->name);
+    add_alternative(text, d, r);
+    if (!r->excluded_by_range)
+      add(text, ", %.2g prior widths from the usual", um_diagnosis_prior_widths(c, r->value));
+    add(text, "%s", r->excluded_by_range ? ", the end of it" : ", which fits as well");
   }
 }
 
+/* The next best that is neither tied nor kept out, and the same effect switched on otherwise. */
+static void add_next_best(struct text *text, const struct um_diagnosis *d,
+                          const struct um_diagnosis_step *step)
+{
+  bool said = false;
+  for (size_t i = 1; i < step->nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &step->alternative[i];
+    double behind = r->bic - step->alternative[0].bic;
+    if (!r->fitted || r->indistinguishable || r->excluded_by_prior || r->excluded_by_range)
+      continue;
+    if (!(behind < UM_DIAGNOSIS_NEXT_BEST) || (said && !r->same_effect)) continue;
+    add(text, "; %s", r->same_effect ? "or " : "next best ");
+    add_alternative(text, d, r);
+    add(text, " (BIC %+.1f)", behind);
+    said = said || !r->same_effect;
+  }
+}
+
+static const struct um_diagnosis_step *step_of(const struct um_diagnosis *d, size_t addition)
+{
+  for (size_t s = 0; s < d->nstep; s++)
+    if (!d->step[s].removed && d->step[s].addition.effect == d->addition[addition].effect &&
+        d->step[s].addition.target == d->addition[addition].target)
+      return &d->step[s];
+  return NULL;
+}
+
+/* One effect of its group, all with their values. */
 static void add_group(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
-  size_t n = 0;
-  for (size_t i = 1; i < step->nrival && !step->removed; i++) {
-    const struct um_diagnosis_candidate *c = &d->candidates->candidate[step->rival[i].candidate];
-    if (!step->rival[i].indistinguishable) continue;
-    add(text, "%s%s", n++ == 0 ? "; these data cannot tell it from " : ", ", c->name);
+  for (size_t i = 1; i < step->nalternative; i++) {
+    if (!step->alternative[i].indistinguishable) continue;
+    add(text, " or ");
+    add_alternative(text, d, &step->alternative[i]);
   }
-  if (n > 0 && step->by_prior) add(text, " (which would need an incredible value)");
 }
 
+static void add_small(struct text *text, const struct um_diagnosis *d,
+                      const struct um_diagnosis_step *step)
+{
+  size_t others = 0, n = 0;
+  for (size_t i = 1; i < step->nalternative; i++) others += step->alternative[i].indistinguishable;
+  add(text, ", worth %.3g in BIC, or ", -step->delta_bic);
+  for (size_t i = 1; i < step->nalternative && n < NAMES; i++) {
+    const struct um_diagnosis_alternative *r = &step->alternative[i];
+    if (!r->indistinguishable) continue;
+    add(text, "%s%s", n++ == 0 ? "" : ", ", d->candidates->candidate[r->candidate].name);
+  }
+  if (others > n) add(text, " and %zu more", others - n);
+}
+
+/* ---- the effects ---- */
+
+/* Those of a standing, behind its label. */
+static void add_standing(struct text *text, const struct um_diagnosis *d,
+                         enum um_diagnosis_standing standing, const char *label)
+{
+  size_t n = 0;
+  for (size_t i = 0; i < d->naddition; i++) {
+    const struct um_diagnosis_step *step = step_of(d, i);
+    if (step == NULL || step->standing != standing) continue;
+    add(text, "%s%s", n > 0 && standing == UM_STANDING_CERTAIN ? " and " : label,
+        n > 0 && standing == UM_STANDING_CERTAIN ? "" : ": ");
+    add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
+    if (standing == UM_STANDING_ONE_OF_GROUP) add_group(text, d, step);
+    if (standing == UM_STANDING_SMALL) add_small(text, d, step);
+    if (standing != UM_STANDING_SMALL) {
+      add_excluded(text, d, step);
+      add_next_best(text, d, step);
+    }
+    n++;
+  }
+}
+
+static void add_all(struct text *text, const struct um_diagnosis *d, const char *label)
+{
+  for (size_t i = 0; i < d->naddition; i++) {
+    add(text, "%s", i == 0 ? label : " and ");
+    add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
+    if (step_of(d, i) == NULL) continue;
+    add_excluded(text, d, step_of(d, i));
+    add_next_best(text, d, step_of(d, i));
+  }
+}
+
+static void add_superseded(struct text *text, const struct um_diagnosis *d)
+{
+  for (size_t i = 0; i < d->nsuperseded; i++) {
+    const struct um_diagnosis_superseded *s = &d->superseded[i];
+    if (!s->alone || s->bic - d->bic_after > FAR_BEHIND) continue;
+    add(text, ". Alone, before others took its place, stood ");
+    add_addition(text, d, &s->addition, s->sigma);
+    add(text, " (BIC %+.1f)", s->bic - d->bic_after);
+  }
+}
+
+static void add_fall(struct text *text, const struct um_diagnosis *d)
+{
+  add(text, ". Reduced chi-square falls from %.4g to %.4g", d->chi2_reduced, d->chi2_reduced_after);
+  if (d->allowance)
+    add(text, "; what is left is not quite noise (p %.1g)",
+        fmin(d->final_whiteness.p_chi2,
+             fmin(d->final_whiteness.p_white, d->final_whiteness.p_worst)));
+}
+
+/* ---- what abstains ---- */
+
+static void add_residual(struct text *text, const struct um_diagnosis *d)
+{
+  const struct um_missing_heat_residual *r = &d->residual;
+  if (r->channel == NULL) return;
+  add(text,
+      "the residual is worst in %s (chi-square %.3g a row, measured %.2g sigma %s the model in "
+      "the mean)",
+      r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
+  if (r->coordinate != NULL && r->p < GOES_WITH) add(text, " and goes with %s", r->coordinate);
+}
+
+/* What a free nuisance that moved does as well. */
 static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 {
   size_t n = 0;
@@ -62,38 +206,75 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
   }
 }
 
+static void add_heat(struct text *text, const struct um_missing_heat_unexplained *u)
+{
+  char start[40];
+  if (u == NULL || u->nheat == 0) return;
+  const struct um_missing_heat *h = &u->heat[0];
+  um_orbit_time_format(h->start, start);
+  add(text, ". %s %.4g +- %.2g J in %s from %s +- %.2g s for %.4g s",
+      u->found ? "Missing heat explains it:" : "Missing heat explains a part at best:", h->energy,
+      h->energy_sigma, h->place, start, h->start_sigma, h->stop - h->start);
+}
+
+static void say_not_identifiable(struct text *text, const struct um_diagnosis *d)
+{
+  if (d->naddition == 0) {
+    add(text,
+        "Not identifiable: a free nuisance has moved far, and what it stands for cannot be known");
+    add_absorbed(text, d);
+    return;
+  }
+  add(text, "Not identifiable: ");
+  add_residual(text, d);
+  add_standing(text, d, UM_STANDING_CERTAIN, ". Certain");
+  add_standing(text, d, UM_STANDING_ONE_OF_GROUP, ". One of a group");
+  add_standing(text, d, UM_STANDING_SMALL, ". Small and unknown");
+  add_superseded(text, d);
+  add_fall(text, d);
+}
+
+static void say_unexplained(struct text *text, const struct um_diagnosis *d)
+{
+  if (d->candidates == NULL) { /* chosen, not found */
+    add_all(text, d, "Fitted: ");
+    add_fall(text, d);
+    add(text, "; what is left is not noise");
+    return;
+  }
+  add(text, "Unexplained: ");
+  add_residual(text, d);
+  if (d->naddition == 0) {
+    add(text, "%sno effect of the catalogue explains it", d->residual.channel != NULL ? "; " : "");
+  } else {
+    add_all(text, d, ". The best of the catalogue only mimics it: ");
+    add_fall(text, d);
+    add(text, "; what is left is not noise");
+  }
+  add_heat(text, d->unexplained);
+}
+
 enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
                                      char **out)
 {
   struct text text = {{0}, 0};
-  for (size_t i = 0; i < d->naddition; i++) {
-    add(&text, i == 0 ? "Missing: " : " and ");
-    add_use(&text, &d->addition[i], d->addition_sigma[i]);
-    for (size_t s = 0; s < d->nstep; s++)
-      if (d->step[s].addition.effect == d->addition[i].effect &&
-          d->step[s].addition.target == d->addition[i].target)
-        add_group(&text, d, &d->step[s]);
-  }
-  if (d->naddition > 0)
-    add(&text, ". Reduced chi-square falls from %.4g to %.4g", d->chi2_reduced,
-        d->chi2_reduced_after);
-  if (d->verdict == UM_VERDICT_COMPLETE)
+  switch (d->verdict) {
+  case UM_VERDICT_COMPLETE:
     add(&text,
-        "Nothing is missing: the residual is noise of the stated sigma (reduced chi-square "
-        "%.3g)",
+        "Nothing is missing: the residual is noise of the stated sigma (reduced chi-square %.3g)",
         d->chi2_reduced);
-  if (d->verdict == UM_VERDICT_NOT_IDENTIFIABLE && d->naddition == 0) {
-    add(&text,
-        "Not identifiable: a free nuisance has moved far, and what it stands for cannot be known");
-    add_absorbed(&text, d);
-  }
-  if (d->verdict == UM_VERDICT_UNEXPLAINED) {
-    add(&text, "%s",
-        d->naddition > 0 ? "; what is left" : "No effect of the catalogue explains it");
-    add(&text, d->naddition > 0 ? " is not noise" : "");
-    if (d->unexplained != NULL && d->unexplained->found)
-      add(&text, "; heat of %.4g +- %.2g J in %s would", d->unexplained->heat[0].energy,
-          d->unexplained->heat[0].energy_sigma, d->unexplained->heat[0].place);
+    break;
+  case UM_VERDICT_FOUND:
+    add_all(&text, d, d->candidates == NULL ? "Fitted: " : "Missing: ");
+    add_superseded(&text, d);
+    add_fall(&text, d);
+    break;
+  case UM_VERDICT_NOT_IDENTIFIABLE:
+    say_not_identifiable(&text, d);
+    break;
+  case UM_VERDICT_UNEXPLAINED:
+    say_unexplained(&text, d);
+    break;
   }
   add(&text, ".");
   return um_core_strdup(context, text.at, out);

@@ -2,27 +2,30 @@
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/state_impl.h"
 
-#define JAGGED_ITERATIONS 6
-#define SHARE_OF_PRIOR    0.05 /* first step of a difference by a parameter of shape */
+#define NON_SMOOTH_ITERATIONS 6
+#define SHARE_OF_PRIOR                                                                             \
+  0.05 /* first step of a difference by a parameter unidentified under the null */
 
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
 {
-  const struct um_diagnosis_candidate *c = &work->candidates->candidate[candidate];
+  const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate];
   struct um_diagnosis_block block = {.addition = {.effect = c->effect, .target = c->target},
                                      .candidate = candidate,
-                                     .nfree = c->is_switch ? 0 : c->ncolumn + c->nshape};
+                                     .nfree = c->is_switch ? 0 : c->ncolumn + c->nunidentified};
   for (size_t p = 0; p < c->effect->nparameter; p++) block.addition.value[p] = c->null_value[p];
   for (size_t k = 0; k < block.nfree; k++) {
-    size_t p = k < c->ncolumn ? c->parameter[k] : c->shape[k - c->ncolumn];
+    size_t p = k < c->ncolumn ? c->parameter[k] : c->unidentified[k - c->ncolumn];
     const struct um_effect_parameter *of = &c->effect->parameters[p];
     double null_value = c->null_value[p];
     block.parameter[k] = p;
-    block.prior_mean[k] = um_diagnosis_inner(of, null_value);
+    block.minimum[k] = c->minimum[p];
+    block.maximum[k] = c->maximum[p];
+    block.prior_mean[k] = um_effect_transformed(of, null_value);
     block.prior_sigma[k] = of->prior_sigma;
-    block.step[k] = k < c->ncolumn ? fabs(c->step[k]) / um_diagnosis_slope(of, null_value)
+    block.step[k] = k < c->ncolumn ? fabs(c->step[k]) / um_effect_transformed_slope(of, null_value)
                                    : SHARE_OF_PRIOR * of->prior_sigma;
   }
   return block;
@@ -56,7 +59,7 @@ enum um_status um_diagnosis_state_copy(struct um_context *context,
 
 void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_state *state)
 {
-  um_diagnosis_fit_destroy(context, &state->fit);
+  um_inference_fit_destroy(context, &state->fit);
   um_core_free(context, state->block);
   *state = (struct um_diagnosis_state){0};
 }
@@ -66,17 +69,17 @@ void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_
 struct evaluation {
   const struct um_diagnosis_work *work;
   const struct um_diagnosis_state *state;
-  struct um_diagnosis_addition *addition; /* [nblock] */
+  struct um_model_addition *addition; /* [nblock] */
 };
 
 static void take(const struct um_diagnosis_state *state, const double *x,
-                 struct um_diagnosis_addition *addition)
+                 struct um_model_addition *addition)
 {
   for (size_t b = 0, k = 0; b < state->nblock; b++) {
     addition[b] = state->block[b].addition;
     for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
       size_t of = state->block[b].parameter[p];
-      addition[b].value[of] = um_diagnosis_outer(&addition[b].effect->parameters[of], x[k]);
+      addition[b].value[of] = um_effect_physical(&addition[b].effect->parameters[of], x[k]);
     }
   }
 }
@@ -86,12 +89,12 @@ static enum um_status evaluate(struct um_context *context, void *user, const dou
 {
   struct evaluation *e = user;
   take(e->state, x, e->addition);
-  return um_diagnosis_forward_evaluate(context, e->work->forward, e->addition, e->state->nblock,
-                                       value);
+  return um_sensitivity_forward_evaluate(context, e->work->forward, e->addition, e->state->nblock,
+                                         value);
 }
 
 static void parameters_of(const struct um_diagnosis_state *state,
-                          struct um_diagnosis_fit_parameter *out)
+                          struct um_inference_fit_parameter *out)
 {
   for (size_t b = 0, k = 0; b < state->nblock; b++) {
     const struct um_diagnosis_block *block = &state->block[b];
@@ -99,32 +102,35 @@ static void parameters_of(const struct um_diagnosis_state *state,
       const struct um_effect_parameter *of =
           &block->addition.effect->parameters[block->parameter[p]];
       double value = block->addition.value[block->parameter[p]];
-      out[k] = (struct um_diagnosis_fit_parameter){.start = um_diagnosis_inner(of, value),
-                                                   .minimum = um_diagnosis_inner(of, of->minimum),
-                                                   .maximum = um_diagnosis_inner(of, of->maximum),
-                                                   .prior_mean = block->prior_mean[p],
-                                                   .prior_sigma = block->prior_sigma[p],
-                                                   .step = block->step[p]};
+      out[k] = (struct um_inference_fit_parameter){
+          .start = um_effect_transformed(of, value),
+          .minimum = um_effect_transformed(of, block->minimum[p]),
+          .maximum = um_effect_transformed(of, block->maximum[p]),
+          .prior_mean = block->prior_mean[p],
+          .prior_sigma = block->prior_sigma[p],
+          .step = block->step[p]};
     }
   }
 }
 
-/* A thermostat's chi-square is jagged below some scale: more iterations only follow the jags. */
+/* A thermostat's chi-square is non-smooth below some scale: more iterations only follow the
+ * discontinuities. */
 static size_t iterations(const struct um_diagnosis_work *work,
                          const struct um_diagnosis_state *state)
 {
   for (size_t b = 0; b < state->nblock; b++)
     if (state->block[b].candidate != UM_COMPARE_NOWHERE &&
-        work->candidates->candidate[state->block[b].candidate].nshape > 0)
-      return JAGGED_ITERATIONS;
+        work->candidates->candidate[state->block[b].candidate].nunidentified > 0)
+      return NON_SMOOTH_ITERATIONS;
   return 0;
 }
 
 /* The chi-square of the BIC that the state has to come below. */
-static double beaten(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state)
+static double prune_above(const struct um_diagnosis_work *work,
+                          const struct um_diagnosis_state *state)
 {
-  double price = (double)state->nparameter * log((double)work->forward->nrow);
-  return isfinite(state->beaten) ? fmax(0.0, state->beaten - price) : 0.0;
+  double penalty = (double)state->nparameter * log((double)work->forward->nobservation);
+  return isfinite(state->prune_above) ? fmax(0.0, state->prune_above - penalty) : 0.0;
 }
 
 enum um_status um_diagnosis_state_fit(struct um_context *context,
@@ -134,12 +140,12 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
 {
   enum um_status status;
   struct evaluation e = {work, state, NULL};
-  struct um_diagnosis_fit_parameter *parameter = NULL;
-  struct um_diagnosis_fit *fit = NULL;
+  struct um_inference_fit_parameter *parameter = NULL;
+  struct um_inference_fit *fit = NULL;
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *e.addition, &e.addition));
   UM_CHECK(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
   parameters_of(state, parameter);
-  struct um_diagnosis_fit_problem problem = {.nrow = work->forward->nrow,
+  struct um_inference_fit_problem problem = {.nobservation = work->forward->nobservation,
                                              .nparameter = state->nparameter,
                                              .measured = work->forward->measured,
                                              .sigma = work->forward->sigma,
@@ -149,13 +155,13 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .jacobian = jacobian,
                                              .value = value,
                                              .iterations_max = iterations(work, state),
-                                             .beaten = beaten(work, state)};
-  UM_CHECK(um_diagnosis_fit_create(context, &problem, &fit));
+                                             .prune_above = prune_above(work, state)};
+  UM_CHECK(um_inference_fit_create(context, &problem, &fit));
   take(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
-  um_diagnosis_fit_destroy(context, &state->fit);
+  um_inference_fit_destroy(context, &state->fit);
   state->fit = fit;
-  state->beaten = 0.0;
+  state->prune_above = 0.0;
 done:
   um_core_free(context, parameter);
   um_core_free(context, e.addition);
@@ -163,7 +169,7 @@ done:
 }
 
 void um_diagnosis_state_additions(const struct um_diagnosis_state *state,
-                                  struct um_diagnosis_addition *out)
+                                  struct um_model_addition *out)
 {
   for (size_t b = 0; b < state->nblock; b++) out[b] = state->block[b].addition;
 }
@@ -174,10 +180,10 @@ void um_diagnosis_state_sigma(const struct um_diagnosis_state *state, size_t blo
   for (size_t b = 0; b < block; b++) k += state->block[b].nfree;
   for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) sigma[p] = NAN;
   for (size_t p = 0; p < state->block[block].nfree; p++) {
-    const struct um_diagnosis_addition *a = &state->block[block].addition;
+    const struct um_model_addition *a = &state->block[block].addition;
     size_t of = state->block[block].parameter[p];
-    sigma[of] =
-        state->fit->sigma[k + p] * um_diagnosis_slope(&a->effect->parameters[of], a->value[of]);
+    sigma[of] = state->fit->sigma[k + p] *
+                um_effect_transformed_slope(&a->effect->parameters[of], a->value[of]);
   }
 }
 
@@ -186,15 +192,15 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
                                            const struct um_diagnosis_state *state, double *out)
 {
   enum um_status status;
-  struct um_diagnosis_fit_parameter *parameter = NULL;
+  struct um_inference_fit_parameter *parameter = NULL;
   UM_TRY(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
   parameters_of(state, parameter);
-  struct um_diagnosis_fit_problem problem = {.nrow = work->forward->nrow,
+  struct um_inference_fit_problem problem = {.nobservation = work->forward->nobservation,
                                              .nparameter = state->nparameter,
                                              .measured = work->forward->measured,
                                              .sigma = work->forward->sigma,
                                              .parameter = parameter};
-  status = um_diagnosis_fit_held_out(context, &problem, state->fit, work->fold, work->nfold, out);
+  status = um_inference_fit_held_out(context, &problem, state->fit, work->fold, work->nfold, out);
   um_core_free(context, parameter);
   return status;
 }
@@ -209,30 +215,31 @@ double um_diagnosis_free_parameters(const struct um_diagnosis_state *state)
   return n;
 }
 
-/* Rows of each channel in order of time, as the whiteness test wants them. */
+/* Observations of each channel in order of time, as the whiteness test wants them. */
 enum um_status um_diagnosis_state_whiteness(struct um_context *context,
                                             const struct um_diagnosis_work *work,
                                             const struct um_diagnosis_state *state,
-                                            struct um_diagnosis_whiteness *out)
+                                            struct um_inference_whiteness *out)
 {
   enum um_status status;
-  const struct um_diagnosis_forward *f = work->forward;
+  const struct um_sensitivity_forward *f = work->forward;
   size_t *order = NULL, *channel = NULL;
   double *sorted = NULL;
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *order, &order));
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *channel, &channel));
-  UM_CHECK(um_core_allocate(context, f->nrow, sizeof *sorted, &sorted));
-  /* rows are in order of time within a track; insertion is quick where they nearly are */
-  for (size_t j = 0; j < f->nrow; j++) {
+  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *order, &order));
+  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *channel, &channel));
+  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *sorted, &sorted));
+  /* observations are in order of time within a track; insertion is quick where they nearly are */
+  for (size_t j = 0; j < f->nobservation; j++) {
     size_t at = j;
     for (; at > 0 && f->t[order[at - 1]] > f->t[j]; at--) order[at] = order[at - 1];
     order[at] = j;
   }
-  for (size_t j = 0; j < f->nrow; j++) {
+  for (size_t j = 0; j < f->nobservation; j++) {
     sorted[j] = state->fit->residual[order[j]];
     channel[j] = f->channel[order[j]];
   }
-  UM_CHECK(um_diagnosis_whiteness_test(context, f->nrow, sorted, channel, f->measurements->nchannel,
+  UM_CHECK(um_inference_whiteness_test(context, f->nobservation, sorted, channel,
+                                       f->measurements->nchannel,
                                        um_diagnosis_free_parameters(state), out));
 done:
   um_core_free(context, sorted);

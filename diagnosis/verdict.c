@@ -1,7 +1,8 @@
 /* The verdict on a diagnosis, and its words. */
 #include <math.h>
 
-#include "diagnosis/diagnose_impl.h"
+#include "diagnosis/state_impl.h"
+#include "diagnosis/verdict_impl.h"
 
 #define NOT_NOISE 1e-3 /* p below which a residual is not white noise of the stated sigma */
 #define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice .. */
@@ -12,6 +13,12 @@ const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
 {
   static const char *const name[] = {"complete", "found", "not_identifiable", "unexplained"};
   return name[verdict];
+}
+
+const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
+{
+  static const char *const name[] = {"certain", "one_of_group", "small"};
+  return name[standing];
 }
 
 /* A free nuisance that moved far took up something: a calibration, or an effect that resembles it.
@@ -26,7 +33,7 @@ static bool nuisance_took_it(const struct um_diagnosis_state *state)
   return false;
 }
 
-bool um_diagnosis_is_noise(const struct um_diagnosis_whiteness *w)
+bool um_diagnosis_is_noise(const struct um_inference_whiteness *w)
 {
   return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE) && !(w->p_worst < NOT_NOISE);
 }
@@ -34,13 +41,13 @@ bool um_diagnosis_is_noise(const struct um_diagnosis_whiteness *w)
 bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
 {
   if (step->removed || step->by_prior) return false;
-  for (size_t i = 1; i < step->nrival; i++)
-    if (step->rival[i].indistinguishable) return true;
+  for (size_t i = 1; i < step->nalternative; i++)
+    if (step->alternative[i].indistinguishable) return true;
   return false;
 }
 
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
-                                             const struct um_diagnosis *d)
+                                             struct um_diagnosis *d)
 {
   bool noise = um_diagnosis_is_noise(&d->final_whiteness);
   if (d->naddition == 0) {
@@ -49,7 +56,37 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
   }
   if (!noise && (d->chi2_reduced_after > BAD_FIT || d->final_whiteness.worst > BAD_PART))
     return UM_VERDICT_UNEXPLAINED;
+  d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
     if (um_diagnosis_has_group(&d->step[s])) return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
+}
+
+/* Alternatives within the evidence of the winner; scale: by which differences of BIC are too large,
+ * since observations scatter more than they say. */
+static bool is_matched(const struct um_diagnosis_step *step, double scale)
+{
+  if (um_diagnosis_has_group(step)) return true;
+  if (step->nalternative == 0 || step->by_prior) return false;
+  for (size_t i = 1; i < step->nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &step->alternative[i];
+    if (!r->fitted || r->same_effect || r->implausible) continue;
+    if (r->bic - step->alternative[0].bic < scale * UM_DIAGNOSIS_EVIDENCE) return true;
+  }
+  return false;
+}
+
+void um_diagnosis_stand(struct um_diagnosis *d)
+{
+  double scale = 1.0;
+  if (d->verdict == UM_VERDICT_UNEXPLAINED) scale = fmax(1.0, d->chi2_reduced_after);
+  for (size_t s = 0; s < d->nstep; s++) {
+    struct um_diagnosis_step *step = &d->step[s];
+    if (!is_matched(step, scale))
+      step->standing = UM_STANDING_CERTAIN;
+    else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
+      step->standing = UM_STANDING_SMALL;
+    else
+      step->standing = UM_STANDING_ONE_OF_GROUP;
+  }
 }

@@ -11,8 +11,7 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 }
 
 const struct um_effect um_effects_albedo = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "albedo",
     .summary = "Sunlight reflected by the Earth heats the satellite",
     .reference = "Knocke, Ries & Tapley 1988, AIAA 88-4292",

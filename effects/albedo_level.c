@@ -19,16 +19,17 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the scenario's albedo, in heat loads and in earthshine",
      .null_value = 1.0,
-     .fallback = 1.3,
+     .default_value = 1.3,
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.5,
+     .stated = UM_STATED_ALBEDO,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.1 to 0.8 at a place, 0.3 in the mean"},
 };
 
 const struct um_effect um_effects_albedo_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "albedo_level",
     .summary = "The Earth below reflects more or less sunlight than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",

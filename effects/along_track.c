@@ -7,7 +7,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "s",
      .help = "time by which the satellite is ahead of its orbit",
      .null_value = 0.0,
-     .fallback = 1.0,
+     .default_value = 1.0,
      .minimum = -100.0,
      .maximum = 100.0,
      .prior_sigma = 5.0,
@@ -17,8 +17,7 @@ static const struct um_effect_parameter parameters[] = {
 static double shift(const struct um_effect_use *use) { return use->value[0]; }
 
 const struct um_effect um_effects_along_track = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "along_track",
     .summary = "The satellite runs ahead of its orbit or behind it",
     .reference = "Levit & Marshall 2011, Adv. Space Res. 47:1107",

@@ -8,10 +8,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the area of every surface of the part",
      .null_value = 1.0,
-     .fallback = 1.1,
+     .default_value = 1.1,
      .minimum = 0.1,
      .maximum = 10.0,
      .prior_sigma = 0.2,
+     .stated = UM_STATED_AREA,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.7 to 1.3 of the area of a drawing"},
 };
 
@@ -30,8 +32,7 @@ static enum um_status geometry(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_area = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "area",
     .summary = "A part is larger or smaller than modelled",
     .reference = "Wetterer & Jah 2009, J. Guid. Control Dyn. 32:1648",

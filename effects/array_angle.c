@@ -8,7 +8,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "deg",
      .help = "added to the angle of the joint",
      .null_value = 0.0,
-     .fallback = 10.0,
+     .default_value = 10.0,
      .minimum = -180.0,
      .maximum = 180.0,
      .prior_sigma = 10.0,
@@ -28,8 +28,7 @@ static enum um_status geometry(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_array_angle = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "array_angle",
     .summary = "A solar array stands at another angle than its joint was told",
     .reference = "Payne, Gregory & Luu 2006, AMOS Conference (solar panel offsets)",

@@ -8,7 +8,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "deg",
      .help = "turn about the body axis x",
      .null_value = 0.0,
-     .fallback = 0.0,
+     .default_value = 0.0,
      .minimum = -180.0,
      .maximum = 180.0,
      .prior_sigma = 5.0,
@@ -17,7 +17,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "deg",
      .help = "turn about the body axis y",
      .null_value = 0.0,
-     .fallback = 0.0,
+     .default_value = 0.0,
      .minimum = -180.0,
      .maximum = 180.0,
      .prior_sigma = 5.0,
@@ -26,7 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "deg",
      .help = "turn about the body axis z",
      .null_value = 0.0,
-     .fallback = 0.0,
+     .default_value = 0.0,
      .minimum = -180.0,
      .maximum = 180.0,
      .prior_sigma = 5.0,
@@ -44,8 +44,7 @@ static struct um_quat attitude(const struct um_effect_use *use, double t_tai, st
 }
 
 const struct um_effect um_effects_attitude_offset = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "attitude_offset",
     .summary = "The body stands at a constant angle from its attitude law",
     .reference = "Shuster 1993, J. Astronaut. Sci. 41:439",

@@ -6,7 +6,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "W/m^2",
      .help = "added to the irradiance",
      .null_value = 0.0,
-     .fallback = 1e-12,
+     .default_value = 1e-12,
      .minimum = -1e-3,
      .maximum = 1e-3,
      .prior_sigma = INFINITY,
@@ -22,14 +22,13 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effects_background = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "background",
     .summary = "A constant light is left in what is measured",
     .reference = "Howell 2006, Handbook of CCD Astronomy, chapter 5",
-    .validity =
-        "constant over all observations; acts on irradiance and magnitude (there the same at "
-        "every wavelength) in the order of the list of effects",
+    .validity = "constant over all observations; acts on irradiance, measured radiant intensity "
+                "and magnitude "
+                "(there the same at every wavelength) in the order of the list of effects",
     .separated_by = "earthshine and zero_point: frames beside the satellite; it does not fall with "
                     "range, and counts most where the satellite is faint",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

@@ -9,10 +9,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the emissivity above 2.5 um",
      .null_value = 1.0,
-     .fallback = 0.9,
+     .default_value = 0.9,
      .minimum = 0.1,
      .maximum = 3.0,
      .prior_sigma = 0.15,
+     .stated = UM_STATED_BAND_EMISSIVITY,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.75 to 1.1 of the total emittance"},
 };
 
@@ -25,8 +27,7 @@ static enum um_status material(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_band_emissivity = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "band_emissivity",
     .summary =
         "The infrared emissivity that is seen differs from the total that sets the temperature",

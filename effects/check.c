@@ -34,7 +34,7 @@ static enum um_status check_values(struct um_context *context, const struct um_e
   const struct {
     const char *word;
     double value;
-  } inside[] = {{"null value", p->null_value}, {"default", p->fallback}};
+  } inside[] = {{"null value", p->null_value}, {"default", p->default_value}};
   for (size_t i = 0; i < 2; i++)
     if (!(inside[i].value >= p->minimum && inside[i].value <= p->maximum))
       return um_core_fail(
@@ -104,8 +104,13 @@ enum um_status um_effects_check(struct um_context *context, const struct um_effe
     return um_core_fail(
         context, UM_ERR_INPUT,
         "an effect of ABI version %u and %u bytes; accepted: version %d and %zu bytes, as of the "
-        "header core/effect.h of this program; compile it again",
+        "header effects/effect.h of this program; compile it again",
         (unsigned)e->abi_version, (unsigned)e->struct_size, UM_EFFECT_ABI_VERSION, sizeof *e);
+  if (e->layout != UM_EFFECT_LAYOUT)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect '%s' was compiled against other sizes of what its hooks change; "
+                        "accepted: the headers of this program; compile it again",
+                        is_word(e->name) ? e->name : "");
   UM_TRY(check_texts(context, e));
   if (e->targets == 0 || (e->targets & ~(uint32_t)ALL_TARGETS) != 0)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -116,10 +121,17 @@ enum um_status um_effects_check(struct um_context *context, const struct um_effe
                         e->name, e->nparameter, e->parameters == NULL ? ", none given" : "",
                         UM_EFFECT_PARAMETERS_MAX);
   for (size_t i = 0; i < e->nparameter; i++) UM_TRY(check_parameter(context, e, i));
-  if (e->on_by_default && (e->switch_off == NULL || e->nparameter > 0))
+  if (e->on_by_default && e->switch_off == NULL)
     return um_core_fail(context, UM_ERR_INPUT,
-                        "effect '%s' is on by default; accepted: with switch_off, no parameters",
-                        e->name);
+                        "effect '%s' is on by default; accepted: with switch_off", e->name);
+  for (size_t i = 0; e->on_by_default && i < e->nparameter; i++)
+    if (e->parameters[i].default_value != e->parameters[i].null_value)
+      return um_core_fail(
+          context, UM_ERR_INPUT,
+          "effect '%s' is on by default and its parameter '%s' is %g then; accepted: "
+          "the null value %g",
+          e->name, e->parameters[i].name, e->parameters[i].default_value,
+          e->parameters[i].null_value);
   if ((e->is_off == NULL) != (e->switch_on == NULL))
     return um_core_fail(context, UM_ERR_INPUT,
                         "effect '%s': is_off and switch_on; accepted: both or none", e->name);

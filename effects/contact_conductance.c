@@ -24,17 +24,18 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the conductance that the scenario states",
      .null_value = 1.0,
-     .fallback = 3.0,
+     .default_value = 3.0,
      .minimum = 0.001,
      .maximum = 1000.0,
      .prior_sigma = 2.0,
      .logarithmic = true,
+     .stated = UM_STATED_CONTACT_CONDUCTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.05 to 5 W/K for one joint, a factor of 10 either way"},
 };
 
 const struct um_effect um_effects_contact_conductance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "contact_conductance",
     .summary = "Contacts, hinges or brackets conduct better or worse than stated",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 8",

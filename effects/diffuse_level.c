@@ -8,10 +8,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the diffuse reflectance",
      .null_value = 1.0,
-     .fallback = 0.8,
+     .default_value = 0.8,
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.3,
+     .stated = UM_STATED_DIFFUSE_REFLECTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface"},
 };
 
@@ -24,8 +26,7 @@ static enum um_status material(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_diffuse_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "diffuse_level",
     .summary = "The diffuse part of the reflected sunlight is stronger or weaker",
     .reference = "Nicodemus et al. 1977, NBS Monograph 160",

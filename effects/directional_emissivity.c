@@ -10,7 +10,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "1: a dielectric, dark at grazing; negative: a metal, bright at grazing",
      .null_value = 0.0,
-     .fallback = 1.0,
+     .default_value = 1.0,
      .minimum = -2.0,
      .maximum = 1.0,
      .prior_sigma = 0.5,
@@ -26,8 +26,7 @@ static enum um_status material(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_directional_emissivity = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "directional_emissivity",
     .summary = "Emissivity depends on the angle of view, its hemispherical value being kept",
     .reference = "Schlick 1994, Computer Graphics Forum 13:233",

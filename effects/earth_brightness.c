@@ -19,16 +19,16 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "K",
      .help = "added to the scenario's brightness temperature of the Earth",
      .null_value = 0.0,
-     .fallback = -20.0,
+     .default_value = -20.0,
      .minimum = -120.0,
      .maximum = 80.0,
      .prior_sigma = 20.0,
+     .stated = UM_STATED_EARTH_BRIGHTNESS,
      .prior = "220 K over cloud to 290 K over desert"},
 };
 
 const struct um_effect um_effects_earth_brightness = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earth_brightness",
     .summary = "The Earth that the satellite reflects is warmer or colder than stated",
     .reference = "Catsamas et al. 2025, arXiv 2511.13030",

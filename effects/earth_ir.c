@@ -11,8 +11,7 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 }
 
 const struct um_effect um_effects_earth_ir = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earth_ir",
     .summary = "Thermal radiation of the Earth heats the satellite",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",

@@ -16,16 +16,17 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the scenario's outgoing longwave radiation",
      .null_value = 1.0,
-     .fallback = 0.9,
+     .default_value = 0.9,
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.15,
+     .stated = UM_STATED_LONGWAVE,
+     .change = UM_CHANGE_SCALES,
      .prior = "150 to 300 W/m^2 about 237"},
 };
 
 const struct um_effect um_effects_earth_ir_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earth_ir_level",
     .summary = "The Earth below radiates more or less heat than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",

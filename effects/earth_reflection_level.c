@@ -8,7 +8,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the reflected radiation of the Earth",
      .null_value = 1.0,
-     .fallback = 0.9,
+     .default_value = 0.9,
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.3,
@@ -24,8 +24,7 @@ static enum um_status environment(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effects_earth_reflection_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earth_reflection_level",
     .summary = "The Earth seen in the satellite is warmer or colder than modelled",
     .reference = "Catsamas et al. 2025, arXiv 2511.13030",

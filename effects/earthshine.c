@@ -11,8 +11,7 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 }
 
 const struct um_effect um_effects_earthshine = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earthshine",
     .summary = "Sunlight reflected by the Earth and again by the satellite reaches the observer",
     .reference = "Fankhauser et al. 2023, arXiv 2305.11123",

@@ -8,10 +8,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the earthshine",
      .null_value = 1.0,
-     .fallback = 1.3,
+     .default_value = 1.3,
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.5,
+     .stated = UM_STATED_EARTHSHINE,
+     .change = UM_CHANGE_SCALES,
      .prior = "clouds, ice and oceans: 0.1 to 0.8 about 0.3"},
 };
 
@@ -24,8 +26,7 @@ static enum um_status environment(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effects_earthshine_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "earthshine_level",
     .summary = "The sunlit Earth is brighter or darker than modelled",
     .reference = "Fankhauser et al. 2023, arXiv 2305.11123",

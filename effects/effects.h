@@ -5,15 +5,13 @@
 
 #include <stdio.h>
 
-#include "core/effect.h"
+#include "effects/effect.h"
 
 /* All built-in effects, in the order of the list; borrowed. */
 size_t um_effects_count(void);
 const struct um_effect *um_effects_at(size_t index);
 /* NULL when there is none of that name. */
 const struct um_effect *um_effects_find(const char *name);
-/* Names of all effects, comma separated, for messages; cut to size. */
-void um_effects_names(char *out, size_t size);
 
 /* The built-in effects and those of shared objects that were loaded into it: of one model, or of
  * one command. */
@@ -39,10 +37,29 @@ const struct um_effect *um_effects_registry_at(const struct um_effects_registry 
 const struct um_effect *um_effects_registry_find(const struct um_effects_registry *registry,
                                                  const char *name);
 void um_effects_registry_names(const struct um_effects_registry *registry, char *out, size_t size);
+/* UM_ERR_INPUT for a name that no effect has, or no parameter of an effect: the nearest one and
+ * what is accepted. */
+enum um_status um_effects_registry_refuse(struct um_context *context,
+                                          const struct um_effects_registry *registry,
+                                          const char *name);
+enum um_status um_effects_refuse_parameter(struct um_context *context,
+                                           const struct um_effect *effect, const char *name);
 
 /* A descriptor that the program can work with: ABI, texts, targets, parameters within their bounds,
  * something that acts. UM_ERR_INPUT with "effect 'NAME': what is wrong; accepted: ...". */
 enum um_status um_effects_check(struct um_context *context, const struct um_effect *effect);
+
+/* What hangs on an effect's values, and so has to be computed again when they change; anything that
+ * is not reached is the same to the last bit. */
+enum um_effects_reach {
+  UM_REACH_PRECOMPUTED = 1, /* shapes, places, times: the geometry precomputation */
+  UM_REACH_LIGHT = 2,       /* Sun, Earth, shadow: the precomputation where their numbers differ */
+  UM_REACH_THERMAL = 4,     /* heat network: the thermal solution where its numbers differ */
+  UM_REACH_OPTICS = 8,      /* how surfaces return and emit light; temperature reaches it too */
+  UM_REACH_OBSERVATION = 16 /* what is done to the light behind the satellite */
+};
+/* Or-ed um_effects_reach of its hooks. Does not fail. */
+uint32_t um_effects_reach(const struct um_effect *effect);
 
 /* The manual's page of one effect, built-in or a user's own, as Markdown; and the whole manual,
  * docs/effects.md. Errors of writing are the stream's. */

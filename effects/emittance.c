@@ -16,16 +16,17 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the total emittance and of the spectral emissivity above 2.5 um",
      .null_value = 1.0,
-     .fallback = 0.9,
+     .default_value = 0.9,
      .minimum = 0.1,
      .maximum = 10.0,
      .prior_sigma = 0.12,
+     .stated = UM_STATED_EMITTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.1 to 0.2 of an emittance of 0.8"},
 };
 
 const struct um_effect um_effects_emittance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "emittance",
     .summary = "A surface emits and absorbs thermal radiation better or worse than its record",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 4",

@@ -6,7 +6,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "mag",
      .help = "extinction at airmass 1",
      .null_value = 0.0,
-     .fallback = 0.2,
+     .default_value = 0.2,
      .minimum = -2.0,
      .maximum = 5.0,
      .prior_sigma = 0.3,
@@ -24,14 +24,15 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effects_extinction = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "extinction",
     .summary = "The atmosphere dims the satellite, more toward the horizon",
     .reference = "Kasten & Young 1989, Appl. Opt. 28:4735; Patat et al. 2011, A&A 527:A91",
-    .validity = "one coefficient a band, over all its wavelengths; acts on irradiance in the order "
-                "of the list of effects, not on magnitudes, which are those without an atmosphere; "
-                "of no effect without a station",
+    .validity =
+        "one coefficient a band, over all its wavelengths; acts on irradiance in the order "
+        "of the list of effects, not on magnitudes and radiant intensities, which are those "
+        "without an atmosphere; "
+        "of no effect without a station",
     .separated_by = "zero_point: one pass over a range of airmasses of 2 or more, or standard "
                     "stars at two airmasses in the same night",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

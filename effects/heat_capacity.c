@@ -49,17 +49,18 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the heat capacity of walls, solids and MLI skins",
      .null_value = 1.0,
-     .fallback = 1.5,
+     .default_value = 1.5,
      .minimum = 0.05,
      .maximum = 20.0,
      .prior_sigma = 0.6,
      .logarithmic = true,
+     .stated = UM_STATED_HEAT_CAPACITY,
+     .change = UM_CHANGE_SCALES,
      .prior = "panels 2000 to 10000, MLI 20 to 100 J/m^2/K, a factor of 2 either way"},
 };
 
 const struct um_effect um_effects_heat_capacity = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "heat_capacity",
     .summary = "Walls hold more or less heat than stated",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",

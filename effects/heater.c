@@ -44,7 +44,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "W",
      .help = "while it is on",
      .null_value = 0.0,
-     .fallback = 10.0,
+     .default_value = 10.0,
      .minimum = 0.0,
      .maximum = 1e5,
      .prior_sigma = INFINITY,
@@ -53,7 +53,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "K",
      .help = "temperature below which it is switched on; any value at power 0, to be scanned",
      .null_value = 273.15,
-     .fallback = 273.15,
+     .default_value = 273.15,
      .minimum = 20.0,
      .maximum = 600.0,
      .prior_sigma = 40.0,
@@ -63,7 +63,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "K",
      .help = "it is switched off this much above on_K; any value at power 0",
      .null_value = 2.0,
-     .fallback = 2.0,
+     .default_value = 2.0,
      .minimum = 0.01,
      .maximum = 50.0,
      .prior_sigma = 1.0,
@@ -72,8 +72,7 @@ static const struct um_effect_parameter parameters[] = {
 };
 
 const struct um_effect um_effects_heater = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "heater",
     .summary = "A thermostat heater keeps a wall or the inside of a part from growing colder",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 7",

@@ -20,28 +20,33 @@ static enum um_status add_capacity(struct um_context *context, const struct um_e
                         "store heat; accepted: a part with interior",
                         part);
   spec->interior_capacity += use->value[0];
-  return UM_OK;
+  if (spec->interior_capacity >= 0.0) return UM_OK;
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "effect 'interior_capacity': capacity_J_K %g makes the capacity inside '%s' %g "
+      "J/K; accepted: 0 or more in all",
+      use->value[0], part, spec->interior_capacity);
 }
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "capacity_J_K",
      .unit = "J/K",
-     .help = "heat capacity inside, added to what the scenario states",
+     .help = "heat capacity inside, added to what the scenario states; below 0: less than stated",
      .null_value = 0.0,
-     .fallback = 300.0,
-     .minimum = 0.0,
+     .default_value = 300.0,
+     .minimum = -1e9,
      .maximum = 1e9,
      .prior_sigma = INFINITY,
+     .stated = UM_STATED_INTERIOR_CAPACITY,
      .prior = "300 J/K in a CubeSat, 5 MJ/K in ENVISAT: no common width"},
 };
 
 const struct um_effect um_effects_interior_capacity = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "interior_capacity",
-    .summary = "The inside of a part stores more heat than stated",
+    .summary = "The inside of a part stores more heat than stated, or less",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
-    .validity = "a part with an interior node; nothing to see in a steady state",
+    .validity = "a part with an interior node, 0 or more in all; nothing to see in a steady state",
     .separated_by = "heat_capacity: what is inside follows the walls late, what is in the walls "
                     "does not; a temperature within the first minutes of an eclipse, or of both",
     .targets = UM_TARGET_PART,

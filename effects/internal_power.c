@@ -27,16 +27,16 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "W",
      .help = "heat released inside, added to what the scenario states",
      .null_value = 0.0,
-     .fallback = 10.0,
+     .default_value = 10.0,
      .minimum = -1e5,
      .maximum = 1e5,
      .prior_sigma = INFINITY,
+     .stated = UM_STATED_INTERIOR_POWER,
      .prior = "watts on a CubeSat, kilowatts on ENVISAT: no common width"},
 };
 
 const struct um_effect um_effects_internal_power = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "internal_power",
     .summary = "Electronics or heaters inside a part release heat",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",

@@ -44,7 +44,7 @@ static void write_parameters(FILE *file, const struct um_effect *effect)
   for (size_t i = 0; i < effect->nparameter; i++) {
     const struct um_effect_parameter *p = &effect->parameters[i];
     fprintf(file, "| `%s` | %s | %g | %g | %g to %g | ", p->name, p->unit, p->null_value,
-            p->fallback, p->minimum, p->maximum);
+            p->default_value, p->minimum, p->maximum);
     if (isfinite(p->prior_sigma))
       fprintf(file, "%g%s", p->prior_sigma, p->logarithmic ? " of ln" : "");
     else
@@ -60,13 +60,13 @@ static void write_example(FILE *file, const struct um_effect *effect)
   fprintf(file, "\n```yaml\neffects:\n  - {effect: %s", effect->name);
   if (target != NULL) fprintf(file, ", target: %s", target);
   if (effect->on_by_default) fputs(", off: true", file);
-  for (size_t i = 0; i < effect->nparameter; i++)
-    fprintf(file, ", %s: %g", effect->parameters[i].name, effect->parameters[i].fallback);
+  for (size_t i = 0; i < effect->nparameter && !effect->on_by_default; i++)
+    fprintf(file, ", %s: %g", effect->parameters[i].name, effect->parameters[i].default_value);
   fprintf(file, "}\n```\n\n`umbra run SCENARIO %s %s",
           effect->on_by_default ? "--without" : "--with", effect->name);
   if (target != NULL) fprintf(file, ":%s", target);
-  for (size_t i = 0; i < effect->nparameter; i++)
-    fprintf(file, ",%s=%g", effect->parameters[i].name, effect->parameters[i].fallback);
+  for (size_t i = 0; i < effect->nparameter && !effect->on_by_default; i++)
+    fprintf(file, ",%s=%g", effect->parameters[i].name, effect->parameters[i].default_value);
   fputs("`\n", file);
 }
 
@@ -85,14 +85,14 @@ void um_effects_write_manual(FILE *file)
 {
   fputs(
       "# Effects\n\n"
-      "Made from the descriptors in `effects/` by the test `unit_effects_manual` with\n"
-      "`UMBRA_WRITE_DOCS=1`; not edited by hand. An effect at the value at which it vanishes "
+      "Made from the descriptors in `effects/` by the build; not edited by hand.\n"
+      " An effect at the value at which it vanishes "
       "leaves the result\nbit-identical to a run without it. A prior sigma is the width of a weak "
       "Gaussian prior about that value,\nwhich diagnosis and fit use; `of ln` is that of the "
       "logarithm of the parameter over it. Behind it stands\nwhat the width is taken from. A "
       "fitted value more than three widths away is called not credible. `none`:\nevery value "
       "within the range is as good as another before the data. An effect of your own is added "
-      "by\n`effect_files` or `--effect-file`: "
+      "by\n`effect_files` with `--allow-effects`, or `--effect-file`: "
       "[examples/effects](../examples/effects/README.md).\n\n"
       "| effect | by default | what it is |\n|---|---|---|\n",
       file);

@@ -43,17 +43,18 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the effective emittance e* that the scenario states",
      .null_value = 1.0,
-     .fallback = 2.0,
+     .default_value = 2.0,
      .minimum = 0.01,
      .maximum = 100.0,
      .prior_sigma = 1.0,
      .logarithmic = true,
+     .stated = UM_STATED_MLI_EMITTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "0.005 to 0.05 about 0.016, a factor of 3 either way"},
 };
 
 const struct um_effect um_effects_mli_emittance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "mli_emittance",
     .summary = "MLI leaks more or less heat than stated: seams, compression, damage",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 5",

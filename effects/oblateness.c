@@ -24,8 +24,7 @@ static enum um_status switch_on(struct um_context *context, struct um_environmen
 }
 
 const struct um_effect um_effects_oblateness = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "oblateness",
     .summary = "The shadow of the Earth is cast by the WGS-84 ellipsoid",
     .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",

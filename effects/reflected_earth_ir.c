@@ -11,8 +11,7 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 }
 
 const struct um_effect um_effects_reflected_earth_ir = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "reflected_earth_ir",
     .summary = "Thermal radiation of the Earth reflected by the satellite reaches the observer",
     .reference = "Kirchhoff's law; Catsamas et al. 2025, arXiv 2511.13030",

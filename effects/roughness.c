@@ -8,10 +8,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the Beckmann alpha",
      .null_value = 1.0,
-     .fallback = 1.3,
+     .default_value = 1.3,
      .minimum = 0.1,
      .maximum = 5.0,
      .prior_sigma = 0.4,
+     .stated = UM_STATED_ROUGHNESS,
+     .change = UM_CHANGE_SCALES,
      .prior = "formulas from a measured roughness differ by factors of 0.5 to 1.8"},
 };
 
@@ -24,8 +26,7 @@ static enum um_status material(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_roughness = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "roughness",
     .summary = "The surface is rougher or smoother: glints are wider and fainter, or narrower and "
                "brighter",

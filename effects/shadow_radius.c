@@ -25,17 +25,17 @@ static const struct um_effect_parameter parameters[] = {
      .help = "added to the radius of the body that casts the shadow; of the ellipsoid, the "
              "equatorial one",
      .null_value = 0.0,
-     .fallback = 10.0,
+     .default_value = 10.0,
      .minimum = -60.0,
      .maximum = 60.0,
      .prior_sigma = 10.0,
+     .stated = UM_STATED_SHADOW_RADIUS,
      .prior =
          "21 km between sphere and ellipsoid, 7 km between radii in use, some 10 km of atmosphere"},
 };
 
 const struct um_effect um_effects_shadow_radius = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "shadow_radius",
     .summary = "The Earth casts a larger or smaller shadow than stated",
     .reference = "Adhya, Sibthorpe, Ziebart & Cross 2004, J. Spacecraft Rockets 41:168",

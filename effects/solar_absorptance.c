@@ -20,16 +20,16 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "added to the solar absorptance, taken from the diffuse reflectance below 2.5 um",
      .null_value = 0.0,
-     .fallback = 0.1,
+     .default_value = 0.1,
      .minimum = -0.5,
      .maximum = 0.5,
      .prior_sigma = 0.15,
+     .stated = UM_STATED_ABSORPTANCE,
      .prior = "ageing gives 0 to 0.3"},
 };
 
 const struct um_effect um_effects_solar_absorptance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "solar_absorptance",
     .summary = "A surface aged: it absorbs more sunlight and is darker in the visible",
     .reference = "Silverman 1995, NASA CR-4661",

@@ -16,16 +16,17 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the scenario's solar irradiance at 1 au",
      .null_value = 1.0,
-     .fallback = 1.034,
+     .default_value = 1.034,
      .minimum = 0.8,
      .maximum = 1.2,
      .prior_sigma = 0.017,
+     .stated = UM_STATED_SOLAR_IRRADIANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "3.4 % where the distance of the Sun was left out"},
 };
 
 const struct um_effect um_effects_solar_irradiance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "solar_irradiance",
     .summary = "Sunlight is stronger or weaker than stated",
     .reference = "Kopp & Lean 2011, Geophys. Res. Lett. 38:L01706",

@@ -7,10 +7,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "factor of the specular reflectance",
      .null_value = 1.0,
-     .fallback = 1.2,
+     .default_value = 1.2,
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.2,
+     .stated = UM_STATED_SPECULAR_REFLECTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "20 % of a reflectance measured at one angle"},
 };
 
@@ -23,8 +25,7 @@ static enum um_status material(struct um_context *context, const struct um_effec
 }
 
 const struct um_effect um_effects_specular_level = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "specular_level",
     .summary = "The specular lobe is stronger or weaker",
     .reference = "Cook & Torrance 1982, ACM Trans. Graphics 1:7",

@@ -8,10 +8,12 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "relative error of the period",
      .null_value = 0.0,
-     .fallback = 0.01,
+     .default_value = 0.01,
      .minimum = -0.5,
      .maximum = 0.5,
      .prior_sigma = 0.05,
+     .stated = UM_STATED_SPIN_PERIOD,
+     .change = UM_CHANGE_STRETCHES,
      .prior = "1e-4 to 0.1; 175 and 213 s are both printed for ENVISAT"},
 };
 
@@ -24,8 +26,7 @@ static enum um_status law(struct um_context *context, const struct um_effect_use
 }
 
 const struct um_effect um_effects_spin_period = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "spin_period",
     .summary = "The body spins slower or faster than its law says",
     .reference = "Kucharski et al. 2014, IEEE Trans. Geosci. Remote Sens. 52:7651",

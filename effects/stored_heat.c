@@ -27,7 +27,7 @@ static const struct um_effect_parameter parameters[] = {
      .help = "by which the inside is warmer when the run begins, orbits_before ahead of the first "
              "observation",
      .null_value = 0.0,
-     .fallback = 10.0,
+     .default_value = 10.0,
      .minimum = -200.0,
      .maximum = 500.0,
      .prior_sigma = 50.0,
@@ -35,8 +35,7 @@ static const struct um_effect_parameter parameters[] = {
 };
 
 const struct um_effect um_effects_stored_heat = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "stored_heat",
     .summary = "The inside of a part still holds heat, or cold, from before",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",

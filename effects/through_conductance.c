@@ -45,17 +45,18 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "of the conductance through the wall that the scenario states",
      .null_value = 1.0,
-     .fallback = 2.0,
+     .default_value = 2.0,
      .minimum = 0.01,
      .maximum = 100.0,
      .prior_sigma = 1.0,
      .logarithmic = true,
+     .stated = UM_STATED_THROUGH_CONDUCTANCE,
+     .change = UM_CHANGE_SCALES,
      .prior = "honeycomb 20 to 200 W/m^2/K about 63, a factor of 3 either way"},
 };
 
 const struct um_effect um_effects_through_conductance = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "through_conductance",
     .summary = "A panel conducts better or worse from front to back than stated",
     .reference = "Swann & Pittman 1961, NASA TN D-714",

@@ -7,7 +7,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "s",
      .help = "tag minus true time",
      .null_value = 0.0,
-     .fallback = 0.1,
+     .default_value = 0.1,
      .minimum = -100.0,
      .maximum = 100.0,
      .prior_sigma = 1.0,
@@ -20,8 +20,7 @@ static double true_time(const struct um_effect_use *use, double t_tai)
 }
 
 const struct um_effect um_effects_time_tag = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "time_tag",
     .summary = "The clock of the observations is wrong by a constant",
     .reference = "Montenbruck & Gill 2000, Satellite Orbits, chapter 6",

@@ -6,7 +6,7 @@ static const struct um_effect_parameter parameters[] = {
      .unit = "1",
      .help = "measured by true irradiance",
      .null_value = 1.0,
-     .fallback = 0.9,
+     .default_value = 0.9,
      .minimum = 0.01,
      .maximum = 100.0,
      .prior_sigma = 0.7,
@@ -23,13 +23,13 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effects_zero_point = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "zero_point",
     .summary = "The calibration of a band is off by a factor",
     .reference = "Bessell 2005, Annu. Rev. Astron. Astrophys. 43:293",
-    .validity = "constant over all observations; acts on irradiance and magnitude in the order of "
-                "the list of effects",
+    .validity =
+        "constant over all observations; acts on irradiance, magnitude and measured radiant "
+        "intensity in the order of the list of effects",
     .separated_by = "area, diffuse_level and extinction: standard stars in the same night, or a "
                     "second band of the same part that the factor does not touch",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,

@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "core/vec.h"
+#include "materials/materials.h"
 
 enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
 enum um_environment_shadow {
@@ -45,6 +46,12 @@ double um_environment_solar_irradiance(const struct um_environment *environment,
 double um_environment_solar_spectrum(const struct um_environment *environment, double wavelength);
 double um_environment_solar_band(const struct um_environment *environment, double from, double to);
 
+/* The same Sun for materials: shares of its energy in bands of equal width in log wavelength,
+ * 0.1195 to 1000 um, at their geometric means. Absorptances over it agree with the whole table of
+ * E490 to 5e-4 (tests/materials/integrals.c). */
+void um_environment_sun_shares(const struct um_environment *environment,
+                               struct um_materials_sun *out);
+
 /* Sunlit fraction of the solar disc, 0..1 (limb-darkened: of its flux), at a GCRS point r [m]:
  * sun = unit vector to the Sun from the point, distance [m]; pole = Earth's pole in GCRS (OBLATE).
  * Exactly 0 in the umbra and exactly 1 in full sunlight. Exact contour of the limb of sphere or
@@ -59,6 +66,13 @@ double um_environment_sunlit_fraction(const struct um_environment *environment, 
  * inside the Earth -pi/2. */
 double um_environment_limb_angle(const struct um_environment *environment, struct um_vec3 r,
                                  struct um_vec3 sun, double distance, struct um_vec3 pole);
+
+/* Does the Earth (WGS-84 ellipsoid about the unit pole) stand between a point r [m] and one that is
+ * `range` [m] from it in a unit direction? All in one frame centred on the Earth. A far end on the
+ * ground, down to 1 km below the ellipsoid, does not stand in its own way; one deeper down does.
+ * Test: environment/line_of_sight. */
+bool um_environment_earth_between(struct um_vec3 r, struct um_vec3 direction, double range,
+                                  struct um_vec3 pole);
 
 enum um_environment_event_kind {
   UM_EVENT_PENUMBRA_ENTRY, /* fraction falls below 1 */

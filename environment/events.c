@@ -129,6 +129,7 @@ static enum um_status scan(struct search *search, double from, double to, double
   UM_TRY(knot_with_rate(search, from, from + nudge, &left, &left_rate));
   for (size_t i = 1; i <= steps; i++) {
     double t = i < steps ? from + width * (double)i : to;
+    UM_TRY(um_core_stop_check(search->context, "eclipses were looked for"));
     UM_TRY(knot_with_rate(search, t, t - nudge, &right, &right_rate));
     if (left_rate * right_rate < 0.0) {
       UM_TRY(extremum_find(search, left.t, right.t, left_rate < 0.0 ? 1 : -1, &middle));

@@ -2,10 +2,12 @@
  *
  *   S(d) = S_1au (1 au / d)^2
  *   E_lambda = S_1au f(lambda) / integral of f,  f = ASTM E490 or pi B_lambda(T) */
+#include <math.h>
+
 #include "core/constants.h"
 #include "core/planck.h"
 #include "environment/environment.h"
-#include "environment/solar_impl.h"
+#include "environment/solar_e490_impl.h"
 
 double um_environment_solar_irradiance(const struct um_environment *environment, double distance)
 {
@@ -42,4 +44,20 @@ double um_environment_solar_band(const struct um_environment *environment, doubl
   }
   return environment->solar_irradiance / um_environment_e490_total() *
          um_environment_e490_band(from, to);
+}
+
+void um_environment_sun_shares(const struct um_environment *environment,
+                               struct um_materials_sun *out)
+{
+  const double first = 0.1195e-6, last = 1e-3; /* where E490 begins and ends [m] */
+  const double step = log(last / first) / UM_MATERIALS_SUN;
+  double total = 0.0;
+  for (size_t i = 0; i < UM_MATERIALS_SUN; i++) {
+    double from = first * exp(step * (double)i), to = first * exp(step * (double)(i + 1));
+    out->wavelength[i] = sqrt(from * to);
+    out->share[i] = um_environment_solar_band(environment, from, to);
+    total += out->share[i];
+  }
+  for (size_t i = 0; i < UM_MATERIALS_SUN; i++) out->share[i] /= total;
+  out->measured = environment->spectrum == UM_SPECTRUM_E490;
 }

@@ -7,7 +7,7 @@
  * over the cell equal to that of the standard. So every band whose limits are edges is exact, and
  * any other band is off by no more than the structure inside two cells. Between its own points the
  * standard is taken as linear. */
-#include "environment/solar_impl.h"
+#include "environment/solar_e490_impl.h"
 
 #include <stddef.h>
 

@@ -99,7 +99,7 @@ static void run(struct task *task, int nsample)
 {
   const struct um_geometry_visibility *v = task->visibility;
   size_t nsurface = v->mesh->nsurface;
-  for (size_t s = 0; s < nsurface; s++) {
+  for (size_t s = 0; s < nsurface && !um_core_stopped(v->context); s++) {
     struct um_vec3 normal = um_geometry_surface_normal(v->mesh, v->pose, s);
     double sun_cosine = task->lit == NULL ? 0.0 : um_vec3_dot(normal, task->s);
     task->seen[s] = 0.0;

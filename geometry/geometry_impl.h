@@ -7,6 +7,9 @@
 /* More facets than this in one part are refused: a facet size typed in the wrong unit. */
 #define UM_GEOMETRY_MAX_FACETS ((size_t)4000000)
 
+/* More groups than this in one mesh are refused: each is a place with temperatures of its own. */
+#define UM_GEOMETRY_MAX_GROUPS 2000
+
 /* Sizes and coordinates above this are refused, before squares of squares overflow [m]. */
 #define UM_GEOMETRY_MAX_LENGTH 1e7
 
@@ -28,6 +31,8 @@ struct um_geometry_patch {
   size_t nfacet, facet_capacity;
   char **group_name; /* [ngroup] */
   size_t ngroup, group_capacity;
+  uint32_t *group_slot; /* [group_slots] hash table of indices, UM_GEOMETRY_NONE where free */
+  size_t group_slots;   /* power of 2, at least twice ngroup */
 };
 
 void um_geometry_patch_begin(struct um_geometry_patch *patch, struct um_context *context,
@@ -40,8 +45,8 @@ enum um_status um_geometry_patch_facet(struct um_geometry_patch *patch, uint32_t
 /* Index of the group of that name, added when new. */
 enum um_status um_geometry_patch_group(struct um_geometry_patch *patch, const char *name,
                                        uint32_t *group);
-/* Length of the diagonal of the bounding box [m]. */
-double um_geometry_patch_size(const struct um_geometry_patch *patch);
+/* Index of the group of that name, or UM_GEOMETRY_NONE. */
+uint32_t um_geometry_patch_group_find(const struct um_geometry_patch *patch, const char *name);
 /* Merge coincident vertices, drop unused ones and groups without facets. */
 enum um_status um_geometry_patch_weld(struct um_geometry_patch *patch);
 /* UM_ERR_INPUT naming the first degenerate facet and its line. */
@@ -73,11 +78,6 @@ enum um_status um_geometry_primitive_build(const struct um_geometry_part_spec *s
 /* Disc, cylinder, cone, paraboloid. */
 enum um_status um_geometry_round_build(const struct um_geometry_part_spec *spec,
                                        struct um_geometry_patch *patch);
-/* UM_ERR_INPUT when `count` facets are too many for facet_size. */
-enum um_status um_geometry_count_check(const struct um_geometry_part_spec *spec,
-                                       struct um_context *context, double count);
-/* Number of steps of at most `step` (0: as long as wanted) along `length`, at least `least`. */
-double um_geometry_step_count(double length, double step, double least);
 
 /* Reads an OBJ file; positions are multiplied by `scale`. */
 enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path,

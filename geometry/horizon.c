@@ -75,6 +75,7 @@ enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibilit
     double height = um_vec3_dot(n, p) + UM_GEOMETRY_PLANE * visibility->size;
     uint8_t side = mesh->surface[s].back;
     struct um_vec3 turn = um_vec3_sub(n, last_normal[side]);
+    if (s % 256 == 0 && um_core_stopped(visibility->context)) break;
     bool same = um_vec3_dot(turn, turn) < 1e-28 &&
                 fabs(height - last_height[side]) < 1e-13 * visibility->size;
     if (!same) {
@@ -85,5 +86,5 @@ enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibilit
     visibility->open[s] = last_open[side];
   }
   um_core_free(visibility->context, search.box);
-  return UM_OK;
+  return um_core_stop_check(visibility->context, "open surfaces were looked for");
 }

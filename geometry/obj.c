@@ -9,9 +9,11 @@
 
 #include "core/csv.h"
 #include "core/file.h"
+#include "core/words.h"
 #include "geometry/geometry_impl.h"
 
 #define MAX_FILE_BYTES ((size_t)1 << 30)
+#define MAX_CORNERS    4096 /* of a face; each is compared with each */
 #define BLANK          " \t"
 
 struct reader {
@@ -104,6 +106,8 @@ static enum um_status read_face(struct reader *r, char *rest)
     }
     int64_t index = 0;
     UM_TRY(read_index(r, token, &index));
+    if (r->nindex - face->begin == MAX_CORNERS)
+      return FAIL(r, "a face of more than %d corners; at most that many are accepted", MAX_CORNERS);
     for (size_t k = face->begin; k < r->nindex; k++)
       if (r->index[k] == index)
         return FAIL(r, "the face uses vertex %lld twice: '%.40s'", (long long)index + 1, token);
@@ -135,6 +139,9 @@ static enum um_status read_line(struct reader *r, char *line)
   if (strcmp(line, "v") == 0) return read_vertex(r, rest);
   if (strcmp(line, "f") == 0) return read_face(r, rest);
   const char *name = *rest != '\0' ? rest : NULL;
+  bool naming = strcmp(line, "g") == 0 || strcmp(line, "o") == 0 || strcmp(line, "usemtl") == 0;
+  if (naming && name != NULL && !um_core_name_is_safe(name))
+    return FAIL(r, "'%.100s' is not accepted; accepted: " UM_CORE_NAME_ACCEPTED, name);
   if (strcmp(line, "g") == 0)
     r->g = name;
   else if (strcmp(line, "o") == 0)
@@ -181,6 +188,7 @@ static enum um_status read_lines(struct reader *r, char *text, size_t length)
       }
       for (char *c = last - 1; c <= end; c++) *c = ' '; /* continued on the next line */
     }
+    if (physical % 4096 == 0) UM_TRY(um_core_stop_check(r->context, "a mesh was read"));
     UM_TRY(read_line(r, line));
   }
   return UM_OK;
@@ -223,7 +231,10 @@ static enum um_status add_faces(struct reader *r)
   UM_CHECK(um_core_allocate(r->context, most, sizeof *p, (void *)&p));
   UM_CHECK(um_core_allocate(r->context, most, sizeof *work, (void *)&work));
   UM_CHECK(um_core_allocate(r->context, most, sizeof *triangle, (void *)&triangle));
-  for (size_t i = 0; i < r->nface; i++) UM_CHECK(add_face(r, &r->faces[i], p, work, triangle));
+  for (size_t i = 0; i < r->nface; i++) {
+    if (i % 1024 == 0) UM_CHECK(um_core_stop_check(r->context, "a mesh was read"));
+    UM_CHECK(add_face(r, &r->faces[i], p, work, triangle));
+  }
 done:
   um_core_free(r->context, p);
   um_core_free(r->context, work);

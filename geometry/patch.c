@@ -20,6 +20,7 @@ void um_geometry_patch_end(struct um_geometry_patch *patch)
   um_core_free(patch->context, patch->line);
   for (size_t i = 0; i < patch->ngroup; i++) um_core_free(patch->context, patch->group_name[i]);
   um_core_free(patch->context, patch->group_name);
+  um_core_free(patch->context, patch->group_slot);
   memset(patch, 0, sizeof *patch);
 }
 
@@ -63,22 +64,60 @@ enum um_status um_geometry_patch_facet(struct um_geometry_patch *patch, uint32_t
   return UM_OK;
 }
 
+/* Slot of a name, or the free one where it would stand: FNV-1a, linear probing. */
+static size_t group_slot(const struct um_geometry_patch *patch, const char *name)
+{
+  uint64_t h = UINT64_C(14695981039346656037);
+  for (const char *c = name; *c != '\0'; c++) h = (h ^ (unsigned char)*c) * UINT64_C(1099511628211);
+  size_t slot = (size_t)(h ^ (h >> 29)) & (patch->group_slots - 1);
+  while (patch->group_slot[slot] != UM_GEOMETRY_NONE &&
+         strcmp(patch->group_name[patch->group_slot[slot]], name) != 0)
+    slot = (slot + 1) & (patch->group_slots - 1);
+  return slot;
+}
+
+static void group_slots_fill(struct um_geometry_patch *patch)
+{
+  memset(patch->group_slot, 0xff, patch->group_slots * sizeof *patch->group_slot);
+  for (size_t i = 0; i < patch->ngroup; i++)
+    patch->group_slot[group_slot(patch, patch->group_name[i])] = (uint32_t)i;
+}
+
+static enum um_status groups_grow(struct um_geometry_patch *patch)
+{
+  size_t capacity = 2 * patch->group_capacity + 8, slots = 16;
+  while (slots < 2 * capacity) slots *= 2;
+  UM_TRY(um_core_reallocate(patch->context, capacity, sizeof *patch->group_name,
+                            (void *)&patch->group_name));
+  UM_TRY(um_core_reallocate(patch->context, slots, sizeof *patch->group_slot,
+                            (void *)&patch->group_slot));
+  patch->group_capacity = capacity;
+  patch->group_slots = slots;
+  group_slots_fill(patch);
+  return UM_OK;
+}
+
+uint32_t um_geometry_patch_group_find(const struct um_geometry_patch *patch, const char *name)
+{
+  return patch->group_slots == 0 ? UM_GEOMETRY_NONE : patch->group_slot[group_slot(patch, name)];
+}
+
 enum um_status um_geometry_patch_group(struct um_geometry_patch *patch, const char *name,
                                        uint32_t *group)
 {
-  for (size_t i = 0; i < patch->ngroup; i++)
-    if (strcmp(patch->group_name[i], name) == 0) {
-      *group = (uint32_t)i;
-      return UM_OK;
-    }
-  if (patch->ngroup == patch->group_capacity) {
-    size_t capacity = 2 * patch->group_capacity + 8;
-    UM_TRY(um_core_reallocate(patch->context, capacity, sizeof *patch->group_name,
-                              (void *)&patch->group_name));
-    patch->group_capacity = capacity;
+  if (patch->ngroup == patch->group_capacity) UM_TRY(groups_grow(patch));
+  size_t slot = group_slot(patch, name);
+  if (patch->group_slot[slot] == UM_GEOMETRY_NONE) {
+    if (patch->ngroup >= UM_GEOMETRY_MAX_GROUPS)
+      return um_core_fail(
+          patch->context, UM_ERR_INPUT,
+          "%s: more than %d groups, '%.80s' is one too many; accepted: at most that "
+          "many",
+          patch->source, UM_GEOMETRY_MAX_GROUPS, name);
+    UM_TRY(um_core_strdup(patch->context, name, &patch->group_name[patch->ngroup]));
+    patch->group_slot[slot] = (uint32_t)patch->ngroup++;
   }
-  UM_TRY(um_core_strdup(patch->context, name, &patch->group_name[patch->ngroup]));
-  *group = (uint32_t)patch->ngroup++;
+  *group = patch->group_slot[slot];
   return UM_OK;
 }
 
@@ -90,13 +129,6 @@ static void bounds(const struct um_geometry_patch *patch, struct um_vec3 *low, s
     *low = um_vec3(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
     *high = um_vec3(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
   }
-}
-
-double um_geometry_patch_size(const struct um_geometry_patch *patch)
-{
-  struct um_vec3 low, high;
-  bounds(patch, &low, &high);
-  return um_vec3_norm(um_vec3_sub(high, low));
 }
 
 /* Hash grid with cells of 1000 tolerances: a point within the tolerance of a cell's wall is looked
@@ -154,6 +186,7 @@ static enum um_status find_same(const struct um_geometry_patch *patch, uint32_t 
   UM_CHECK(um_core_allocate(patch->context, patch->nvertex, sizeof *grid.next, (void *)&grid.next));
   memset(grid.head, 0xff, slots * sizeof *grid.head);
   for (uint32_t i = 0; i < patch->nvertex; i++) {
+    if (i % 256 == 0) UM_CHECK(um_core_stop_check(patch->context, "a mesh was welded"));
     uint32_t near = find_near(&grid, patch->vertex, patch->vertex[i]);
     same[i] = near == UM_GEOMETRY_NONE ? i : near;
     if (near != UM_GEOMETRY_NONE) continue;
@@ -187,6 +220,7 @@ static enum um_status drop_empty_groups(struct um_geometry_patch *patch)
   }
   patch->ngroup = n;
   for (size_t f = 0; f < patch->nfacet; f++) patch->group[f] = number[patch->group[f]];
+  if (patch->group_slots > 0) group_slots_fill(patch);
   um_core_free(patch->context, number);
   return UM_OK;
 }

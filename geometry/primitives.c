@@ -6,23 +6,7 @@
  * emitting and absorbing area are exact. Its projected area is too small by O(h^2). */
 #include "core/constants.h"
 #include "geometry/geometry_impl.h"
-
-double um_geometry_step_count(double length, double step, double least)
-{
-  if (step <= 0.0) return least;
-  /* the allowance keeps 1.0 / 0.1 at ten steps */
-  return fmax(least, ceil(length / step * (1.0 - 1e-12)));
-}
-
-enum um_status um_geometry_count_check(const struct um_geometry_part_spec *spec,
-                                       struct um_context *context, double count)
-{
-  if (count <= (double)UM_GEOMETRY_MAX_FACETS) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "part '%s': a facet size of %g m needs about %.3g facets; at most %zu are "
-                      "accepted",
-                      spec->name, spec->facet_size, count, UM_GEOMETRY_MAX_FACETS);
-}
+#include "geometry/steps_impl.h"
 
 /* Grid of nu x nv cells from `corner` along u and v (full sides); front toward u x v. */
 static enum um_status add_grid(struct um_geometry_patch *patch, const char *name,

@@ -9,6 +9,7 @@
  * left inscribed: its area is too small by O(n^-2). */
 #include "core/constants.h"
 #include "geometry/geometry_impl.h"
+#include "geometry/steps_impl.h"
 
 #define LEAST_SEGMENTS   24.0
 #define LEAST_DISH_RINGS 6.0

@@ -21,18 +21,16 @@ static enum um_status find_material(struct um_geometry *geometry, const char *na
   return UM_OK;
 }
 
-/* The skin of a group: by its name, else the one without a name, else NULL. */
-static const struct um_geometry_skin *find_skin(const struct um_geometry_part_spec *spec,
-                                                const char *group)
+/* skin[ngroup]: of each group, by its name, else the one without a name, else NULL. */
+static void find_skins(const struct um_geometry_part_spec *spec,
+                       const struct um_geometry_patch *patch, const struct um_geometry_skin **skin)
 {
-  const struct um_geometry_skin *general = NULL;
-  for (size_t i = 0; i < spec->nskin; i++) {
+  for (size_t i = 0; i < spec->nskin; i++)
     if (spec->skins[i].group == NULL)
-      general = &spec->skins[i];
-    else if (strcmp(spec->skins[i].group, group) == 0)
-      return &spec->skins[i];
-  }
-  return general;
+      for (size_t g = 0; g < patch->ngroup; g++) skin[g] = &spec->skins[i];
+  for (size_t i = 0; i < spec->nskin; i++)
+    if (spec->skins[i].group != NULL)
+      skin[um_geometry_patch_group_find(patch, spec->skins[i].group)] = &spec->skins[i];
 }
 
 /* "a, b, c" of the groups, cut when long. */
@@ -67,10 +65,7 @@ static enum um_status check_skins(const struct um_geometry_part_spec *spec,
         return um_core_fail(patch->context, UM_ERR_INPUT, "part '%s': materials of %s given twice",
                             spec->name, name == NULL ? "all other groups" : name);
     }
-    bool known = name == NULL;
-    for (size_t g = 0; !known && g < patch->ngroup; g++)
-      known = strcmp(name, patch->group_name[g]) == 0;
-    if (known) continue;
+    if (name == NULL || um_geometry_patch_group_find(patch, name) != UM_GEOMETRY_NONE) continue;
     char list[400];
     list_groups(patch, list, sizeof list);
     return um_core_fail(patch->context, UM_ERR_INPUT,
@@ -82,11 +77,10 @@ static enum um_status check_skins(const struct um_geometry_part_spec *spec,
 
 static enum um_status add_group(struct um_geometry *geometry,
                                 const struct um_geometry_part_spec *spec, uint32_t part,
-                                const struct um_geometry_patch *patch, uint32_t group, bool open,
-                                bool closed)
+                                const struct um_geometry_patch *patch, uint32_t group,
+                                const struct um_geometry_skin *skin, bool open, bool closed)
 {
   const char *name = patch->group_name[group];
-  const struct um_geometry_skin *skin = find_skin(spec, name);
   if (skin == NULL || skin->front == NULL || skin->front[0] == '\0')
     return um_core_fail(patch->context, UM_ERR_INPUT, "part '%s': group '%s' has no %smaterial",
                         spec->name, name, skin == NULL ? "" : "front ");
@@ -118,17 +112,20 @@ enum um_status um_geometry_skin_apply(struct um_geometry *geometry,
                                       const struct um_geometry_part_spec *spec, uint32_t part,
                                       const struct um_geometry_patch *patch, const uint8_t *closed)
 {
+  enum um_status status;
+  const struct um_geometry_skin **skin = NULL;
+  bool(*has)[2] = NULL; /* [ngroup] open, closed facets */
   UM_TRY(check_skins(spec, patch));
-  UM_TRY(um_core_reallocate(geometry->context, geometry->ngroup + patch->ngroup,
-                            sizeof *geometry->group, (void *)&geometry->group));
-  for (uint32_t g = 0; g < patch->ngroup; g++) {
-    bool has_open = false, has_closed = false;
-    for (size_t f = 0; f < patch->nfacet; f++) {
-      if (patch->group[f] != g) continue;
-      has_open = has_open || !closed[f];
-      has_closed = has_closed || closed[f];
-    }
-    UM_TRY(add_group(geometry, spec, part, patch, g, has_open, has_closed));
-  }
-  return UM_OK;
+  UM_CHECK(um_core_allocate(geometry->context, patch->ngroup, sizeof *skin, (void *)&skin));
+  UM_CHECK(um_core_allocate(geometry->context, patch->ngroup, sizeof *has, (void *)&has));
+  UM_CHECK(um_core_reallocate(geometry->context, geometry->ngroup + patch->ngroup,
+                              sizeof *geometry->group, (void *)&geometry->group));
+  find_skins(spec, patch, skin);
+  for (size_t f = 0; f < patch->nfacet; f++) has[patch->group[f]][closed[f] != 0] = true;
+  for (uint32_t g = 0; g < patch->ngroup; g++)
+    UM_CHECK(add_group(geometry, spec, part, patch, g, skin[g], has[g][0], has[g][1]));
+done:
+  um_core_free(geometry->context, (void *)skin);
+  um_core_free(geometry->context, (void *)has);
+  return status;
 }

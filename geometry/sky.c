@@ -57,7 +57,8 @@ static size_t cell_of(struct um_vec3 w)
 /* Direction at (x, y) in [0,1)^2 of a cell. */
 static struct um_vec3 direction_of(size_t cell, double x, double y)
 {
-  double i = (double)(cell % SIDE), j = (double)(cell / SIDE);
+  size_t row = cell / SIDE;
+  double i = (double)(cell % SIDE), j = (double)row;
   return sphere_of(2.0 * (i + x) / SIDE - 1.0, 2.0 * (j + y) / SIDE - 1.0);
 }
 
@@ -151,8 +152,9 @@ enum um_status um_geometry_sky_create(struct um_context *context,
   fill_cells(cells);
 #pragma omp parallel for schedule(dynamic, 16) num_threads(um_core_context_threads(context))
   for (size_t s = 0; s < nsurface; s++)
-    if (sky->row[s] != SIZE_MAX)
+    if (sky->row[s] != SIZE_MAX && !um_core_stopped(context))
       fill_surface(visibility, cells, s, nsample, sky->freedom + sky->row[s]);
+  UM_CHECK(um_core_stop_check(context, "the sky of the surfaces was traced"));
   *out = sky;
   sky = NULL;
 done:

@@ -163,6 +163,13 @@ static void fill_geometry(const struct um_geometry_visibility *v, RTCGeometry ge
   rtcCommitGeometry(geometry);
 }
 
+/* Embree asks while it builds its tree. */
+static bool goes_on(void *self, double done)
+{
+  (void)done;
+  return !um_core_stopped(self);
+}
+
 static enum um_status create_scene(struct um_geometry_visibility *v)
 {
   struct embree_error error = {0, ""};
@@ -184,10 +191,12 @@ static enum um_status create_scene(struct um_geometry_visibility *v)
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     fill_geometry(v, geometry);
     rtcAttachGeometry(scene, geometry);
+    rtcSetSceneProgressMonitorFunction(scene, goes_on, v->context);
     rtcCommitScene(scene);
   }
   if (geometry != NULL) rtcReleaseGeometry(geometry);
   rtcSetDeviceErrorFunction(device, NULL, NULL);
+  UM_TRY(um_core_stop_check(v->context, "rays were prepared"));
   return embree_status(v->context, &error);
 }
 
@@ -289,10 +298,20 @@ static void occluded_packet(const struct um_geometry_visibility *v,
   for (size_t i = 0; i < n; i++) occluded[i] = packet.tfar[i] < 0.0f; /* -inf: something is hit */
 }
 
+/* Once a stop has been asked for no ray is traced any more: what comes back is hidden, and whoever
+ * asked for the rays finds the stop when it looks. */
+static bool stopped(const struct um_geometry_visibility *v, size_t n, uint8_t *occluded)
+{
+  if (!um_core_stopped(v->context)) return false;
+  memset(occluded, 1, n);
+  return true;
+}
+
 void um_geometry_visibility_occluded(const struct um_geometry_visibility *visibility,
                                      const struct um_geometry_ray *rays, size_t n,
                                      uint8_t *occluded)
 {
+  if (stopped(visibility, n, occluded)) return;
   for (size_t i = 0; i < n; i += PACKET)
     occluded_packet(visibility, rays + i, n - i < PACKET ? n - i : PACKET, false, occluded + i);
 }
@@ -301,6 +320,7 @@ void um_geometry_visibility_occluded_coherent(const struct um_geometry_visibilit
                                               const struct um_geometry_ray *rays, size_t n,
                                               uint8_t *occluded)
 {
+  if (stopped(visibility, n, occluded)) return;
   for (size_t i = 0; i < n; i += PACKET)
     occluded_packet(visibility, rays + i, n - i < PACKET ? n - i : PACKET, true, occluded + i);
 }
@@ -359,6 +379,9 @@ void um_geometry_visibility_closest(const struct um_geometry_visibility *visibil
                                     const struct um_geometry_ray *rays, size_t n,
                                     struct um_geometry_hit *hits)
 {
-  for (size_t i = 0; i < n; i += PACKET)
+  bool stop = um_core_stopped(visibility->context);
+  for (size_t i = 0; stop && i < n; i++)
+    hits[i] = (struct um_geometry_hit){UM_GEOMETRY_NONE, UM_GEOMETRY_NONE, INFINITY, {0, 0, 0}};
+  for (size_t i = 0; !stop && i < n; i += PACKET)
     closest_packet(visibility, rays + i, n - i < PACKET ? n - i : PACKET, hits + i);
 }

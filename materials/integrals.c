@@ -1,10 +1,8 @@
 /* Integrals of the spectral reflectance that the thermal half needs.
  *
- * Solar absorptance at normal incidence by selected ordinates (ASTM E903-12, 8.3.4 and appendix):
- * the mean of the spectral absorptance over 100 wavelengths that stand in the middle of 100 parts
- * of equal energy of the ASTM E490-00a spectrum (0.1195-1000 um). The list is a property of the
- * spectrum; the spectrum itself belongs to `environment`. Against the full table the library's
- * records differ by less than 0.004 (tests/materials/library.c).
+ * Solar absorptance at normal incidence: the spectral absorptance summed with the shares of the
+ * Sun's energy that the library was given, so that what the renderer reflects of that Sun is what
+ * the heat network does not absorb.
  *
  * Total emittance at T, from the piecewise linear spectral one (ends held constant):
  *   eps(T) = sum_j (eps_j + eps_j+1)/2 (F(lambda_j+1 T) - F(lambda_j T)) + the two ends
@@ -15,18 +13,6 @@
 #include "materials/record_impl.h"
 
 #define TEMPERATURES UM_MATERIALS_TEMPERATURES
-
-/* [um] middle of each hundredth of the energy of E490. */
-static const double solar_ordinates[] = {
-    0.2810, 0.3104, 0.3288, 0.3432, 0.3576, 0.3708, 0.3837, 0.3970, 0.4056, 0.4137, 0.4215, 0.4298,
-    0.4381, 0.4455, 0.4522, 0.4590, 0.4657, 0.4726, 0.4794, 0.4863, 0.4935, 0.5005, 0.5076, 0.5148,
-    0.5224, 0.5297, 0.5369, 0.5443, 0.5516, 0.5589, 0.5664, 0.5738, 0.5812, 0.5887, 0.5964, 0.6041,
-    0.6120, 0.6200, 0.6281, 0.6363, 0.6447, 0.6533, 0.6623, 0.6711, 0.6802, 0.6895, 0.6990, 0.7087,
-    0.7187, 0.7289, 0.7393, 0.7500, 0.7609, 0.7722, 0.7837, 0.7954, 0.8075, 0.8199, 0.8327, 0.8458,
-    0.8597, 0.8739, 0.8881, 0.9028, 0.9179, 0.9336, 0.9498, 0.9666, 0.9840, 1.0021, 1.0210, 1.0408,
-    1.0615, 1.0832, 1.1058, 1.1293, 1.1539, 1.1796, 1.2064, 1.2346, 1.2643, 1.2957, 1.3294, 1.3657,
-    1.4043, 1.4455, 1.4896, 1.5368, 1.5881, 1.6445, 1.7076, 1.7799, 1.8642, 1.9649, 2.0884, 2.2464,
-    2.4593, 2.7707, 3.3082, 4.8110};
 
 static double temperature_node(size_t i)
 {
@@ -58,7 +44,8 @@ static void emittance_at(const struct um_materials_record *record, double temper
   *normal = n + before_n * (1.0 - before);
 }
 
-void um_materials_integrals_build(struct um_materials_record *record)
+void um_materials_integrals_build(const struct um_materials_sun *sun,
+                                  struct um_materials_record *record)
 {
   if (record->grey) {
     record->solar_absorptance = record->explicit_values.solar_absorptance;
@@ -66,11 +53,11 @@ void um_materials_integrals_build(struct um_materials_record *record)
       record->emittance[i] = record->normal_emittance[i] = record->explicit_values.emittance;
     return;
   }
-  const size_t count = sizeof solar_ordinates / sizeof solar_ordinates[0];
   double sum = 0.0;
-  for (size_t i = 0; i < count; i++)
-    sum += um_materials_emissivity(record, NULL, solar_ordinates[i] * 1e-6, 1.0);
-  record->solar_absorptance = sum / (double)count;
+  for (size_t i = 0; i < UM_MATERIALS_SUN; i++)
+    if (sun->share[i] > 0.0)
+      sum += sun->share[i] * um_materials_emissivity(record, NULL, sun->wavelength[i], 1.0);
+  record->solar_absorptance = sum;
   for (size_t i = 0; i < TEMPERATURES; i++)
     emittance_at(record, temperature_node(i), &record->emittance[i], &record->normal_emittance[i]);
 }

@@ -17,14 +17,14 @@ static enum um_status check_wavelengths(struct um_context *context, const struct
 {
   const double *x = numbers(wavelength);
   if (wavelength->count < 2)
-    return um_core_mark_fail(context, at,
-                             "wavelength_um has %zu values; accepted: at least 2, ascending",
-                             wavelength->count);
+    return um_document_mark_fail(context, at,
+                                 "wavelength_um has %zu values; accepted: at least 2, ascending",
+                                 wavelength->count);
   for (size_t i = 1; i < wavelength->count; i++)
     if (!(x[i] > x[i - 1]))
-      return um_core_mark_fail(context, at,
-                               "wavelength_um: %g follows %g [um]; accepted: ascending values",
-                               x[i], x[i - 1]);
+      return um_document_mark_fail(context, at,
+                                   "wavelength_um: %g follows %g [um]; accepted: ascending values",
+                                   x[i], x[i - 1]);
   return UM_OK;
 }
 
@@ -33,8 +33,9 @@ static enum um_status check_length(struct um_context *context, const struct um_m
                                    const struct um_schema_list *wavelength)
 {
   if (values->count == wavelength->count) return UM_OK;
-  return um_core_mark_fail(context, at, "%s has %zu values; accepted: %zu, one per wavelength_um",
-                           key, values->count, wavelength->count);
+  return um_document_mark_fail(context, at,
+                               "%s has %zu values; accepted: %zu, one per wavelength_um", key,
+                               values->count, wavelength->count);
 }
 
 static enum um_status check_constants(struct um_context *context,
@@ -55,9 +56,9 @@ static enum um_status check_reflectance(struct um_context *context,
   for (size_t i = 0; i < r->diffuse.count; i++) {
     double sum = numbers(&r->diffuse)[i] + numbers(&r->specular)[i];
     if (!(sum <= 1.0 + 1e-12))
-      return um_core_mark_fail(context, &r->at,
-                               "diffuse + specular is %g at wavelength_um %g; accepted: at most 1",
-                               sum, numbers(&r->wavelength_um)[i]);
+      return um_document_mark_fail(
+          context, &r->at, "diffuse + specular is %g at wavelength_um %g; accepted: at most 1", sum,
+          numbers(&r->wavelength_um)[i]);
   }
   return UM_OK;
 }
@@ -74,13 +75,13 @@ static enum um_status read_roughness(struct um_context *context,
   else if (s != NULL && !isnan(s->rq_um) && !isnan(s->tau_um))
     record->alpha = um_materials_roughness_alpha(s->rq_um, s->tau_um);
   else
-    return um_core_mark_fail(context, s != NULL ? &s->at : &in->at,
-                             "the roughness of the specular part is missing; accepted: "
-                             "surface: {beckmann_alpha} or surface: {rq_um, tau_um}");
+    return um_document_mark_fail(context, s != NULL ? &s->at : &in->at,
+                                 "the roughness of the specular part is missing; accepted: "
+                                 "surface: {beckmann_alpha} or surface: {rq_um, tau_um}");
   if (record->alpha <= 1.5) return UM_OK;
-  return um_core_mark_fail(context, &s->at,
-                           "rq_um and tau_um give a Beckmann alpha of %g; accepted: at most 1.5",
-                           record->alpha);
+  return um_document_mark_fail(
+      context, &s->at, "rq_um and tau_um give a Beckmann alpha of %g; accepted: at most 1.5",
+      record->alpha);
 }
 
 struct table_law {
@@ -148,7 +149,7 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
   UM_TRY(check_reflectance(context, r));
   if (in->surface != NULL &&
       (!isnan(in->surface->diffuse_fraction) || !isnan(in->surface->absorption_factor)))
-    return um_core_mark_fail(
+    return um_document_mark_fail(
         context, &in->surface->at,
         "diffuse_fraction and absorption_factor belong to a substrate; "
         "accepted beside a reflectance table: beckmann_alpha, or rq_um and tau_um");

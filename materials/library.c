@@ -4,22 +4,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "core/data.h"
 #include "core/words.h"
 #include "materials/record_impl.h"
 
 struct um_materials_library {
   struct um_context *context;
+  struct um_materials_sun sun;
   struct um_materials_record **records; /* [count], in order of first appearance */
   size_t count;
 };
 
 enum um_status um_materials_library_create(struct um_context *context,
+                                           const struct um_materials_sun *sun,
                                            struct um_materials_library **out)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
   (*out)->context = context;
+  (*out)->sun = *sun;
   return UM_OK;
 }
 
@@ -40,7 +43,7 @@ enum um_status um_materials_library_read_file(struct um_context *context,
                                               size_t noverride)
 {
   struct um_materials_record *record;
-  UM_TRY(um_materials_record_read(context, path, overrides, noverride, &record));
+  UM_TRY(um_materials_record_read(context, &library->sun, path, overrides, noverride, &record));
   for (size_t i = 0; i < library->count; i++)
     if (strcmp(library->records[i]->name, record->name) == 0) {
       um_materials_record_destroy(&library->records[i]);
@@ -124,34 +127,9 @@ done:
   return status;
 }
 
-static bool is_folder(const char *path)
-{
-  struct stat info;
-  return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
-}
-
 enum um_status um_materials_library_folder(struct um_context *context, char **out)
 {
-  const char *data = getenv("UMBRA_DATA");
-  *out = NULL;
-  if (data != NULL && data[0] != '\0') {
-    UM_TRY(um_core_asprintf(context, out, "%s/materials", data));
-    if (is_folder(*out)) return UM_OK;
-    enum um_status status = um_core_fail(
-        context, UM_ERR_IO,
-        "%s: no such folder; accepted: UMBRA_DATA names a folder that holds materials/", *out);
-    um_core_free(context, *out);
-    *out = NULL;
-    return status;
-  }
-  if (is_folder(UMBRA_MATERIALS_INSTALLED))
-    return um_core_strdup(context, UMBRA_MATERIALS_INSTALLED, out);
-  if (is_folder(UMBRA_MATERIALS_SOURCE))
-    return um_core_strdup(context, UMBRA_MATERIALS_SOURCE, out);
-  return um_core_fail(context, UM_ERR_IO,
-                      "no material records in %s; accepted: the environment variable UMBRA_DATA "
-                      "names a folder that holds materials/",
-                      UMBRA_MATERIALS_INSTALLED);
+  return um_core_data_folder(context, "materials", out);
 }
 
 size_t um_materials_library_count(const struct um_materials_library *library)

@@ -31,9 +31,20 @@ struct um_materials_adjustment {
 };
 extern const struct um_materials_adjustment um_materials_no_adjustment;
 
+/* The Sun that absorptances are taken over: shares of its energy, of sum 1, at wavelengths. It is
+ * `environment` that has one (um_environment_sun_shares). */
+#define UM_MATERIALS_SUN 2000
+struct um_materials_sun {
+  double wavelength[UM_MATERIALS_SUN]; /* [m] ascending */
+  double share[UM_MATERIALS_SUN];      /* [1] */
+  bool measured; /* a measured spectrum, which published absorptances refer to: records that quote
+                    one are held against it */
+};
+
 /* Library: read every *.yaml of a folder (the product's own), then files of the scenario, which may
  * add or replace names. UM_ERR_INPUT with file and line. */
 enum um_status um_materials_library_create(struct um_context *context,
+                                           const struct um_materials_sun *sun, /* copied */
                                            struct um_materials_library **out);
 void um_materials_library_destroy(struct um_materials_library **library);
 enum um_status um_materials_library_read_folder(struct um_context *context,
@@ -43,9 +54,7 @@ enum um_status um_materials_library_read_file(struct um_context *context,
                                               struct um_materials_library *library,
                                               const char *path, const char *const *overrides,
                                               size_t noverride);
-/* The product's own folder: $UMBRA_DATA/materials where that variable is set, else the installed
- * one where it exists, else the one of the source tree that was built. The caller frees. UM_ERR_IO
- * names what is missing. */
+/* The product's own folder, um_core_data_folder(context, "materials", out). The caller frees. */
 enum um_status um_materials_library_folder(struct um_context *context, char **out);
 /* The keys of a record's file, for the reference page and the JSON Schema. */
 const struct um_schema_object *um_materials_schema(void);
@@ -97,7 +106,7 @@ double um_materials_hemispherical_reflectance(const struct um_materials_record *
                                               double wavelength);
 
 /* --- integrals for the thermal half --------------------------------------------------------- */
-/* Solar absorptance at normal incidence, over E490; explicit for a grey record. */
+/* Solar absorptance at normal incidence, over the library's Sun; explicit for a grey record. */
 double um_materials_solar_absorptance(const struct um_materials_record *record,
                                       const struct um_materials_adjustment *adjustment);
 /* Hemispherical total emittance at a temperature [K]; explicit for a grey record. */

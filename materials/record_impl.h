@@ -84,10 +84,12 @@ double um_materials_spectrum_angular(const struct um_materials_spectrum *spectru
                                      const double *table, size_t i, double t, double cosine);
 
 /* Fill solar_absorptance and the emittance tables from the optics. */
-void um_materials_integrals_build(struct um_materials_record *record);
+void um_materials_integrals_build(const struct um_materials_sun *sun,
+                                  struct um_materials_record *record);
 
 /* Read one file into a new record; the caller destroys. */
-enum um_status um_materials_record_read(struct um_context *context, const char *path,
+enum um_status um_materials_record_read(struct um_context *context,
+                                        const struct um_materials_sun *sun, const char *path,
                                         const char *const *overrides, size_t noverride,
                                         struct um_materials_record **out);
 void um_materials_record_destroy(struct um_materials_record **record);

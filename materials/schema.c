@@ -28,14 +28,19 @@ static const struct um_schema_field grey_fields[] = {
     UM_FIELD(struct um_materials_grey_input, bands, "band_emissivity", UM_SCHEMA_LIST,
              .object = &band_object, .help = "Emissivity in bands; elsewhere it is the emittance."),
     UM_FIELD(struct um_materials_grey_input, diffuse, "vis_reflectance_diffuse", UM_SCHEMA_NUMBER,
-             RATIO, .fallback = NAN,
+             RATIO, .default_value = NAN,
              .help = "Lambert reflectance below 2.5 um; default 1 - solar_absorptance - "
                      "specular_reflectance, not below 0."),
     UM_FIELD(struct um_materials_grey_input, specular, "specular_reflectance", UM_SCHEMA_NUMBER,
-             RATIO, .fallback = 0.0, .help = "F of the lobe below 2.5 um, at every angle."),
+             RATIO, .default_value = 0.0, .help = "F of the lobe below 2.5 um, at every angle."),
     UM_FIELD(struct um_materials_grey_input, alpha, "beckmann_alpha", UM_SCHEMA_NUMBER,
-             .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .fallback = NAN,
+             .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .default_value = NAN,
              .help = "Roughness of the lobe; needed with specular_reflectance."),
+    UM_FIELD(struct um_materials_grey_input, balance, "balance_tolerance", UM_SCHEMA_NUMBER, RATIO,
+             .default_value = 0.02,
+             .help =
+                 "By how much solar_absorptance and the reflectances may miss 1 together before "
+                 "it is said: they may hold for different parts of the spectrum; default 0.02."),
 };
 static const struct um_schema_object grey_object = {.name = "grey description",
                                                     .help = "Explicit numbers in place of spectra.",
@@ -94,21 +99,21 @@ static const struct um_schema_object sheet_object = {
 
 static const struct um_schema_field surface_fields[] = {
     UM_FIELD(struct um_materials_surface_input, diffuse_fraction, "diffuse_fraction",
-             UM_SCHEMA_NUMBER, RATIO, .fallback = NAN,
+             UM_SCHEMA_NUMBER, RATIO, .default_value = NAN,
              .help = "Share of the reflectance that is scattered (Lambert); default 0."),
     UM_FIELD(struct um_materials_surface_input, absorption_factor, "absorption_factor",
              UM_SCHEMA_NUMBER, .minimum = 0.0, .maximum = 100.0, .open_minimum = true,
-             .fallback = NAN,
+             .default_value = NAN,
              .help = "Factor on 1 - reflectance at every wavelength and angle, for a finish that "
                      "absorbs more than the tabulated substance; default 1."),
     UM_FIELD(struct um_materials_surface_input, alpha, "beckmann_alpha", UM_SCHEMA_NUMBER,
-             .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .fallback = NAN,
+             .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .default_value = NAN,
              .alternative = 1, .help = "Roughness of the lobe."),
     UM_FIELD(struct um_materials_surface_input, rq_um, "rq_um", UM_SCHEMA_NUMBER, .minimum = 0.0,
-             .maximum = 1e6, .open_minimum = true, .fallback = NAN, .alternative = 1,
+             .maximum = 1e6, .open_minimum = true, .default_value = NAN, .alternative = 1,
              .help = "RMS height; with tau_um gives alpha = sqrt(2) Rq/tau."),
     UM_FIELD(struct um_materials_surface_input, tau_um, "tau_um", UM_SCHEMA_NUMBER, .minimum = 0.0,
-             .maximum = 1e6, .open_minimum = true, .fallback = NAN,
+             .maximum = 1e6, .open_minimum = true, .default_value = NAN,
              .help = "Correlation length of the height."),
 };
 static const struct um_schema_object surface_object = {
@@ -120,7 +125,7 @@ static const struct um_schema_object surface_object = {
 
 #define THERMAL(member, key, text)                                                                 \
   UM_FIELD(struct um_materials_thermal_input, member, key, UM_SCHEMA_NUMBER, .minimum = 0.0,       \
-           .maximum = 1e9, .open_minimum = true, .fallback = NAN, .help = text)
+           .maximum = 1e9, .open_minimum = true, .default_value = NAN, .help = text)
 static const struct um_schema_field thermal_fields[] = {
     THERMAL(density, "density_kg_m3", "Density."),
     THERMAL(specific_heat, "specific_heat_J_kg_K", "Specific heat."),
@@ -146,7 +151,7 @@ static const struct um_schema_field catalogue_fields[] = {
     CATALOGUE(emittance, "emittance", "Published emittance near 300 K."),
     CATALOGUE(emittance_tolerance, "emittance_tolerance", "Its uncertainty."),
     UM_FIELD(struct um_materials_catalogue_input, kind, "emittance_kind", UM_SCHEMA_CHOICE,
-             .choices = emittance_kinds, .fallback = 0.0,
+             .choices = emittance_kinds, .default_value = 0.0,
              .help = "What the published emittance is; default hemispherical."),
     UM_FIELD(struct um_materials_catalogue_input, source, "source", UM_SCHEMA_TEXT,
              .required = true, .help = "Where the two numbers come from."),
@@ -162,8 +167,8 @@ static const struct um_schema_object catalogue_object = {
   UM_FIELD(struct um_materials_input, member, key, UM_SCHEMA_MAP, .object = &part, .help = text,   \
            __VA_ARGS__)
 static const struct um_schema_field record_fields[] = {
-    UM_FIELD(struct um_materials_input, name, "name", UM_SCHEMA_TEXT, .required = true,
-             .help = "Name that scenarios use: letters, digits, _ and -."),
+    UM_FIELD(struct um_materials_input, name, "name", UM_SCHEMA_TEXT, .name = true,
+             .required = true, .help = "Name that scenarios use: letters, digits, _ and -."),
     UM_FIELD(struct um_materials_input, summary, "summary", UM_SCHEMA_TEXT, .required = true,
              .help = "One line."),
     UM_FIELD(struct um_materials_input, citation, "citation", UM_SCHEMA_TEXT, .required = true,

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MATERIALS_SCHEMA_IMPL_H
 #define UMBRA_MATERIALS_SCHEMA_IMPL_H
 
-#include "core/schema.h"
+#include "document/schema.h"
 #include "materials/materials.h"
 
 struct um_materials_band_input {
@@ -13,7 +13,7 @@ struct um_materials_band_input {
 
 struct um_materials_grey_input {
   struct um_mark at;
-  double solar_absorptance, emittance, diffuse, specular, alpha; /* [1] */
+  double solar_absorptance, emittance, diffuse, specular, alpha, balance; /* [1] */
   struct um_schema_list bands; /* of struct um_materials_band_input */
 };
 

@@ -1,6 +1,17 @@
 /* Building a model: the order of the steps. */
+#include <string.h>
+
 #include "effects/effects.h"
 #include "model/model_impl.h"
+
+/* What hangs on the sky: parts, heat. */
+static enum um_status build_body(struct um_context *context, struct um_model *model)
+{
+  UM_TRY(um_model_build_parts(context, model));
+  UM_TRY(um_model_check_effects(context, model));
+  UM_TRY(um_model_build_thermal(context, model));
+  return um_model_build_blocked(context, model);
+}
 
 /* A model with its scenario read and its sky built. */
 static enum um_status create_sky(struct um_context *context, const char *path,
@@ -34,14 +45,36 @@ enum um_status um_model_create(struct um_context *context, const char *path,
   struct um_model *model = NULL;
   *out = NULL;
   UM_TRY(create_sky(context, path, options, &model));
-  UM_CHECK(um_model_build_parts(context, model));
-  UM_CHECK(um_model_check_effects(context, model));
-  UM_CHECK(um_model_build_thermal(context, model));
-  UM_CHECK(um_model_build_blocked(context, model));
+  UM_CHECK(build_body(context, model));
 done:
   if (status != UM_OK) um_model_destroy(context, &model);
   *out = model;
   return status;
+}
+
+enum um_status um_model_variant_create(struct um_context *context, const struct um_model *origin,
+                                       const struct um_model_addition *addition, size_t naddition,
+                                       struct um_model **out)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *model, &model));
+  model->origin = origin->origin != NULL ? origin->origin : origin;
+  model->document = origin->document;
+  model->scenario = origin->scenario;
+  model->registry = origin->registry;
+  UM_CHECK(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
+  memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
+  model->neffect = origin->neffect;
+  UM_CHECK(um_model_add_effects(context, model, addition, naddition));
+  UM_CHECK(um_model_build_environment(context, model));
+  UM_CHECK(um_model_build_orbit(context, model));
+  UM_CHECK(build_body(context, model));
+done:
+  if (status != UM_OK) um_model_destroy(context, &model);
+  *out = model;
+  return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
 }
 
 void um_model_destroy(struct um_context *context, struct um_model **model)
@@ -60,9 +93,12 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);
   um_core_free(context, m->start_offset);
-  um_effects_registry_destroy(context, &m->registry);
   um_core_free(context, m->band);
-  um_core_document_destroy(&m->document);
+  um_core_arena_release(context, &m->memory);
+  if (m->origin == NULL) {
+    um_effects_registry_destroy(context, &m->registry);
+    um_document_destroy(&m->document);
+  }
   um_core_free(context, m);
   *model = NULL;
 }

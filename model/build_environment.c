@@ -2,23 +2,6 @@
 #include "core/constants.h"
 #include "model/model_impl.h"
 
-void um_model_scenario_environment(const struct um_scenario_environment *from,
-                                   struct um_environment *to)
-{
-  um_environment_defaults(to);
-  to->solar_irradiance = from->solar_irradiance_W_m2;
-  to->spectrum = (enum um_environment_spectrum)from->solar_spectrum;
-  to->solar_temperature = from->solar_temperature_K;
-  to->albedo = from->albedo;
-  to->outgoing_longwave = from->olr_W_m2;
-  to->brightness_temperature = from->brightness_temperature_K;
-  to->earth_radius = from->earth_radius_km * 1e3;
-  to->shadow = (enum um_environment_shadow)from->shadow;
-  to->shadow_radius = from->shadow_radius_km * 1e3;
-  to->disc = (enum um_environment_disc)from->disc;
-  to->limb_darkening = from->limb_darkening;
-}
-
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;

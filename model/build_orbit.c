@@ -28,26 +28,45 @@ static enum um_status build_orientation(struct um_context *context, struct um_mo
                         um_orbit_finals_read(context, path, &model->orientation.finals));
 }
 
-/* SGP4 has 1-3 km at the epoch and grows by a kilometre or more a day in a low orbit. */
-static void log_tle_age(struct um_context *context, const struct um_model *model,
-                        const struct um_orbit_tle *tle)
+#define LATE 1.0 /* an error in time worth a warning [s] */
+#define OLD  7.0 /* an age worth one where the error is not known [d] */
+
+/* How old the elements are and what that means, in kilometres and seconds. */
+static enum um_status log_tle_age(struct um_context *context, const struct um_model *model,
+                                  const struct um_orbit_tle *tle,
+                                  const struct um_orbit_trajectory *trajectory, double *error,
+                                  double *delay)
 {
-  double days = (model->scenario->time->start - tle->epoch_tai) / 86400.0;
-  char epoch[32];
+  double t = model->scenario->time->start, days = (t - tle->epoch_tai) / 86400.0;
+  struct um_vec3 v;
+  char epoch[32], means[160] = "its error is not known: period of 225 min or more, or near decay";
+  UM_TRY(um_orbit_tle_error(context, tle, t, error));
+  UM_TRY(um_orbit_trajectory_state(context, trajectory, t, NULL, &v));
+  *delay = *error / um_vec3_norm(v);
   um_orbit_time_format(tle->epoch_tai, epoch);
-  um_core_log(context, fabs(days) > 7.0 ? UM_LOG_WARNING : UM_LOG_INFO,
-              "orbit: TLE of object %d, epoch %s, %.1f days %s the first observation%s",
-              tle->catalogue_number, epoch, fabs(days), days >= 0.0 ? "before" : "after",
-              fabs(days) > 7.0 ? ": expect kilometres, about a second, along track" : "");
+  if (!isnan(*error))
+    snprintf(means, sizeof means, "expect %.2g km, %.2g s, along the track (1 sigma)",
+             1e-3 * *error, *delay);
+  bool late = isnan(*delay) ? fabs(days) > OLD : *delay > LATE;
+  um_core_log(context, late ? UM_LOG_WARNING : UM_LOG_INFO,
+              "orbit: TLE of object %d, epoch %s, %.1f days %s the first observation: %s",
+              tle->catalogue_number, epoch, fabs(days), days >= 0.0 ? "before" : "after", means);
+  return UM_OK;
 }
 
-static enum um_status trajectory_of_tle(struct um_context *context, const struct um_model *model,
+static enum um_status trajectory_of_tle(struct um_context *context, struct um_model *model,
                                         const char *text, struct um_orbit_trajectory **out)
 {
   struct um_orbit_tle tle;
+  double error, delay;
   UM_TRY(um_orbit_tle_parse(context, text, 1, &tle));
-  log_tle_age(context, model, &tle);
-  return um_orbit_trajectory_create_tle(context, &tle, &model->orientation, out);
+  UM_TRY(um_orbit_trajectory_create_tle(context, &tle, &model->orientation, out));
+  UM_TRY(log_tle_age(context, model, &tle, *out, &error, &delay));
+  if (out != &model->trajectory) return UM_OK;
+  model->orbit_age = model->scenario->time->start - tle.epoch_tai;
+  model->orbit_error = error;
+  model->orbit_delay = delay;
+  return UM_OK;
 }
 
 static enum um_status trajectory_of_kepler(struct um_context *context,
@@ -289,6 +308,7 @@ static enum um_status build_pole(struct um_context *context, struct um_model *mo
 
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model)
 {
+  model->orbit_age = model->orbit_error = model->orbit_delay = NAN;
   UM_TRY(build_orientation(context, model));
   UM_TRY(build_pole(context, model));
   UM_TRY(um_model_blame(context, &model->scenario->orbit->at, orbit_key(model->scenario->orbit),

@@ -88,14 +88,14 @@ static enum um_status skins_of(struct um_context *context, struct um_model *mode
     return um_model_fail(context, &from->at, "outside",
                          "is for closed parts, front and back are for open ones; accepted: one or "
                          "the other");
-  UM_TRY(um_core_document_allocate(context, model->document, from->materials.count + 1,
-                                   sizeof *skin, &skin));
+  UM_TRY(um_core_arena_allocate(context, &model->memory, from->materials.count + 1, sizeof *skin,
+                                &skin));
   for (size_t i = 0; i < from->materials.count; i++)
     skin[to->nskin++] = (struct um_geometry_skin){single[i].name, single[i].front, single[i].back};
   const char *front = from->outside != NULL ? from->outside : from->front;
   if (front != NULL) skin[to->nskin++] = (struct um_geometry_skin){NULL, front, from->back};
   if (to->nskin == 0)
-    return um_core_mark_fail(
+    return um_document_mark_fail(
         context, &from->at,
         "no material; accepted: outside, front and back, or materials by group");
   to->skins = skin;
@@ -163,21 +163,26 @@ static enum um_status check_materials(struct um_context *context, const struct u
 static enum um_status check_parent(struct um_context *context, const struct um_model *model,
                                    const struct um_scenario_part *part)
 {
-  char names[512] = "";
+  char names[512] = "", hint[UM_CORE_WORDS_HINT];
   if (part->parent == NULL) return UM_OK;
+  struct um_core_words_guess guess = {.written = part->parent};
   for (size_t i = 0; i < model->scenario->parts.count; i++) {
     if (strcmp(part_at(model, i)->name, part->parent) == 0) return UM_OK;
-    if (part_at(model, i) != part)
-      um_core_words_append(names, sizeof names, part_at(model, i)->name);
+    if (part_at(model, i) == part) continue;
+    um_core_words_append(names, sizeof names, part_at(model, i)->name);
+    um_core_words_consider(&guess, part_at(model, i)->name);
   }
-  return um_model_fail(context, &part->at, "parent", "'%s' is not a part; accepted: %s",
-                       part->parent, names[0] == '\0' ? "none, there is no other part" : names);
+  return um_model_fail(context, &part->at, "parent", "'%s' is not a part%s; accepted: %s",
+                       part->parent, um_core_words_hint(&guess, hint),
+                       names[0] == '\0' ? "none, there is no other part" : names);
 }
 
 static enum um_status build_library(struct um_context *context, struct um_model *model)
 {
   char *folder = NULL;
-  UM_TRY(um_materials_library_create(context, &model->library));
+  struct um_materials_sun sun;
+  um_environment_sun_shares(&model->environment, &sun);
+  UM_TRY(um_materials_library_create(context, &sun, &model->library));
   UM_TRY(um_materials_library_folder(context, &folder));
   enum um_status status = um_materials_library_read_folder(context, model->library, folder);
   um_core_free(context, folder);

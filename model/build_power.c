@@ -31,10 +31,9 @@ static enum um_status rows_read(struct um_context *context, struct um_model *mod
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s: %zu row%s; accepted: 2 or more, the power is 0 outside of them",
                         um_core_csv_name(csv), rows, rows == 1 ? "" : "s");
-  UM_TRY(
-      um_core_document_allocate(context, model->document, rows, sizeof *history->t, &history->t));
-  UM_TRY(um_core_document_allocate(context, model->document, rows, sizeof *history->power,
-                                   &history->power));
+  UM_TRY(um_core_arena_allocate(context, &model->memory, rows, sizeof *history->t, &history->t));
+  UM_TRY(um_core_arena_allocate(context, &model->memory, rows, sizeof *history->power,
+                                &history->power));
   history->nrow = rows;
   for (size_t i = 0; i < rows; i++) {
     char why[160];
@@ -57,7 +56,7 @@ enum um_status um_model_power_history(struct um_context *context, struct um_mode
   *out = NULL;
   if (file == NULL) return UM_OK;
   UM_CHECK(um_model_resolve(context, model, at, file, &path));
-  UM_CHECK(um_core_document_allocate(context, model->document, 1, sizeof *history, &history));
+  UM_CHECK(um_core_arena_allocate(context, &model->memory, 1, sizeof *history, &history));
   UM_CHECK(um_core_csv_read(context, path, &csv));
   UM_CHECK(rows_read(context, model, csv, history));
   *out = history;

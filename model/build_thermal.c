@@ -46,16 +46,16 @@ static enum um_status shell_of(const struct assembly *a, const struct um_scenari
                                     : bulk.density * bulk.specific_heat * thickness;
     if (isnan(to->conductance)) to->conductance = bulk.conductivity * thickness;
     if (isnan(to->areal_heat_capacity))
-      return um_core_mark_fail(a->context, &from->at,
-                               "material '%s' has no density, specific heat or thickness; give "
-                               "areal_heat_capacity_J_m2_K or thickness_mm",
-                               from->material);
+      return um_document_mark_fail(a->context, &from->at,
+                                   "material '%s' has no density, specific heat or thickness; give "
+                                   "areal_heat_capacity_J_m2_K or thickness_mm",
+                                   from->material);
   }
   if (isnan(to->conductance)) to->conductance = 0.0;
   if (isnan(to->areal_heat_capacity))
-    return um_core_mark_fail(a->context, &from->at,
-                             "areal_heat_capacity_J_m2_K is missing; give it, or material and "
-                             "thickness_mm");
+    return um_document_mark_fail(a->context, &from->at,
+                                 "areal_heat_capacity_J_m2_K is missing; give it, or material and "
+                                 "thickness_mm");
   return UM_OK;
 }
 
@@ -71,10 +71,10 @@ static enum um_status shell_of_materials(const struct assembly *a,
     if (side[k] == UM_GEOMETRY_NONE || (k == 1 && side[1] == side[0])) continue;
     struct um_materials_bulk bulk = um_materials_bulk(a->model->material[side[k]]);
     if (isnan(bulk.areal_heat_capacity))
-      return um_core_mark_fail(a->context, &part->at,
-                               "group '%s' has no wall: material '%s' has no thickness; give "
-                               "shell, solid, or mli that wraps the interior",
-                               group->name, um_materials_name(a->model->material[side[k]]));
+      return um_document_mark_fail(a->context, &part->at,
+                                   "group '%s' has no wall: material '%s' has no thickness; give "
+                                   "shell, solid, or mli that wraps the interior",
+                                   group->name, um_materials_name(a->model->material[side[k]]));
     to->areal_heat_capacity += bulk.areal_heat_capacity;
     if (!isnan(bulk.conductivity) && !isnan(bulk.thickness))
       to->conductance += bulk.conductivity * bulk.thickness;
@@ -96,9 +96,9 @@ static enum um_status mli_of(const struct assembly *a, const struct um_scenario_
 {
   struct um_thermal_mli *mli = NULL;
   if (from->wraps == 1 && part->interior == NULL)
-    return um_core_mark_fail(a->context, &from->at,
-                             "wraps the interior, but the part '%s' has no interior", part->name);
-  UM_TRY(um_core_document_allocate(a->context, a->model->document, 1, sizeof *mli, &mli));
+    return um_document_mark_fail(
+        a->context, &from->at, "wraps the interior, but the part '%s' has no interior", part->name);
+  UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, 1, sizeof *mli, &mli));
   mli->effective_emittance = from->effective_emittance;
   mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
   mli->wraps_interior = from->wraps == 1;
@@ -123,7 +123,7 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
       own != NULL && own->shell != NULL ? own->shell : part->shell;
   struct um_thermal_shell *shell = NULL;
   if (part->solid == NULL) {
-    UM_TRY(um_core_document_allocate(a->context, a->model->document, 1, sizeof *shell, &shell));
+    UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, 1, sizeof *shell, &shell));
     if (wall != NULL)
       UM_TRY(shell_of(a, wall, shell));
     else if (to->mli == NULL || !to->mli->wraps_interior)
@@ -133,9 +133,9 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
 
   if (own != NULL && !isnan(own->interior_conductance_W_K)) {
     if (part->interior == NULL)
-      return um_core_mark_fail(a->context, &own->at,
-                               "interior_conductance_W_K, but the part '%s' has no interior",
-                               part->name);
+      return um_document_mark_fail(a->context, &own->at,
+                                   "interior_conductance_W_K, but the part '%s' has no interior",
+                                   part->name);
     to->interior_conductance = own->interior_conductance_W_K;
   }
   if (own != NULL) {
@@ -151,10 +151,11 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
       UM_TRY(
           use.effect->hooks.group(a->context, &use, part->name, group->name, to, shell, blanket));
   if (to->extraction_front > to->absorptance_front)
-    return um_core_mark_fail(a->context, &part->at,
-                             "electrical_extraction %g exceeds the solar absorptance %.3f of '%s'",
-                             to->extraction_front, to->absorptance_front,
-                             um_geometry_material_name(a->model->geometry, group->front_material));
+    return um_document_mark_fail(
+        a->context, &part->at,
+        "electrical_extraction %g exceeds the solar absorptance %.3f of '%s'", to->extraction_front,
+        to->absorptance_front,
+        um_geometry_material_name(a->model->geometry, group->front_material));
   return UM_OK;
 }
 
@@ -195,9 +196,10 @@ static enum um_status solid_of(const struct assembly *a, const struct um_scenari
     if (isnan(to->conductivity)) to->conductivity = bulk.conductivity;
   }
   if (isnan(to->density) || isnan(to->specific_heat) || isnan(to->conductivity))
-    return um_core_mark_fail(a->context, &from->at,
-                             "density, specific heat or conductivity is missing; give them or a "
-                             "material that has them");
+    return um_document_mark_fail(
+        a->context, &from->at,
+        "density, specific heat or conductivity is missing; give them or a "
+        "material that has them");
   return UM_OK;
 }
 
@@ -207,19 +209,75 @@ static enum um_status check_group_names(const struct assembly *a,
   const struct um_scenario_group *own = part->groups.items;
   for (size_t k = 0; k < part->groups.count; k++) {
     bool found = false;
-    char names[512] = "";
+    char names[512] = "", hint[UM_CORE_WORDS_HINT];
+    struct um_core_words_guess guess = {.written = own[k].name};
     for (size_t g = 0; g < um_geometry_group_count(a->model->geometry); g++) {
       const struct um_geometry_group *group = um_geometry_group(a->model->geometry, g);
       if (group->part != index) continue;
       um_core_words_append(names, sizeof names, group->name);
+      um_core_words_consider(&guess, group->name);
       found = found || strcmp(group->name, own[k].name) == 0;
     }
     if (!found)
       return um_model_fail(a->context, &own[k].at, NULL,
-                           "the part '%s' has no group '%s'; accepted: %s", part->name, own[k].name,
-                           names);
+                           "the part '%s' has no group '%s'%s; accepted: %s", part->name,
+                           own[k].name, um_core_words_hint(&guess, hint), names);
   }
   return UM_OK;
+}
+
+/* Is the name one of a blanket's outer layer: mli, mli_kapton, grey_mli? */
+static bool is_blanket(const char *name)
+{
+  for (const char *at = name; (at = strstr(at, "mli")) != NULL; at += 3) {
+    bool begins = at == name || at[-1] == '_' || at[-1] == '-';
+    if (begins && (at[3] == '\0' || at[3] == '_' || at[3] == '-')) return true;
+  }
+  return false;
+}
+
+/* A blanket's outer layer on a wall without a blanket carries the wall's heat straight to space. */
+static void warn_of_bare_blanket(const struct assembly *a, const struct um_scenario_part *part,
+                                 const struct um_thermal_group_spec *groups, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    const struct um_geometry_group *group = um_geometry_group(a->model->geometry, groups[i].group);
+    const struct um_scenario_group *own = group_named(part, group->name);
+    if (group->front_material == UM_GEOMETRY_NONE) continue;
+    const char *name = um_geometry_material_name(a->model->geometry, group->front_material);
+    if (groups[i].mli != NULL || (own != NULL && own->bare) || !is_blanket(name)) continue;
+    um_core_log(a->context, UM_LOG_WARNING,
+                "%s:%d: parts.%s: '%s' is the outer layer of a blanket, but the part has no mli: "
+                "its wall is as warm as its surface; accepted: mli: {effective_emittance: ...}, or "
+                "groups with bare: true",
+                part->at.file, part->at.line, part->name, name);
+    return;
+  }
+}
+
+/* Heat that is released inside must get out, by conduction or through a blanket around it. */
+static enum um_status check_way_out(const struct assembly *a, const struct um_scenario_part *part,
+                                    const struct um_thermal_part_spec *to)
+{
+  const struct um_scenario_contact *contact = a->model->scenario->contacts.items;
+  char name[512];
+  if (!to->has_interior || !(to->interior_power > 0.0 || to->interior_history != NULL))
+    return UM_OK;
+  for (size_t i = 0; i < to->ngroup; i++)
+    if (to->groups[i].interior_conductance > 0.0 ||
+        (to->groups[i].mli != NULL && to->groups[i].mli->wraps_interior))
+      return UM_OK;
+  snprintf(name, sizeof name, "%s.interior", part->name);
+  for (size_t i = 0; i < a->model->scenario->contacts.count; i++)
+    if (contact[i].conductance_W_K > 0.0 &&
+        (strcmp(contact[i].a, name) == 0 || strcmp(contact[i].b, name) == 0))
+      return UM_OK;
+  return um_model_fail(a->context, &part->interior->at,
+                       part->interior->power_file != NULL ? "power_file" : "power_W",
+                       "%g W have no way out of the interior; accepted: conductance_W_K above 0, "
+                       "groups with interior_conductance_W_K, mli that wraps the interior, or a "
+                       "contact of %s",
+                       to->interior_power, name);
 }
 
 static enum um_status part_of(const struct assembly *a, const struct um_scenario_part *part,
@@ -245,10 +303,12 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
     UM_TRY(um_model_power_history(a->context, a->model, &part->interior->at,
                                   part->interior->power_file, &to->interior_history));
   }
-  UM_TRY(um_core_document_allocate(a->context, a->model->document,
-                                   um_geometry_group_count(geometry), sizeof *groups, &groups));
-  for (uint32_t g = 0; g < um_geometry_group_count(geometry); g++)
-    if (um_geometry_group(geometry, g)->part == index) UM_TRY(group_of(a, part, g, &groups[n++]));
+  /* the groups of a part stand together */
+  uint32_t first = 0, all = (uint32_t)um_geometry_group_count(geometry), own = 0;
+  while (first < all && um_geometry_group(geometry, first)->part != index) first++;
+  while (first + own < all && um_geometry_group(geometry, first + own)->part == index) own++;
+  UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, own, sizeof *groups, &groups));
+  for (; n < own; n++) UM_TRY(group_of(a, part, first + (uint32_t)n, &groups[n]));
   share_interior(a, part, groups, n);
   to->groups = groups;
   to->ngroup = n;
@@ -256,15 +316,15 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
     if (use.effect->hooks.part != NULL)
       UM_TRY(use.effect->hooks.part(a->context, &use, part->name, to));
-  return UM_OK;
+  warn_of_bare_blanket(a, part, groups, n);
+  return check_way_out(a, part, to);
 }
 
 static enum um_status contacts_of(const struct assembly *a, struct um_thermal_contact **out)
 {
   const struct um_schema_list *list = &a->model->scenario->contacts;
   const struct um_scenario_contact *from = list->items;
-  UM_TRY(um_core_document_allocate(a->context, a->model->document, list->count + 1, sizeof **out,
-                                   out));
+  UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, list->count + 1, sizeof **out, out));
   for (size_t i = 0; i < list->count; i++) {
     if (strcmp(from[i].a, from[i].b) == 0)
       return um_model_fail(a->context, &from[i].at, "b",
@@ -301,9 +361,8 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
   struct um_thermal_contact *contacts = NULL;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
   size_t n = model->scenario->parts.count;
-  UM_CHECK(um_core_document_allocate(context, model->document,
-                                     um_geometry_group_count(model->geometry), sizeof *a.group_area,
-                                     &a.group_area));
+  UM_CHECK(um_core_arena_allocate(context, &model->memory, um_geometry_group_count(model->geometry),
+                                  sizeof *a.group_area, &a.group_area));
   for (size_t f = 0; f < mesh->nfacet; f++) a.group_area[mesh->facet_group[f]] += mesh->area[f];
   UM_CHECK(um_core_allocate(context, n, sizeof *parts, &parts));
   for (size_t i = 0; i < n; i++)

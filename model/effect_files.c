@@ -1,7 +1,26 @@
 /* Effects that a model may use: the built-in ones and those of shared objects, from the scenario's
- * files, then from those of the command line. */
+ * files, then from those of the command line. A shared object is code that runs inside the program,
+ * so a scenario, which may come from anywhere, cannot have one loaded by itself: the command line
+ * names the same file, or allows them all. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "effects/effects.h"
 #include "model/model_impl.h"
+
+/* Does the command line name the file that stands at `path`? */
+static bool is_named(const struct um_model_options *options, const char *path)
+{
+  bool named = false;
+  char *wanted = realpath(path, NULL);
+  for (size_t i = 0; wanted != NULL && !named && i < options->neffect_file; i++) {
+    char *given = realpath(options->effect_files[i], NULL);
+    named = given != NULL && strcmp(given, wanted) == 0;
+    free(given);
+  }
+  free(wanted);
+  return named;
+}
 
 enum um_status um_model_build_effect_files(struct um_context *context, struct um_model *model,
                                            const struct um_model_options *options)
@@ -12,6 +31,12 @@ enum um_status um_model_build_effect_files(struct um_context *context, struct um
   for (size_t i = 0; i < model->scenario->effect_files.count; i++) {
     const char *path;
     UM_TRY(um_model_resolve(context, model, at, file[i], &path));
+    if (options == NULL || (!options->allow_effects && !is_named(options, path)))
+      return um_model_fail(
+          context, at, "effect_files",
+          "'%s' is code that would run inside the program; accepted: --allow-effects "
+          "on the command line, or --effect-file with that file",
+          file[i]);
     UM_TRY(um_model_blame(context, at, "effect_files",
                           um_effects_registry_load(context, model->registry, path)));
   }

@@ -29,18 +29,9 @@ static enum um_status find(struct um_context *context, const struct um_model *mo
                            const struct origin *from, const char *name,
                            const struct um_effect **out)
 {
-  char names[2048];
   *out = um_model_effects_find(model, name);
   if (*out != NULL) return UM_OK;
-  um_effects_registry_names(model->registry, names, sizeof names);
-  return blame(context, from, "effect",
-               um_core_fail(context, UM_ERR_INPUT, "no effect is called '%.60s'; accepted: %.900s",
-                            name, names));
-}
-
-static bool same_target(const char *a, const char *b)
-{
-  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
+  return blame(context, from, "effect", um_effects_registry_refuse(context, model->registry, name));
 }
 
 /* The use of an effect on a target, made with its fallback values when there is none. */
@@ -49,27 +40,24 @@ static enum um_status use_of(struct um_context *context, struct um_model *model,
                              struct um_model_effect **out)
 {
   for (size_t i = 0; i < model->neffect; i++)
-    if (model->effect[i].effect == effect && same_target(model->effect[i].target, target)) {
+    if (model->effect[i].effect == effect && um_core_words_same(model->effect[i].target, target)) {
       *out = &model->effect[i];
       return UM_OK;
     }
   UM_TRY(um_core_reallocate(context, model->neffect + 1, sizeof *model->effect, &model->effect));
   *out = &model->effect[model->neffect++];
   **out = (struct um_model_effect){.effect = effect, .target = target};
-  for (size_t p = 0; p < effect->nparameter; p++) (*out)->value[p] = effect->parameters[p].fallback;
+  for (size_t p = 0; p < effect->nparameter; p++)
+    (*out)->value[p] = effect->parameters[p].default_value;
   return UM_OK;
 }
 
 static enum um_status set_parameter(struct um_context *context, const struct origin *from,
                                     struct um_model_effect *use, const char *name, double value)
 {
-  char names[512] = "";
   for (size_t p = 0; p < use->effect->nparameter; p++) {
     const struct um_effect_parameter *parameter = &use->effect->parameters[p];
-    if (strcmp(parameter->name, name) != 0) {
-      um_core_words_append(names, sizeof names, parameter->name);
-      continue;
-    }
+    if (strcmp(parameter->name, name) != 0) continue;
     if (!(value >= parameter->minimum && value <= parameter->maximum))
       return blame(context, from, name,
                    um_core_fail(context, UM_ERR_INPUT, "%g is out of range; accepted: %g to %g %s",
@@ -77,14 +65,7 @@ static enum um_status set_parameter(struct um_context *context, const struct ori
     use->value[p] = value;
     return UM_OK;
   }
-  if (use->effect->nparameter == 0)
-    return blame(
-        context, from, name,
-        um_core_fail(context, UM_ERR_INPUT, "effect '%s' has no parameters", use->effect->name));
-  return blame(context, from, name,
-               um_core_fail(context, UM_ERR_INPUT,
-                            "effect '%s' has no such parameter; accepted: %s", use->effect->name,
-                            names));
+  return blame(context, from, name, um_effects_refuse_parameter(context, use->effect, name));
 }
 
 /* With or without a target, as the effect has it. */
@@ -169,7 +150,7 @@ static enum um_status take_option(struct um_context *context, struct um_model *m
   size_t n = strlen(typed) + 1;
   char *text = NULL;
   struct origin origin = {.option = option, .text = typed};
-  UM_TRY(um_core_document_allocate(context, model->document, n, 1, &text));
+  UM_TRY(um_core_arena_allocate(context, &model->memory, n, 1, &text));
   memcpy(text, typed, n);
   return take_text(context, model, text, &origin, off);
 }
@@ -179,7 +160,8 @@ static enum um_status check_listed_once(struct um_context *context,
                                         const struct um_scenario_effect *uses, size_t k)
 {
   for (size_t i = 0; i < k; i++)
-    if (strcmp(uses[i].effect, uses[k].effect) == 0 && same_target(uses[i].target, uses[k].target))
+    if (strcmp(uses[i].effect, uses[k].effect) == 0 &&
+        um_core_words_same(uses[i].target, uses[k].target))
       return um_model_fail(context, &uses[k].at, "effect",
                            "'%s' is already listed on line %d; accepted: once", uses[k].effect,
                            uses[i].at.line);
@@ -215,8 +197,6 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
     UM_TRY(take_option(context, model, "--with", options->with[k], false));
   for (size_t k = 0; options != NULL && k < options->nwithout; k++)
     UM_TRY(take_option(context, model, "--without", options->without[k], true));
-  for (size_t k = 0; options != NULL && k < options->nlast; k++)
-    UM_TRY(take_option(context, model, "--with", options->last[k], false));
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
     if (e->effect->on_by_default ? !e->off : e->off) continue;
@@ -227,21 +207,57 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
   return UM_OK;
 }
 
-/* Names of what an effect can act on, for a message. */
-static void list_targets(const struct um_model *model, uint32_t targets, char *out, size_t size)
+enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
+                                    const struct um_model_addition *addition, size_t naddition)
+{
+  for (size_t i = 0; i < naddition; i++) {
+    const struct um_effect *effect = addition[i].effect;
+    struct um_model_effect *use = NULL;
+    struct origin origin = {.option = "addition", .text = effect->name};
+    UM_TRY(check_target(context, &origin, effect, addition[i].target));
+    UM_TRY(use_of(context, model, effect, addition[i].target, &use));
+    use->off = false;
+    use->at = NULL;
+    use->option = origin.option;
+    use->text = origin.text;
+    for (size_t p = 0; p < effect->nparameter; p++)
+      UM_TRY(
+          set_parameter(context, &origin, use, effect->parameters[p].name, addition[i].value[p]));
+  }
+  return UM_OK;
+}
+
+/* The names that an effect can act on, in words and beside what was typed. Parts, materials and
+ * bands outlive the guess; a side does not: `side` keeps the nearest one. */
+struct target_names {
+  char accepted[700], side[256];
+  struct um_core_words_guess guess;
+};
+
+static void add_target(struct target_names *names, const char *name)
+{
+  um_core_words_append(names->accepted, sizeof names->accepted, name);
+  um_core_words_consider(&names->guess, name);
+}
+
+static void list_targets(const struct um_model *model, uint32_t targets, struct target_names *names)
 {
   const struct um_geometry *g = model->geometry;
-  out[0] = '\0';
   for (size_t i = 0; (targets & UM_TARGET_PART) != 0 && i < um_geometry_part_count(g); i++)
-    um_core_words_append(out, size, um_geometry_part_name(g, i));
+    add_target(names, um_geometry_part_name(g, i));
   for (size_t i = 0; (targets & UM_TARGET_PART_SIDE) != 0 && i < um_geometry_group_count(g); i++) {
     char name[256];
     const struct um_geometry_group *group = um_geometry_group(g, i);
     snprintf(name, sizeof name, "%s.%s", um_geometry_part_name(g, group->part), group->name);
-    um_core_words_append(out, size, name);
+    add_target(names, name);
+    if (names->guess.nearest != name) continue;
+    snprintf(names->side, sizeof names->side, "%s", name);
+    names->guess.nearest = names->side;
   }
   for (size_t i = 0; (targets & UM_TARGET_MATERIAL) != 0 && i < um_geometry_material_count(g); i++)
-    um_core_words_append(out, size, um_geometry_material_name(g, i));
+    add_target(names, um_geometry_material_name(g, i));
+  for (size_t b = 0; (targets & UM_TARGET_BAND) != 0 && b < model->nband; b++)
+    add_target(names, model->band[b].name);
 }
 
 /* Is there a side, group or interior of that name, "part.name"? */
@@ -277,13 +293,14 @@ static bool built_target_exists(const struct um_model *model, uint32_t targets, 
 enum um_status um_model_check_target(struct um_context *context, const struct um_model *model,
                                      const struct um_effect *effect, const char *target)
 {
-  char names[700];
+  struct target_names names = {.guess = {.written = target}};
+  char hint[UM_CORE_WORDS_HINT];
   UM_TRY(check_kind(context, effect, target));
   if (target == NULL || built_target_exists(model, effect->targets, target)) return UM_OK;
-  list_targets(model, effect->targets, names, sizeof names);
+  list_targets(model, effect->targets, &names);
   return um_core_fail(context, UM_ERR_INPUT,
-                      "nothing that '%s' acts on is called '%.60s'; accepted: %s", effect->name,
-                      target, names);
+                      "nothing that '%s' acts on is called '%.60s'%s; accepted: %s", effect->name,
+                      target, um_core_words_hint(&names.guess, hint), names.accepted);
 }
 
 enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model)

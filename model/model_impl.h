@@ -10,13 +10,17 @@ enum um_status um_model_build_effect_files(struct um_context *context, struct um
 /* effect: the scenario's list, --with and --without (effects.c). */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options);
+/* Additions to the effects of a variant. */
+enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
+                                    const struct um_model_addition *addition, size_t naddition);
 /* Every target names something that the built parts have (after um_model_build_parts). */
 enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model);
 /* The next effect that is on, from *index, which moves behind it; false at the end. */
 bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use);
-/* environment: from the scenario's mapping, then its effects (build_environment.c). */
+/* The scenario's mapping as it stands, without effects (scenario_environment.c). */
 void um_model_scenario_environment(const struct um_scenario_environment *from,
                                    struct um_environment *to);
+/* environment: from the scenario's mapping, then its effects (build_environment.c). */
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model);
 /* orientation, trajectory, attitude, observer (build_orbit.c). */
 enum um_status um_model_build_orbit(struct um_context *context, struct um_model *model);
@@ -58,12 +62,23 @@ enum um_status um_model_blame_part(struct um_context *context, struct um_model *
  * attitude or observer, as those of tables that do not reach an instant do. Returns status. */
 enum um_status um_model_blame_table(struct um_context *context, const struct um_model *model,
                                     enum um_status status);
-/* The time at which an observation of that tag was really made (trace.c). */
+/* The time at which an observation of that tag was really made (geometry precomputation.c). */
 double um_model_true_time(const struct um_model *model, double tag);
+/* hidden: rows that the observer cannot see, said in the log; UM_ERR_INPUT for an observer inside
+ * the satellite (line_of_sight.c). After the observations are placed. */
+enum um_status um_model_precomputed_hide(struct um_context *context, const struct um_model *model,
+                                         struct um_model_precomputed *precomputed);
 /* stations of orbit.points, and what such a scenario cannot have (points.c). */
 enum um_status um_model_build_points(struct um_context *context, struct um_model *model);
-/* UM_ERR_INPUT for a scenario of points, naming what it wants. */
+/* UM_ERR_INPUT for a scenario of points, naming what it wants (bounds.c). */
 enum um_status um_model_check_track(struct um_context *context, const struct um_model *model);
+/* What the instants that are observed ask of memory (bounds.c). UM_ERR_INPUT naming the key. */
+enum um_status um_model_check_instants(struct um_context *context, const struct um_model *model,
+                                       size_t nobs, size_t nsub);
+/* The same of the heat loads over `span` [s], one instant every `step` [s]. */
+enum um_status um_model_check_load_rows(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_precomputed *precomputed, double span,
+                                        double step);
 
 /* Unit vector of three numbers; UM_ERR_INPUT naming `key` when it is zero. */
 enum um_status um_model_unit(struct um_context *context, const struct um_mark *at, const char *key,

@@ -1,6 +1,7 @@
 /* Pictures of the satellite at an observation. */
 #include <string.h>
 
+#include "core/words.h"
 #include "model/model.h"
 
 size_t um_model_band_find(const struct um_model *model, const char *name)
@@ -10,8 +11,23 @@ size_t um_model_band_find(const struct um_model *model, const char *name)
   return (size_t)-1;
 }
 
+enum um_status um_model_band_require(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *out)
+{
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[320] = "", hint[UM_CORE_WORDS_HINT];
+  *out = um_model_band_find(model, name);
+  if (*out != (size_t)-1) return UM_OK;
+  for (size_t b = 0; b < model->nband; b++) {
+    um_core_words_append(accepted, sizeof accepted, model->band[b].name);
+    um_core_words_consider(&guess, model->band[b].name);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s; accepted: %s", name,
+                      um_core_words_hint(&guess, hint), accepted);
+}
+
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
-                                const struct um_model_trace *trace,
+                                const struct um_model_precomputed *precomputed,
                                 const struct um_model_result *result, size_t k, size_t band,
                                 int width, int samples_per_pixel, struct um_optics_image **out)
 {
@@ -19,18 +35,19 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
   if (!model->has_observer)
     return um_core_fail(context, UM_ERR_INPUT, "%s: a picture needs an observer",
                         model->scenario->at.file);
-  size_t instant = k * trace->nsub + trace->nsub / 2;
-  size_t row = trace->load_row[instant] * trace->loads->nsurface;
+  size_t instant = k * precomputed->nsub + precomputed->nsub / 2;
+  size_t row = precomputed->load_row[instant] * precomputed->loads->nsurface;
   struct um_optics_scene scene = {.geometry = model->geometry,
                                   .environment = &model->environment,
-                                  .samples = &trace->sample[instant],
+                                  .samples = &precomputed->sample[instant],
                                   .material = model->material,
                                   .adjustment = model->adjustment,
                                   .temperature = result->surface_temperature + k * result->nsurface,
-                                  .albedo = trace->loads->albedo + row,
-                                  .view_factor = trace->loads->view_factor + row};
+                                  .albedo = precomputed->loads->albedo + row,
+                                  .view_factor = precomputed->loads->view_factor + row};
   struct um_optics_image_options options = {.width = width,
                                             .samples_per_pixel = samples_per_pixel,
-                                            .up_gcrs = um_vec3_unit(trace->sample[instant].r)};
+                                            .up_gcrs =
+                                                um_vec3_unit(precomputed->sample[instant].r)};
   return um_optics_image_render(context, &scene, 0, &model->band[band], &options, out);
 }

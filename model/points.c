@@ -10,15 +10,6 @@
 
 #define ACCEPTED_LAWS "fixed, sun, target, yaw_steering, table, spin with axis_gcrs or q_gcrs"
 
-enum um_status um_model_check_track(struct um_context *context, const struct um_model *model)
-{
-  if (!model->points) return UM_OK;
-  return um_model_fail(context, &model->scenario->orbit->at, "points",
-                       "has no times and places of its own; accepted: measurements with "
-                       "satellite_height_km, azimuth_deg and elevation_deg (umbra compare, "
-                       "diagnose, fit)");
-}
-
 static enum um_status check_attitude(struct um_context *context, const struct um_schema_list *laws)
 {
   const struct um_scenario_attitude *law = laws->items;
@@ -89,22 +80,26 @@ enum um_status um_model_station_find(struct um_context *context, const struct um
   const char *own = model->scenario->observer->station->name;
   const struct um_scenario_points *points = model->scenario->orbit->points;
   const struct um_scenario_station *other = points->stations.items;
-  char names[320] = "";
+  char names[320] = "", hint[UM_CORE_WORDS_HINT];
+  struct um_core_words_guess guess = {.written = name};
   *out = 0;
   if (name[0] == '\0' || (own != NULL && strcmp(name, own) == 0)) return UM_OK;
   if (own != NULL) um_core_words_append(names, sizeof names, own);
+  if (own != NULL) um_core_words_consider(&guess, own);
   for (size_t i = 0; i < points->stations.count; i++) {
     *out = i + 1;
     if (strcmp(name, other[i].name) == 0) return UM_OK;
     um_core_words_append(names, sizeof names, other[i].name);
+    um_core_words_consider(&guess, other[i].name);
   }
   return um_core_fail(context, UM_ERR_INPUT,
-                      "the scenario has no station '%.60s'; accepted: %s%sempty for the "
+                      "the scenario has no station '%.60s'%s; accepted: %s%sempty for the "
                       "observer's (observer.station, orbit.points.stations)",
-                      name, names, names[0] == '\0' ? "" : ", ");
+                      name, um_core_words_hint(&guess, hint), names, names[0] == '\0' ? "" : ", ");
 }
 
-/* --- trace ----------------------------------------------------------------------------------- */
+/* --- geometry precomputation
+ * ----------------------------------------------------------------------------------- */
 
 static enum um_status check_points(struct um_context *context, const struct um_model *model,
                                    const struct um_model_point *points, size_t n)
@@ -124,61 +119,64 @@ static enum um_status check_points(struct um_context *context, const struct um_m
 
 static enum um_status trace_points(struct um_context *context, const struct um_model *model,
                                    const struct um_model_point *points,
-                                   struct um_model_trace *trace)
+                                   struct um_model_precomputed *precomputed)
 {
-  size_t n = trace->nobs;
-  UM_TRY(um_core_allocate(context, n, sizeof(double), &trace->t_obs));
-  UM_TRY(um_core_allocate(context, n, sizeof(double), &trace->sunlit));
-  UM_TRY(um_core_allocate(context, n, sizeof *trace->look, &trace->look));
-  UM_TRY(um_core_allocate(context, n, sizeof *trace->sample, &trace->sample));
-  UM_TRY(um_core_allocate(context, n, sizeof *trace->load_row, &trace->load_row));
+  size_t n = precomputed->nobs;
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &precomputed->t_obs));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &precomputed->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->look, &precomputed->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->sample, &precomputed->sample));
+  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->load_row, &precomputed->load_row));
   for (size_t k = 0; k < n; k++) {
     struct um_model_point point = points[k];
     point.t = um_model_true_time(model, point.t);
-    UM_TRY(um_model_sample_point(context, model, &point, &trace->sample[k], &trace->look[k]));
-    trace->t_obs[k] = points[k].t;
-    trace->sunlit[k] = trace->sample[k].sunlit_fraction;
-    trace->load_row[k] = k;
+    UM_TRY(um_model_sample_point(context, model, &point, &precomputed->sample[k],
+                                 &precomputed->look[k]));
+    precomputed->t_obs[k] = points[k].t;
+    precomputed->sunlit[k] = precomputed->sample[k].sunlit_fraction;
+    precomputed->load_row[k] = k;
   }
-  trace->t_first = trace->t_start = trace->t_periodic_end = trace->sample[0].t_tai;
+  precomputed->t_first = precomputed->t_start = precomputed->t_periodic_end =
+      precomputed->sample[0].t_tai;
   return UM_OK;
 }
 
 /* One row for each point; rows want times that ascend, which points have not. */
 static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
-                                  struct um_model_trace *trace)
+                                  struct um_model_precomputed *precomputed)
 {
   struct um_environment_sample *numbered = NULL;
-  UM_TRY(um_core_allocate(context, trace->nobs, sizeof *numbered, &numbered));
-  for (size_t k = 0; k < trace->nobs; k++) {
-    numbered[k] = trace->sample[k];
-    numbered[k].t_tai = trace->t_start + (double)k;
+  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof *numbered, &numbered));
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    numbered[k] = precomputed->sample[k];
+    numbered[k].t_tai = precomputed->t_start + (double)k;
   }
-  enum um_status status =
-      um_thermal_loads_trace(context, model->geometry, &model->environment, numbered, trace->nobs,
-                             NULL, 0, model->scenario->thermal->samples, &trace->loads);
+  enum um_status status = um_irradiation_loads_trace(
+      context, model->geometry, &model->environment, numbered, precomputed->nobs, NULL, 0,
+      model->scenario->thermal->samples, &precomputed->loads);
   um_core_free(context, numbered);
   return status;
 }
 
-enum um_status um_model_trace_create_points(struct um_context *context,
-                                            const struct um_model *model,
-                                            const struct um_model_point *points, size_t npoint,
-                                            struct um_model_trace **out)
+enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
+                                          const struct um_model_point *points, size_t npoint,
+                                          struct um_model_precomputed **out)
 {
   enum um_status status;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   *out = NULL;
   UM_TRY(check_points(context, model, points, npoint));
-  UM_TRY(um_core_allocate(context, 1, sizeof *trace, &trace));
-  *trace = (struct um_model_trace){.nobs = npoint, .nsub = 1, .points = true, .period = NAN};
-  UM_CHECK(trace_points(context, model, points, trace));
-  UM_CHECK(trace_loads(context, model, trace));
-  UM_CHECK(um_optics_view_trace(context, model->geometry, trace->sample, npoint,
-                                model->scenario->optics->samples, &trace->view));
+  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
+  *precomputed =
+      (struct um_model_precomputed){.nobs = npoint, .nsub = 1, .points = true, .period = NAN};
+  UM_CHECK(trace_points(context, model, points, precomputed));
+  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
+  UM_CHECK(trace_loads(context, model, precomputed));
+  UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample, npoint,
+                                model->scenario->optics->samples, &precomputed->view));
 done:
   status = um_model_blame_table(context, model, status);
-  if (status != UM_OK) um_model_trace_destroy(context, &trace);
-  *out = trace;
+  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
+  *out = precomputed;
   return status;
 }

@@ -1,31 +1,31 @@
-/* Light curves of the trace: intensities from the renderer, irradiance at the aperture, magnitudes
- * without an atmosphere. */
+/* Light curves of the geometry precomputation: intensities from the renderer, irradiance at the
+ * aperture, magnitudes without an atmosphere. */
 #include <math.h>
 #include <string.h>
 
 #include "model/model_impl.h"
-#include "model/run_impl.h"
+#include "model/run_optics_impl.h"
 #include "optics/atmosphere.h"
 
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_trace *trace, const double *surface,
-                                   struct um_optics_scene *out)
+                                   const struct um_model_precomputed *precomputed,
+                                   const double *surface, struct um_optics_scene *out)
 {
-  size_t n = trace->nobs * trace->nsub, nsurface = trace->loads->nsurface;
+  size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->loads->nsurface;
   float *albedo = NULL, *view_factor = NULL;
   enum um_status status;
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *albedo, &albedo));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *view_factor, &view_factor));
   for (size_t i = 0; i < n; i++) {
-    size_t row = trace->load_row[i] * nsurface;
-    memcpy(albedo + i * nsurface, trace->loads->albedo + row, nsurface * sizeof *albedo);
-    memcpy(view_factor + i * nsurface, trace->loads->view_factor + row,
+    size_t row = precomputed->load_row[i] * nsurface;
+    memcpy(albedo + i * nsurface, precomputed->loads->albedo + row, nsurface * sizeof *albedo);
+    memcpy(view_factor + i * nsurface, precomputed->loads->view_factor + row,
            nsurface * sizeof *view_factor);
   }
   *out = (struct um_optics_scene){.geometry = model->geometry,
                                   .environment = &model->environment,
-                                  .samples = trace->sample,
-                                  .view = trace->view,
+                                  .samples = precomputed->sample,
+                                  .view = precomputed->view,
                                   .material = model->material,
                                   .adjustment = model->adjustment,
                                   .temperature = surface,
@@ -47,17 +47,21 @@ void um_model_scene_release(struct um_context *context, struct um_optics_scene *
   scene->albedo = scene->view_factor = NULL;
 }
 
-static enum um_status result_arrays(struct um_context *context, const struct um_model_trace *trace,
+static enum um_status result_arrays(struct um_context *context,
+                                    const struct um_model_precomputed *precomputed,
                                     const struct um_optics_lightcurve *curve,
                                     struct um_model_result *r)
 {
-  size_t n = trace->nobs;
+  size_t n = precomputed->nobs;
   r->nband = curve->nband;
   r->nbin = curve->nbin;
   r->nmaterial = curve->nmaterial;
   UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->irradiance));
   UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->magnitude_ab));
+  UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->measured_intensity));
   UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->standard_error));
+  UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->irradiance_error));
+  UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->magnitude_error));
   UM_TRY(um_core_allocate(context, n * r->nband * r->nmaterial * UM_MECHANISM_COUNT, sizeof(double),
                           &r->intensity));
   UM_TRY(um_core_allocate(context, n * r->nbin * UM_MECHANISM_COUNT, sizeof(double), &r->spectral));
@@ -72,18 +76,19 @@ static enum um_status result_arrays(struct um_context *context, const struct um_
 
 /* Means over the exposure; E = I / R^2 instant by instant. Standard errors of the instants share
  * their sample points, so they are averaged, not reduced. */
-static void average(const struct um_model_trace *trace, const struct um_optics_lightcurve *curve,
-                    struct um_model_result *r, double *spectral_irradiance)
+static enum um_status average(struct um_context *context,
+                              const struct um_model_precomputed *precomputed,
+                              const struct um_optics_lightcurve *curve, struct um_model_result *r,
+                              double *spectral_irradiance)
 {
   size_t per_time = r->nband * r->nmaterial * UM_MECHANISM_COUNT;
   size_t per_spectrum = r->nbin * UM_MECHANISM_COUNT;
-  double w = 1.0 / (double)trace->nsub;
-  for (size_t k = 0; k < trace->nobs; k++) {
-    bool below = false;
+  double w = 1.0 / (double)precomputed->nsub;
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    UM_TRY(um_core_stop_check(context, "light was averaged"));
     memset(spectral_irradiance, 0, r->nbin * sizeof(double));
-    for (size_t i = k * trace->nsub; i < (k + 1) * trace->nsub; i++) {
-      double range = trace->sample[i].range;
-      below = below || trace->look[i].elevation < 0.0;
+    for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
+      double range = precomputed->sample[i].range;
       for (size_t j = 0; j < per_time; j++)
         r->intensity[k * per_time + j] += w * curve->intensity[i * per_time + j];
       for (size_t j = 0; j < per_spectrum; j++) {
@@ -91,8 +96,11 @@ static void average(const struct um_model_trace *trace, const struct um_optics_l
         r->spectral[k * per_spectrum + j] += w * value;
         spectral_irradiance[j / UM_MECHANISM_COUNT] += w * value / (range * range);
       }
-      for (size_t b = 0; b < r->nband; b++)
-        r->standard_error[k * r->nband + b] += w * curve->stderr_[i * r->nband + b];
+      for (size_t b = 0; b < r->nband; b++) {
+        double error = w * curve->stderr_[i * r->nband + b];
+        r->standard_error[k * r->nband + b] += error;
+        r->irradiance_error[k * r->nband + b] += error / (range * range);
+      }
     }
     size_t first = 0;
     for (size_t b = 0; b < r->nband; b++) {
@@ -102,12 +110,15 @@ static void average(const struct um_model_trace *trace, const struct um_optics_l
         irradiance += spectral_irradiance[first + n] * r->bin_width[first + n];
         n++;
       }
-      r->irradiance[k * r->nband + b] = below ? NAN : irradiance;
-      r->magnitude_ab[k * r->nband + b] = um_optics_magnitude_ab(
-          spectral_irradiance + first, r->wavelength + first, r->bin_width + first, n);
+      double magnitude = um_optics_magnitude_ab(spectral_irradiance + first, r->wavelength + first,
+                                                r->bin_width + first, n);
+      r->irradiance[k * r->nband + b] = precomputed->hidden[k] ? (double)NAN : irradiance;
+      r->magnitude_ab[k * r->nband + b] = precomputed->hidden[k] ? (double)NAN : magnitude;
+      if (precomputed->hidden[k]) r->irradiance_error[k * r->nband + b] = NAN;
       first += n;
     }
   }
+  return UM_OK;
 }
 
 /* Band irradiance of a source of magnitude 0 that is the same at every wavelength [W/m^2]. */
@@ -129,13 +140,13 @@ static double irradiance_of_zero(const struct um_model_result *r, size_t b,
 /* One observation and band through all effects: what comes to the aperture, or, as if there were no
  * atmosphere, what the magnitude is made of. */
 static enum um_status transform(struct um_context *context, const struct um_model *model,
-                                const struct um_model_trace *trace, size_t k, size_t b,
+                                const struct um_model_precomputed *precomputed, size_t k, size_t b,
                                 bool exo_atmospheric, double *value)
 {
   struct um_effect_use use;
-  double elevation = trace->look[k * trace->nsub + trace->nsub / 2].elevation;
+  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
   for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
-    struct um_effect_observation o = {.t_tai = trace->t_obs[k],
+    struct um_effect_observation o = {.t_tai = precomputed->t_obs[k],
                                       .elevation = elevation,
                                       .airmass = um_optics_airmass(elevation),
                                       .band = model->band[b].name,
@@ -148,27 +159,63 @@ static enum um_status transform(struct um_context *context, const struct um_mode
   return UM_OK;
 }
 
+/* A radiant intensity is measured as irradiance, without an atmosphere, and taken back by R^2. */
+static enum um_status observe_intensity(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_precomputed *precomputed, size_t k,
+                                        size_t b, struct um_model_result *r)
+{
+  double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
+  double intensity = um_model_result_intensity(r, k, b, -1), e = intensity / (range * range);
+  double after = e;
+  UM_TRY(transform(context, model, precomputed, k, b, true, &after));
+  if (after != e) intensity = after * range * range;
+  r->measured_intensity[k * r->nband + b] = intensity;
+  return UM_OK;
+}
+
+/* How far the transform moves a value that moves by `error`: right for what is added, scaled or
+ * bent (dead time) by effects. */
+static enum um_status transform_error(struct um_context *context, const struct um_model *model,
+                                      const struct um_model_precomputed *precomputed, size_t k,
+                                      size_t b, bool exo_atmospheric, double before, double after,
+                                      double *error)
+{
+  double moved = before + *error;
+  if (!(*error > 0.0)) return UM_OK;
+  UM_TRY(transform(context, model, precomputed, k, b, exo_atmospheric, &moved));
+  *error = fabs(moved - after);
+  return UM_OK;
+}
+
 /* What effects do to an irradiance on its way to the number that is measured, and to the magnitude:
- * as irradiance, E_0 10^(-0.4 m), and back, so that what is added has no colour of its own. */
+ * as irradiance, E_0 10^(-0.4 m), and back, so that what is added has no colour of its own. Errors
+ * go the same way; that of the light has the light's own colour. */
 static enum um_status observe(struct um_context *context, const struct um_model *model,
-                              const struct um_model_trace *trace, struct um_model_result *r,
-                              double *spectral_irradiance)
+                              const struct um_model_precomputed *precomputed,
+                              struct um_model_result *r, double *spectral_irradiance)
 {
   for (size_t b = 0; b < r->nband; b++) {
     double zero = irradiance_of_zero(r, b, spectral_irradiance);
     for (size_t k = 0; k < r->nobs; k++) {
-      double *magnitude = &r->magnitude_ab[k * r->nband + b];
+      size_t at = k * r->nband + b;
+      double *magnitude = &r->magnitude_ab[at], *error = &r->irradiance_error[at];
       double before = zero * pow(10.0, -0.4 * *magnitude), after = before;
-      UM_TRY(transform(context, model, trace, k, b, false, &r->irradiance[k * r->nband + b]));
-      UM_TRY(transform(context, model, trace, k, b, true, &after));
+      double bare = r->irradiance[at], exo_error = *error * (bare > 0.0 ? before / bare : 1.0);
+      UM_TRY(transform(context, model, precomputed, k, b, false, &r->irradiance[at]));
+      UM_TRY(transform_error(context, model, precomputed, k, b, false, bare, r->irradiance[at],
+                             error));
+      UM_TRY(transform(context, model, precomputed, k, b, true, &after));
+      UM_TRY(transform_error(context, model, precomputed, k, b, true, before, after, &exo_error));
+      r->magnitude_error[at] = exo_error / zero;
       if (after != before) *magnitude = -2.5 * log10(after / zero);
+      UM_TRY(observe_intensity(context, model, precomputed, k, b, r));
     }
   }
   return UM_OK;
 }
 
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_trace *trace,
+                                   const struct um_model_precomputed *precomputed,
                                    const struct um_model_heat_run *run,
                                    struct um_model_result *result)
 {
@@ -176,13 +223,13 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   struct um_optics_scene scene = {0};
   struct um_optics_lightcurve *curve = NULL;
   double *spectral_irradiance = NULL;
-  if (trace->view == NULL) return UM_OK;
-  UM_TRY(um_model_scene_make(context, model, trace, run->surface, &scene));
+  if (precomputed->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
   UM_CHECK(um_optics_lightcurve_compute(context, &scene, model->band, model->nband, &curve));
-  UM_CHECK(result_arrays(context, trace, curve, result));
+  UM_CHECK(result_arrays(context, precomputed, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &spectral_irradiance));
-  average(trace, curve, result, spectral_irradiance);
-  UM_CHECK(observe(context, model, trace, result, spectral_irradiance));
+  UM_CHECK(average(context, precomputed, curve, result, spectral_irradiance));
+  UM_CHECK(observe(context, model, precomputed, result, spectral_irradiance));
 done:
   um_core_free(context, spectral_irradiance);
   um_optics_lightcurve_destroy(context, &curve);

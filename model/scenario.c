@@ -1,10 +1,12 @@
 /* Reading a scenario: folder or file, overrides, and checks across mappings. */
 #include "model/scenario.h"
 
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "core/data.h"
 #include "core/file.h"
 #include "model/model_impl.h"
 #include "orbit/time.h"
@@ -51,6 +53,27 @@ static enum um_status check_parts(struct um_context *context, const struct um_sc
   return UM_OK;
 }
 
+/* A name that is not here but is one of the scenarios that come with the program. */
+static enum um_status point_to_shipped(struct um_context *context, const char *path)
+{
+  char *folder, *shipped;
+  struct stat info;
+  if (stat(path, &info) == 0 || errno != ENOENT || strchr(path, '/') != NULL) return UM_OK;
+  enum um_status status = um_core_data_folder(context, "scenarios", &folder);
+  if (status != UM_OK) return status == UM_ERR_MEMORY ? status : UM_OK;
+  status = um_core_asprintf(context, &shipped, "%s/%s", folder, path);
+  if (status == UM_OK) {
+    if (path[0] != '\0' && path[0] != '.' && stat(shipped, &info) == 0 && S_ISDIR(info.st_mode))
+      status = um_core_fail(context, UM_ERR_IO,
+                            "%s: No such file or directory; did you mean '%s', which comes with "
+                            "the program?",
+                            path, shipped);
+    um_core_free(context, shipped);
+  }
+  um_core_free(context, folder);
+  return status;
+}
+
 enum um_status um_model_scenario_read(struct um_context *context, const char *path,
                                       const char *const *overrides, size_t noverride,
                                       struct um_document **document, struct um_scenario **out)
@@ -61,12 +84,13 @@ enum um_status um_model_scenario_read(struct um_context *context, const char *pa
   enum um_status status;
   *document = NULL;
   *out = NULL;
+  UM_TRY(point_to_shipped(context, path));
   if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
     UM_TRY(um_core_asprintf(context, &file, "%s/scenario.yaml", path));
   else
     UM_TRY(um_core_strdup(context, path, &file));
-  UM_CHECK(um_core_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
-                                 document, &root));
+  UM_CHECK(um_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
+                            document, &root));
   struct um_scenario *scenario = root;
   UM_CHECK(check_name(context, scenario));
   UM_CHECK(check_time(context, scenario));
@@ -74,6 +98,6 @@ enum um_status um_model_scenario_read(struct um_context *context, const char *pa
   *out = scenario;
 done:
   um_core_free(context, file);
-  if (status != UM_OK) um_core_document_destroy(document);
+  if (status != UM_OK) um_document_destroy(document);
   return status;
 }

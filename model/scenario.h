@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "core/schema.h"
+#include "document/schema.h"
 
 struct um_scenario_time {
   struct um_mark at;

@@ -8,11 +8,13 @@
 #define REQUIRED           .required = true
 #define POSITIVE(top)      .minimum = 0.0, .maximum = (top), .open_minimum = true
 #define BETWEEN(low, high) .minimum = (low), .maximum = (high)
-#define NO_DEFAULT         .fallback = NAN
-#define DEFAULT(v)         .fallback = (v)
+#define NO_DEFAULT         .default_value = NAN
+#define DEFAULT(v)         .default_value = (v)
 #define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_hook
 #define HELP(text)         .help = (text)
 #define NAMES_FILE         .file = true
+#define NAME               .name = true
+#define MOST(n)            .most = (n)
 #define FIELDS(array)      .fields = (array), .nfield = UM_FIELD_COUNT(array)
 #define OBJECT(identifier, structure, name_, help_, ...)                                           \
   static const struct um_schema_object identifier = {                                              \
@@ -60,7 +62,7 @@ OBJECT(kepler_object, struct um_scenario_kepler, "kepler", "Two-body elements in
 static const struct um_schema_field circular_fields[] = {
     F(epoch, "epoch_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
       HELP("when the satellite is nearest the sub-solar point; default: the start")),
-    F(altitude_km, "altitude_km", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e6),
+    F(altitude_km, "altitude_km", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(1, 1e6),
       HELP("above environment.earth_radius_km")),
     F(beta_deg, "beta_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-90, 90),
       HELP("angle of the Sun to the orbital plane at the epoch")),
@@ -98,7 +100,7 @@ OBJECT(orientation_object, struct um_scenario_orientation, "earth_orientation",
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_station, member, key, type, __VA_ARGS__)
 static const struct um_schema_field station_fields[] = {
-    F(name, "name", UM_SCHEMA_TEXT, HELP("for the log")),
+    F(name, "name", UM_SCHEMA_TEXT, NAME, HELP("for the log")),
     F(latitude_deg, "latitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-90, 90),
       HELP("geodetic, WGS-84, north positive")),
     F(longitude_deg, "longitude_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(-180, 360),
@@ -113,7 +115,7 @@ OBJECT(station_object, struct um_scenario_station, "station", "A telescope on th
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_points, member, key, type, __VA_ARGS__)
 static const struct um_schema_field points_fields[] = {
-    F(stations, "stations", UM_SCHEMA_LIST, .object = &station_object,
+    F(stations, "stations", UM_SCHEMA_LIST, MOST(10000), .object = &station_object,
       HELP("that rows may name beside observer.station; each with a name")),
 };
 #undef F
@@ -386,8 +388,8 @@ static const struct um_schema_field joint_fields[] = {
 OBJECT(joint_object, struct um_scenario_joint, "joint", "One-axis joint.", FIELDS(joint_fields));
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_skin, member, key, type, __VA_ARGS__)
 static const struct um_schema_field skin_fields[] = {
-    F(front, "front", UM_SCHEMA_TEXT, REQUIRED, HELP("material outside, or of the front")),
-    F(back, "back", UM_SCHEMA_TEXT, HELP("material of the back of an open surface")),
+    F(front, "front", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("material outside, or of the front")),
+    F(back, "back", UM_SCHEMA_TEXT, NAME, HELP("material of the back of an open surface")),
 };
 #undef F
 OBJECT(skin_object, struct um_scenario_skin, "materials of a group", "What a group is made of.",
@@ -403,7 +405,8 @@ static const struct um_schema_field shell_fields[] = {
       BETWEEN(0, 1e9), HELP("between the two sides; default: both sides are one temperature")),
     F(front_share, "front_share", UM_SCHEMA_NUMBER, DEFAULT(0.5), BETWEEN(0.001, 0.999),
       HELP("share of capacity and conductance in the front layer")),
-    F(material, "material", UM_SCHEMA_TEXT, HELP("record whose thermal properties fill the wall")),
+    F(material, "material", UM_SCHEMA_TEXT, NAME,
+      HELP("record whose thermal properties fill the wall")),
     F(thickness_mm, "thickness_mm", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
       HELP("of the wall, with material")),
 };
@@ -442,7 +445,7 @@ OBJECT(interior_object, struct um_scenario_interior, "interior", "One node insid
        FIELDS(interior_fields));
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_solid, member, key, type, __VA_ARGS__)
 static const struct um_schema_field solid_fields[] = {
-    F(material, "material", UM_SCHEMA_TEXT,
+    F(material, "material", UM_SCHEMA_TEXT, NAME,
       HELP("record with density, specific heat, conductivity")),
     F(density_kg_m3, "density_kg_m3", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
       HELP("instead of the record's")),
@@ -474,8 +477,8 @@ OBJECT(group_object, struct um_scenario_group, "group", "What differs thermally 
 
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_part, member, key, type, __VA_ARGS__)
 static const struct um_schema_field part_fields[] = {
-    F(name, "name", UM_SCHEMA_TEXT, REQUIRED, HELP("unique; no dots, no slashes")),
-    F(parent, "parent", UM_SCHEMA_TEXT,
+    F(name, "name", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("unique; no dots, no slashes")),
+    F(parent, "parent", UM_SCHEMA_TEXT, NAME,
       HELP("part that carries this one; default: the body frame")),
     F(box, "box", UM_SCHEMA_MAP, .object = &box_object, .alternative = 1),
     F(plate, "plate", UM_SCHEMA_MAP, .object = &plate_object, .alternative = 1),
@@ -487,12 +490,12 @@ static const struct um_schema_field part_fields[] = {
     F(mesh, "mesh", UM_SCHEMA_MAP, .object = &mesh_object, .alternative = 1),
     F(pose, "pose", UM_SCHEMA_MAP, .object = &pose_object),
     F(joint, "joint", UM_SCHEMA_MAP, .object = &joint_object),
-    F(outside, "outside", UM_SCHEMA_TEXT, HELP("material of a closed part")),
-    F(front, "front", UM_SCHEMA_TEXT, HELP("material of the front of an open part")),
-    F(back, "back", UM_SCHEMA_TEXT, HELP("material of the back of an open part")),
-    F(materials, "materials", UM_SCHEMA_DICT, .object = &skin_object,
+    F(outside, "outside", UM_SCHEMA_TEXT, NAME, HELP("material of a closed part")),
+    F(front, "front", UM_SCHEMA_TEXT, NAME, HELP("material of the front of an open part")),
+    F(back, "back", UM_SCHEMA_TEXT, NAME, HELP("material of the back of an open part")),
+    F(materials, "materials", UM_SCHEMA_DICT, MOST(10000), .object = &skin_object,
       HELP("material by group, before outside/front/back")),
-    F(groups, "groups", UM_SCHEMA_DICT, .object = &group_object,
+    F(groups, "groups", UM_SCHEMA_DICT, MOST(10000), .object = &group_object,
       HELP("thermal properties by group, before the part's own")),
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
@@ -513,9 +516,9 @@ OBJECT(part_object, struct um_scenario_part, "part", "One piece of the satellite
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_contact, member, key, type, __VA_ARGS__)
 static const struct um_schema_field contact_fields[] = {
-    F(a, "a", UM_SCHEMA_TEXT, REQUIRED,
+    F(a, "a", UM_SCHEMA_TEXT, NAME, REQUIRED,
       HELP("part, part.group, part.front, part.back or part.interior")),
-    F(b, "b", UM_SCHEMA_TEXT, REQUIRED, HELP("the other end")),
+    F(b, "b", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("the other end")),
     F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1e9),
       HELP("of the whole contact")),
 };
@@ -575,8 +578,8 @@ OBJECT(optics_object, struct um_scenario_optics, "optics", "How light curves are
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_effect, member, key, type, __VA_ARGS__)
 static const struct um_schema_field effect_fields[] = {
-    F(effect, "effect", UM_SCHEMA_TEXT, REQUIRED, HELP("name, see `umbra effects`")),
-    F(target, "target", UM_SCHEMA_TEXT, HELP("part, part.side, material or band it acts on")),
+    F(effect, "effect", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra effects`")),
+    F(target, "target", UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
     F(off, "off", UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: switched off")),
     F(parameters, "PARAMETER", UM_SCHEMA_REST, HELP("of the effect, see `umbra effects NAME`")),
 };
@@ -596,7 +599,7 @@ static const char *const quantity_choices[] = {"band_irradiance",
 static const struct um_schema_field noise_fields[] = {
     F(quantity, "quantity", UM_SCHEMA_CHOICE, REQUIRED, .choices = quantity_choices,
       HELP("of the rows that it is for")),
-    F(of, "of", UM_SCHEMA_TEXT,
+    F(of, "of", UM_SCHEMA_TEXT, NAME,
       HELP("band or place as in the rows; default: all that no other entry names")),
     F(relative, "relative", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
       HELP("of the model's value; of magnitudes, of the flux")),
@@ -609,8 +612,8 @@ OBJECT(noise_object, struct um_scenario_noise, "noise", "Sigma of the rows that 
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_nuisance, member, key, type, __VA_ARGS__)
 static const struct um_schema_field nuisance_fields[] = {
-    F(effect, "effect", UM_SCHEMA_TEXT, REQUIRED, HELP("name, see `umbra effects`")),
-    F(target, "target", UM_SCHEMA_TEXT, HELP("part, part.side, material or band it acts on")),
+    F(effect, "effect", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra effects`")),
+    F(target, "target", UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
     F(sigma, "sigma", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e30),
       HELP("how far its parameters may be from the scenario's, in their unit, as a fraction for "
            "positive factors; default: the width of their prior")),
@@ -625,9 +628,9 @@ OBJECT(nuisance_object, struct um_scenario_nuisance, "nuisance",
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_measurements, member, key, type, __VA_ARGS__)
 static const struct um_schema_field measurements_fields[] = {
-    F(noise, "noise", UM_SCHEMA_LIST, .object = &noise_object),
-    F(nuisance, "nuisance", UM_SCHEMA_LIST, .object = &nuisance_object),
-    F(exclude, "exclude", UM_SCHEMA_TEXTS,
+    F(noise, "noise", UM_SCHEMA_LIST, MOST(1000), .object = &noise_object),
+    F(nuisance, "nuisance", UM_SCHEMA_LIST, MOST(1000), .object = &nuisance_object),
+    F(exclude, "exclude", UM_SCHEMA_TEXTS, MOST(1000), NAME,
       HELP("effects, EFFECT or EFFECT:TARGET, that a diagnosis does not try")),
 };
 #undef F
@@ -639,25 +642,27 @@ OBJECT(measurements_object, struct um_scenario_measurements, "measurements",
 static const struct um_schema_field scenario_fields[] = {
     F(schema, "schema", UM_SCHEMA_INTEGER, REQUIRED, BETWEEN(1, 1.5),
       HELP("version of this format: 1")),
-    F(name, "name", UM_SCHEMA_TEXT, REQUIRED, HELP("names the output folder")),
+    F(name, "name", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("names the output folder")),
     F(summary, "summary", UM_SCHEMA_TEXT, HELP("one sentence")),
     F(time, "time", UM_SCHEMA_MAP, REQUIRED, .object = &time_object),
     F(orbit, "orbit", UM_SCHEMA_MAP, REQUIRED, .object = &orbit_object),
-    F(attitude, "attitude", UM_SCHEMA_LIST, REQUIRED, .object = &attitude_object,
+    F(attitude, "attitude", UM_SCHEMA_LIST, MOST(10000), REQUIRED, .object = &attitude_object,
       HELP("laws in order of time")),
     F(observer, "observer", UM_SCHEMA_MAP, .object = &observer_object),
     F(environment, "environment", UM_SCHEMA_MAP, .always = true, .object = &environment_object),
-    F(material_files, "material_files", UM_SCHEMA_TEXTS, NAMES_FILE,
+    F(material_files, "material_files", UM_SCHEMA_TEXTS, MOST(1000), NAMES_FILE,
       HELP("files of material records that add to the library or replace its names")),
-    F(parts, "parts", UM_SCHEMA_LIST, REQUIRED, .object = &part_object),
-    F(contacts, "contacts", UM_SCHEMA_LIST, .object = &contact_object),
+    F(parts, "parts", UM_SCHEMA_LIST, MOST(5000), REQUIRED, .object = &part_object),
+    F(contacts, "contacts", UM_SCHEMA_LIST, MOST(50000), .object = &contact_object),
     F(thermal, "thermal", UM_SCHEMA_MAP, .always = true, .object = &thermal_object),
-    F(bands, "bands", UM_SCHEMA_DICT, .object = &band_object,
+    F(bands, "bands", UM_SCHEMA_DICT, MOST(500), .object = &band_object,
       HELP("default: vis 0.38-0.78 um in 80 bins, lwir 8-12 um in 40")),
     F(optics, "optics", UM_SCHEMA_MAP, .always = true, .object = &optics_object),
-    F(effect_files, "effect_files", UM_SCHEMA_TEXTS, NAMES_FILE,
-      HELP("shared objects with effects of your own, which run inside the program")),
-    F(effects, "effects", UM_SCHEMA_LIST, .object = &effect_object),
+    F(effect_files, "effect_files", UM_SCHEMA_TEXTS, MOST(100), NAMES_FILE,
+      HELP(
+          "shared objects with effects of your own, which run inside the program; loaded only with "
+          "--allow-effects, or where --effect-file names them too")),
+    F(effects, "effects", UM_SCHEMA_LIST, MOST(1000), .object = &effect_object),
     F(measurements, "measurements", UM_SCHEMA_MAP, .object = &measurements_object),
 };
 #undef F

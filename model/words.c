@@ -14,7 +14,7 @@ enum um_status um_model_resolve(struct um_context *context, struct um_model *mod
   UM_TRY(um_core_path_resolve(context, model->scenario->at.file, relative, &path));
   size_t n = strlen(path) + 1;
   char *kept = NULL;
-  enum um_status status = um_core_document_allocate(context, model->document, n, 1, &kept);
+  enum um_status status = um_core_arena_allocate(context, &model->memory, n, 1, &kept);
   if (status == UM_OK) {
     memcpy(kept, path, n);
     *out = kept;
@@ -26,9 +26,9 @@ enum um_status um_model_resolve(struct um_context *context, struct um_model *mod
 enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
                               enum um_status status)
 {
-  if (status == UM_OK || status == UM_ERR_MEMORY) return status;
+  if (status == UM_OK || status == UM_ERR_MEMORY || status == UM_ERR_CANCELLED) return status;
   const char *dot = at->path[0] != '\0' && key != NULL ? "." : "";
-  const struct um_mark *place = um_core_mark_key(at, key);
+  const struct um_mark *place = um_document_mark_key(at, key);
   if (key == NULL) key = "";
   if (at->path[0] != '\0' || key[0] != '\0')
     um_core_message_prefix(context, "%s%s%s", at->path, dot, key);
@@ -79,6 +79,7 @@ static bool message_begins(const struct um_context *context, const char *text)
 enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,
                                    enum um_status status)
 {
+  if (status == UM_ERR_CANCELLED) return status;
   for (size_t i = 0; i < model->scenario->parts.count; i++) {
     const struct um_scenario_part *part =
         (const struct um_scenario_part *)model->scenario->parts.items + i;

@@ -6,9 +6,11 @@
 
 #include "optics/interreflection_impl.h"
 #include "optics/sampling_impl.h"
+#include "optics/stage_impl.h"
 
 #define WIDTH_MAX   16384
 #define SAMPLES_MAX 4096
+#define MEMORY_MOST 8e9  /* [bytes] */
 #define MARGIN      0.03 /* of the body's larger extent, on each side */
 
 enum { KEY_PIXEL = 0x70697865 };
@@ -198,7 +200,15 @@ static enum um_status image_create(struct um_context *context, const struct rend
 {
   const struct um_optics_spectra *spectra = r->spectra;
   size_t npixel = (size_t)image->width * (size_t)image->height;
+  double nsurface = (double)um_geometry_mesh(r->scene->geometry)->nsurface;
+  double bytes = (double)spectra->nbin * (4.0 * (double)npixel + 16.0 * nsurface);
   image->nbin = spectra->nbin;
+  if (!(bytes <= MEMORY_MOST))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "image: %d x %d pixels and %g surfaces at %zu wavelengths take %.3g GB; "
+                        "accepted: up to %g GB, by a smaller width or fewer bins of the band",
+                        image->width, image->height, nsurface, spectra->nbin, bytes * 1e-9,
+                        MEMORY_MOST * 1e-9);
   UM_TRY(um_core_allocate(context, image->nbin, sizeof(double), &image->wavelength));
   UM_TRY(um_core_allocate(context, image->nbin, sizeof(double), &image->bin_width));
   UM_TRY(um_core_allocate(context, npixel * image->nbin, sizeof(float), &image->radiance));
@@ -263,14 +273,15 @@ static enum um_status render_all(struct um_context *context, struct render *r,
   int threads = (int)r->nthread;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
   for (size_t s = 0; s < mesh->nsurface; s++)
-    palette_fill(r->spectra, scene, &now, set, r->time, s, &r->work[omp_get_thread_num()],
-                 &r->palette);
+    if (!um_core_stopped(context))
+      palette_fill(r->spectra, scene, &now, set, r->time, s, &r->work[omp_get_thread_num()],
+                   &r->palette);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (int y = 0; y < image->height; y++)
-    for (int x = 0; x < image->width; x++)
+    for (int x = 0; x < image->width && !um_core_stopped(context); x++)
       render_pixel(set, mesh, &now, &camera, &r->palette, x, y,
                    (size_t)r->options->samples_per_pixel, &r->pencil[omp_get_thread_num()], image);
-  return UM_OK;
+  return um_core_stop_check(context, "a picture was rendered");
 }
 
 enum um_status um_optics_image_render(struct um_context *context,

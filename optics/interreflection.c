@@ -17,6 +17,7 @@
 #include "optics/sampling_impl.h"
 
 #define CHUNK        256    /* surfaces traced between two growths of the list */
+#define MEMORY_MOST  8e9    /* of the rays that met a surface [bytes] */
 #define THERMAL_FROM 2.5e-6 /* [m] */
 
 /* Keys that keep the point sequences of different uses apart. */
@@ -98,10 +99,17 @@ static enum um_status exchange_trace(struct um_context *context, const struct um
     for (size_t i = 0; i < n; i++)
       chunk->count[i] = trace_surface(e->mesh, set, from + i, e->nsample, chunk->ray + i * nsample,
                                       chunk->hit + i * nsample, chunk->bounce + i * nsample);
+    UM_TRY(um_core_stop_check(context, "light between surfaces was traced"));
     for (size_t i = 0; i < n; i++) {
       size_t count = chunk->count[i];
       if (used + count > capacity) {
         capacity = 2 * (used + count);
+        if ((double)used * (double)sizeof *e->bounce > MEMORY_MOST)
+          return um_core_fail(context, UM_ERR_INPUT,
+                              "light between surfaces: %d rays per point of %zu surfaces take more "
+                              "than %g GB; accepted: fewer optics.interreflection_samples, or "
+                              "coarser facets",
+                              e->nsample, nsurface, MEMORY_MOST * 1e-9);
         UM_TRY(um_core_reallocate(context, capacity, sizeof *e->bounce, &e->bounce));
       }
       if (count > 0) /* nothing to copy, and perhaps nothing allocated */

@@ -3,7 +3,7 @@
 #define UMBRA_OPTICS_INTERREFLECTION_IMPL_H
 
 #include "optics/radiance_impl.h"
-#include "optics/stage_impl.h"
+#include "optics/set_impl.h"
 
 /* Cosine-weighted rays from the points of each surface that met another surface: pure geometry,
  * traced once per pose. */

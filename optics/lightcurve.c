@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "optics/interreflection_impl.h"
+#include "optics/stage_impl.h"
 
 struct job {
   const struct um_optics_scene *scene;
@@ -105,15 +106,15 @@ static void interreflection_add(const struct job *job, const struct um_optics_in
         projected * projected * work->band_variance[k];
 }
 
-static void compute_time(const struct job *job, const struct um_optics_set *set, size_t time,
-                         struct um_optics_work *work)
+static void compute_time(const struct um_context *context, const struct job *job,
+                         const struct um_optics_set *set, size_t time, struct um_optics_work *work)
 {
   const struct um_optics_view *view = job->scene->view;
   const struct um_optics_spectra *spectra = job->spectra;
   struct um_optics_instant now = um_optics_instant(job->scene, time);
   memset(work->specular_known, 0, spectra->nmaterial * sizeof *work->specular_known);
   for (size_t m = 0; m < spectra->nmaterial; m++) um_optics_sum_clear(spectra, &work->sum[m]);
-  for (size_t s = 0; s < view->nsurface; s++) {
+  for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
     size_t at = time * view->nsurface + s, material = view->material[s];
     bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
     if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
@@ -146,9 +147,10 @@ static enum um_status compute_all(struct um_context *context, const struct job *
                                      stage));
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t i = 0; i < count; i++)
-      compute_time(job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i,
+      compute_time(context, job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i,
                    &work[omp_get_thread_num()]);
     UM_TRY(um_core_progress_step(context, count));
+    UM_TRY(um_core_stop_check(context, "light curves were computed"));
   }
   return UM_OK;
 }

@@ -3,18 +3,9 @@
 #ifndef UMBRA_OPTICS_STAGE_IMPL_H
 #define UMBRA_OPTICS_STAGE_IMPL_H
 
-#include "optics/optics.h"
+#include "optics/set_impl.h"
 
 #define UM_OPTICS_BLOCK 32 /* times that are worked on between two reports of progress */
-
-struct um_optics_exchange; /* interreflection_impl.h */
-
-struct um_optics_set {
-  double *angle; /* [njoint] [rad] */
-  struct um_geometry_pose *pose;
-  struct um_geometry_visibility *visibility;
-  struct um_optics_exchange *exchange; /* NULL unless inter-reflection is wanted */
-};
 
 struct um_optics_stage {
   bool moves;

@@ -99,6 +99,7 @@ static enum um_status trace_all(struct um_context *context, const struct um_geom
       trace_time(mesh, &stage->set[stage->of_time[i]], &samples[from + i], nsample,
                  scratch + (size_t)omp_get_thread_num() * 4 * mesh->nsurface, from + i, view);
     UM_TRY(um_core_progress_step(context, count));
+    UM_TRY(um_core_stop_check(context, "lines of sight were traced"));
   }
   return UM_OK;
 }

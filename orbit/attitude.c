@@ -10,7 +10,7 @@
 #include "orbit/attitude.h"
 
 #include "core/constants.h"
-#include "orbit/attitude_impl.h"
+#include "orbit/attitude_table_impl.h"
 
 /* Close above a station the direction to it turns faster than the orbit does: v / h against v / r,
  * 17 times at 400 km. */
@@ -174,11 +174,11 @@ static struct um_quat roll_pitch_yaw(const struct um_orbit_attitude_law *law)
 }
 
 /* Part of v across the unit vector axis, unit; `fallback` (in turn) when there is none. */
-static struct um_vec3 across(struct um_vec3 v, struct um_vec3 axis, struct um_vec3 fallback)
+static struct um_vec3 across(struct um_vec3 v, struct um_vec3 axis, struct um_vec3 default_value)
 {
   struct um_vec3 part = um_vec3_axpy(v, -um_vec3_dot(v, axis), axis);
   if (um_vec3_norm(part) > 1e-9) return um_vec3_unit(part);
-  part = um_vec3_axpy(fallback, -um_vec3_dot(fallback, axis), axis);
+  part = um_vec3_axpy(default_value, -um_vec3_dot(default_value, axis), axis);
   if (um_vec3_norm(part) > 1e-9) return um_vec3_unit(part);
   struct um_vec3 b;
   um_core_vec3_frame(axis, &part, &b);

@@ -2,9 +2,10 @@
  * between rows (Shoemake 1985). A gap longer than the limit is an error of the file. */
 #include "core/csv.h"
 #include "core/interpolation.h"
-#include "orbit/attitude_impl.h"
+#include "core/order.h"
+#include "orbit/attitude_table_impl.h"
 #include "orbit/time.h"
-#include "orbit/trajectory_impl.h"
+#include "orbit/time_column_impl.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -43,12 +44,6 @@ static enum um_status quaternions_read(struct um_context *context, const struct 
   return UM_OK;
 }
 
-static int ascending(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Median of the steps of t; n >= 2. */
 static enum um_status median_step(struct um_context *context, const double *t, size_t n,
                                   double *median)
@@ -56,7 +51,7 @@ static enum um_status median_step(struct um_context *context, const double *t, s
   double *step = NULL;
   UM_TRY(um_core_allocate(context, n - 1, sizeof *step, &step));
   for (size_t i = 0; i + 1 < n; i++) step[i] = t[i + 1] - t[i];
-  qsort(step, n - 1, sizeof *step, ascending);
+  qsort(step, n - 1, sizeof *step, um_core_order_double);
   *median = step[(n - 1) / 2];
   um_core_free(context, step);
   return UM_OK;

@@ -3,7 +3,7 @@
  * Columns (readme.finals2000A): 8-15 MJD (UTC), 19-27 xp ["], 38-46 yp ["], 59-68 UT1-UTC [s], all
  * of Bulletin A; rows whose values are still blank end the table. Between rows pole and UT1-TAI are
  * linear, so that the step of UT1-UTC at a leap second does no harm. */
-#include "orbit/frames.h"
+#include "orbit/finals.h"
 
 #include <erfa.h>
 #include <math.h>

@@ -8,6 +8,7 @@
 #include "orbit/observer.h"
 
 enum { SAMPLES_PER_PERIOD = 100, ROOT_ITERATIONS = 100 };
+static const double SAMPLES_MOST = 5e6;    /* of one search */
 static const double STEP_SHORTEST = 5.0;   /* [s] */
 static const double STEP_LONGEST = 120.0;  /* [s] */
 static const double RATE_HALF_WIDTH = 0.5; /* [s] */
@@ -127,7 +128,14 @@ static enum um_status elevations_sample(struct search *s)
   double step = isfinite(period) ? period / SAMPLES_PER_PERIOD : STEP_LONGEST;
   step = fmin(fmax(step, STEP_SHORTEST), STEP_LONGEST);
   double count = fmax(ceil((s->to - s->from) / step), 2.0);
+  if (!(count <= SAMPLES_MOST))
+    return um_core_fail(
+        s->context, UM_ERR_INPUT,
+        "passes: %.3g looks, one every %.3g s for %.3g s; accepted: at most %g, by a "
+        "shorter time",
+        count, step, s->to - s->from, SAMPLES_MOST);
   for (size_t i = 0; i <= (size_t)count; i++) {
+    UM_TRY(um_core_stop_check(s->context, "passes were looked for"));
     UM_TRY(sample_add(s, i == (size_t)count ? s->to
                                             : s->from + (s->to - s->from) * (double)i / count));
     UM_TRY(extremum_insert(s));
@@ -168,6 +176,7 @@ static enum um_status passes_collect(struct search *s)
   for (size_t i = 0; i < s->n; i++) {
     if (!(s->sample[i].elevation >= s->min_elevation)) continue;
     size_t first = i;
+    UM_TRY(um_core_stop_check(s->context, "passes were looked for"));
     while (i + 1 < s->n && s->sample[i + 1].elevation >= s->min_elevation) i++;
     UM_TRY(pass_add(s, first, i));
   }

@@ -7,6 +7,8 @@
 
 #include <erfa.h>
 
+#include "orbit/sdp4_lunisolar_impl.h"
+#include "orbit/sdp4_resonance_impl.h"
 #include "orbit/sgp4_impl.h"
 
 #define DEEP_SPACE_PERIOD 225.0 /* [min] */
@@ -93,7 +95,7 @@ static enum sgp4_error mean_elements(const struct um_orbit_sgp4 *sgp4, double t,
                                      struct um_sgp4_elements *mean, double *axis)
 {
   struct um_sgp4_drag drag;
-  um_orbit_sgp4_secular_at(sgp4, t, mean, &drag);
+  um_orbit_sgp4_secular_at(&sgp4->epoch, &sgp4->secular, t, mean, &drag);
   if (sgp4->deep) {
     const struct um_sdp4_deep *deep = &sgp4->deep_space;
     mean->e += deep->e_dot * t;

@@ -3,7 +3,7 @@
  *
  * References: STR3 section 6; V06; Hoots, Schumacher & Glover 2004, J. Guidance 27:174, whose
  * letters (xi, eta, psi, C1..C5, D2..D4) are kept. */
-#include "orbit/sgp4_impl.h"
+#include "orbit/sgp4_secular_impl.h"
 
 /* Quantities of the epoch that several steps need. */
 struct epoch {
@@ -131,11 +131,12 @@ void um_orbit_sgp4_secular_prepare(const struct um_sgp4_elements *tle, double bs
 }
 
 /* STR3 section 6, "secular effects of atmospheric drag and gravitation". */
-void um_orbit_sgp4_secular_at(const struct um_orbit_sgp4 *sgp4, double t,
+void um_orbit_sgp4_secular_at(const struct um_sgp4_elements *epoch,
+                              const struct um_sgp4_secular *secular, double t,
                               struct um_sgp4_elements *mean, struct um_sgp4_drag *drag)
 {
-  const struct um_sgp4_elements *at0 = &sgp4->epoch;
-  const struct um_sgp4_secular *s = &sgp4->secular;
+  const struct um_sgp4_elements *at0 = epoch;
+  const struct um_sgp4_secular *s = secular;
   double t2 = t * t;
   double m_gravity = at0->m + s->m_dot * t, argp_gravity = at0->argp + s->argp_dot * t;
   *mean = *at0;

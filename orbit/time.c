@@ -67,9 +67,9 @@ static bool calendar_read(const char *text, struct calendar *c)
   const char *p = text;
   bool good = digits_read(&p, 4, &c->year) && letter_read(&p, '-') &&
               digits_read(&p, 2, &c->month) && letter_read(&p, '-') &&
-              digits_read(&p, 2, &c->day) && letter_read(&p, 'T') && digits_read(&p, 2, &c->hour) &&
-              letter_read(&p, ':') && digits_read(&p, 2, &c->minute) && letter_read(&p, ':') &&
-              second_read(&p, &c->second);
+              digits_read(&p, 2, &c->day) && (letter_read(&p, 'T') || letter_read(&p, ' ')) &&
+              digits_read(&p, 2, &c->hour) && letter_read(&p, ':') &&
+              digits_read(&p, 2, &c->minute) && letter_read(&p, ':') && second_read(&p, &c->second);
   if (!good) return false;
   if (*p == 'Z') p++;
   return *p == '\0';
@@ -169,6 +169,27 @@ void um_orbit_time_utc(double t_tai, double jd_utc[2])
   double jd_tai[2];
   tai_split(t_tai, jd_tai);
   eraTaiutc(jd_tai[0], jd_tai[1], &jd_utc[0], &jd_utc[1]);
+}
+
+void um_orbit_time_utc_clock(double t_tai, double *mjd, double *seconds)
+{
+  double jd_utc[2], zero;
+  int year, month, day, hmsf[4];
+  *mjd = *seconds = NAN;
+  if (!isfinite(t_tai)) return;
+  um_orbit_time_utc(t_tai, jd_utc);
+  if (eraD2dtf("UTC", 9, jd_utc[0], jd_utc[1], &year, &month, &day, hmsf) < 0) return;
+  eraCal2jd(year, month, day, &zero, mjd);
+  *seconds = 3600.0 * hmsf[0] + 60.0 * hmsf[1] + hmsf[2] + 1e-9 * hmsf[3];
+}
+
+int um_orbit_time_leap_seconds(double from, double to)
+{
+  double mjd[2], seconds[2];
+  um_orbit_time_utc_clock(from, &mjd[0], &seconds[0]);
+  um_orbit_time_utc_clock(to, &mjd[1], &seconds[1]);
+  double clock = (mjd[1] - mjd[0]) * DAY + seconds[1] - seconds[0];
+  return (int)lround(to - from - clock);
 }
 
 void um_orbit_time_ut1(double t_tai, double ut1_utc, double jd_ut1[2])

@@ -8,8 +8,8 @@
 
 #include "core/context.h"
 
-/* ISO 8601 UTC "2016-09-21T20:33:00[.fff][Z]" -> t_tai, leap seconds by ERFA (second 60 allowed
- * only where one was). UM_ERR_INPUT. Years 1960-2100. */
+/* ISO 8601 UTC "2016-09-21T20:33:00[.fff][Z]", or with a blank for the T -> t_tai, leap seconds by
+ * ERFA (second 60 allowed only where one was). UM_ERR_INPUT. Years 1960-2100. */
 enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai);
 /* The same without a context; target is a double, `why` takes the problem, with the text. */
 bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t why_size);
@@ -21,6 +21,12 @@ void um_orbit_time_format(double t_tai, char out[32]);
 void um_orbit_time_tt(double t_tai, double jd_tt[2]);
 void um_orbit_time_utc(double t_tai, double jd_utc[2]);
 void um_orbit_time_ut1(double t_tai, double ut1_utc, double jd_ut1[2]);
+/* What a UTC clock shows: modified Julian day, and seconds of that day to 1 ns, from 0 up to 86400,
+ * or 86401 on a day that ends in a leap second. */
+void um_orbit_time_utc_clock(double t_tai, double *mjd, double *seconds);
+/* Leap seconds put in between two times, from < to: to - from less what the clock moved on, its
+ * days being taken as 86400 s. */
+int um_orbit_time_leap_seconds(double from, double to);
 /* From a UTC Julian date (two parts, ERFA's quasi-JD) to t_tai. */
 double um_orbit_time_from_utc_jd(double jd1, double jd2);
 

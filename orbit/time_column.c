@@ -1,6 +1,6 @@
 /* The time column of a table of positions or quaternions. */
 #include "orbit/time.h"
-#include "orbit/trajectory_impl.h"
+#include "orbit/time_column_impl.h"
 
 enum um_status um_orbit_time_column(struct um_context *context, const struct um_core_csv *csv,
                                     size_t minimum, double **t_tai)

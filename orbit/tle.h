@@ -22,4 +22,11 @@ struct um_orbit_tle {
 enum um_status um_orbit_tle_parse(struct um_context *context, const char *text, int checksum,
                                   struct um_orbit_tle *out);
 
+/* Standard deviation of SGP4's place at a time [m], nearly all along the track, from published
+ * figures of low orbits and the set's own drag (tle_error.c). NaN: not known, for a period of 225
+ * min or more, or where 15 % more drag brings the satellite down before. UM_ERR_INPUT for elements
+ * that SGP4 refuses. */
+enum um_status um_orbit_tle_error(struct um_context *context, const struct um_orbit_tle *tle,
+                                  double t_tai, double *error);
+
 #endif

@@ -2,9 +2,10 @@
 #ifndef UMBRA_ORBIT_TRAJECTORY_IMPL_H
 #define UMBRA_ORBIT_TRAJECTORY_IMPL_H
 
-#include "core/csv.h"
+#include "orbit/kepler_impl.h"
 #include "orbit/sgp4.h"
 #include "orbit/trajectory.h"
+#include "orbit/trajectory_table_impl.h"
 
 enum trajectory_kind {
   TRAJECTORY_TLE,
@@ -13,23 +14,6 @@ enum trajectory_kind {
   TRAJECTORY_TABLE,
   TRAJECTORY_FIXED,
   TRAJECTORY_NONE
-};
-
-/* Two-body ellipse, or a circle of any rate. */
-struct um_orbit_conic {
-  struct um_vec3 p, q; /* unit, GCRS: toward perigee (epoch point), and 90 deg ahead */
-  double a, e;         /* [m], [1] */
-  double rate;         /* mean motion [rad/s] */
-  double m0;           /* mean anomaly at the epoch [rad] */
-  double epoch;        /* t_tai [s] */
-};
-
-struct um_orbit_table {
-  char *path;
-  size_t n;
-  double *t;         /* t_tai [s], ascending, shape [n] */
-  struct um_vec3 *r; /* GCRS [m], shape [n] */
-  struct um_vec3 *v; /* [m/s], shape [n] */
 };
 
 struct um_orbit_trajectory {
@@ -44,26 +28,5 @@ struct um_orbit_trajectory {
   struct um_orbit_table table;                   /* TABLE */
   struct um_vec3 fixed;                          /* FIXED: GCRS [m] */
 };
-
-/* trajectory.c */
-enum um_status um_orbit_trajectory_allocate(struct um_context *context, enum trajectory_kind kind,
-                                            struct um_orbit_trajectory **out);
-
-/* kepler.c. Eccentric anomaly [rad] of M = E - e sin E, 0 <= e < 1, any M; to the last bits of M.
- * UM_ERR_NUMERIC when it does not converge (NaN). */
-enum um_status um_orbit_kepler_solve(struct um_context *context, double mean_anomaly, double e,
-                                     double *eccentric_anomaly);
-enum um_status um_orbit_conic_state(struct um_context *context, const struct um_orbit_conic *conic,
-                                    double t_tai, struct um_vec3 *r, struct um_vec3 *v);
-
-/* trajectory_table.c */
-enum um_status um_orbit_table_state(struct um_context *context, const struct um_orbit_table *table,
-                                    double t_tai, struct um_vec3 *r, struct um_vec3 *v);
-void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *table);
-
-/* time_column.c: the column time_utc of a table, strictly ascending, shape [rows]; the caller
- * frees. UM_ERR_INPUT names file, line and what is accepted; at least `minimum` rows. */
-enum um_status um_orbit_time_column(struct um_context *context, const struct um_core_csv *csv,
-                                    size_t minimum, double **t_tai);
 
 #endif

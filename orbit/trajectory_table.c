@@ -9,7 +9,11 @@
 #include "core/constants.h"
 #include "core/interpolation.h"
 #include "orbit/time.h"
-#include "orbit/trajectory_impl.h"
+#include "orbit/time_column_impl.h"
+#include "orbit/trajectory_table_impl.h"
+
+#define NEAREST  6e6  /* [m] from the geocentre: the smallest Earth that a scenario may have */
+#define FARTHEST 1e12 /* [m] as far as an observer may be */
 
 static const char *const columns[7] = {"time_utc", "x_km",    "y_km",   "z_km",
                                        "vx_km_s",  "vy_km_s", "vz_km_s"};
@@ -155,8 +159,33 @@ static enum um_status vectors_read(struct um_context *context, const struct um_c
   return UM_OK;
 }
 
-static enum um_status table_read(struct um_context *context, const char *path,
-                                 struct um_orbit_table *table)
+/* Each position outside the Earth and each velocity below that of light: a period, and states
+ * between the rows, that are finite. */
+static enum um_status rows_check(struct um_context *context, const struct um_core_csv *csv,
+                                 const struct um_orbit_table *table, bool velocities)
+{
+  size_t x, vx;
+  UM_TRY(um_core_csv_require(context, csv, columns[1], &x));
+  for (size_t i = 0; i < table->n; i++) {
+    double r = um_vec3_norm(table->r[i]);
+    if (!(r >= NEAREST && r <= FARTHEST))
+      return um_core_csv_fail(context, csv, i, x,
+                              "the position is %g km from the geocentre; accepted: %g to %g km",
+                              r / 1e3, NEAREST / 1e3, FARTHEST / 1e3);
+  }
+  if (!velocities) return UM_OK;
+  UM_TRY(um_core_csv_require(context, csv, columns[4], &vx));
+  for (size_t i = 0; i < table->n; i++) {
+    double v = um_vec3_norm(table->v[i]);
+    if (!(v < UM_LIGHT_SPEED))
+      return um_core_csv_fail(context, csv, i, vx,
+                              "the speed is %g km/s; accepted: less than light's", v / 1e3);
+  }
+  return UM_OK;
+}
+
+enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   struct um_orbit_table *table)
 {
   enum um_status status;
   struct um_core_csv *csv = NULL;
@@ -169,10 +198,9 @@ static enum um_status table_read(struct um_context *context, const char *path,
   UM_CHECK(um_core_allocate(context, table->n, sizeof *table->r, &table->r));
   UM_CHECK(um_core_allocate(context, table->n, sizeof *table->v, &table->v));
   UM_CHECK(vectors_read(context, csv, 1, 1e3, table->r));
-  if (velocities)
-    UM_CHECK(vectors_read(context, csv, 4, 1e3, table->v));
-  else
-    UM_CHECK(slopes(context, table));
+  if (velocities) UM_CHECK(vectors_read(context, csv, 4, 1e3, table->v));
+  UM_CHECK(rows_check(context, csv, table, velocities));
+  if (!velocities) UM_CHECK(slopes(context, table));
 done:
   um_core_csv_destroy(&csv);
   return status;
@@ -187,14 +215,7 @@ static double osculating_period(struct um_vec3 r, struct um_vec3 v)
   return 2.0 * UM_PI / sqrt(UM_EARTH_GM * inverse_a * inverse_a * inverse_a);
 }
 
-enum um_status um_orbit_trajectory_create_table(struct um_context *context, const char *path,
-                                                struct um_orbit_trajectory **out)
+double um_orbit_table_period(const struct um_orbit_table *table)
 {
-  enum um_status status;
-  UM_TRY(um_orbit_trajectory_allocate(context, TRAJECTORY_TABLE, out));
-  UM_CHECK(table_read(context, path, &(*out)->table));
-  (*out)->period = osculating_period((*out)->table.r[0], (*out)->table.v[0]);
-done:
-  if (status != UM_OK) um_orbit_trajectory_destroy(out);
-  return status;
+  return osculating_period(table->r[0], table->v[0]);
 }

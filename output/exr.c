@@ -3,6 +3,7 @@
  * to its maximum. Values are spectral radiance [W/m^2/sr/nm]. */
 #include <math.h>
 #include <openexr.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "output/output.h"
@@ -59,13 +60,12 @@ static size_t plane_of(const struct um_optics_image *image, const char *name)
 {
   static const char preview[] = "RGB";
   char text[48];
-  double nm = 0.0;
   size_t nearest = 0;
   if (name[1] == '\0') return (size_t)(strchr(preview, name[0]) - preview);
   snprintf(text, sizeof text, "%s", name + 3); /* behind "S0." */
   char *comma = strchr(text, ',');
   if (comma != NULL) *comma = '.';
-  sscanf(text, "%lf", &nm);
+  double nm = strtod(text, NULL);
   for (size_t b = 1; b < image->nbin; b++)
     if (fabs(image->wavelength[b] * NM_PER_M - nm) <
         fabs(image->wavelength[nearest] * NM_PER_M - nm))

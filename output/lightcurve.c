@@ -17,35 +17,41 @@ static void write_header(const struct um_output_run *run, FILE *file)
         file);
   for (size_t b = 0; b < run->model->nband; b++) {
     const char *name = run->model->band[b].name;
-    fprintf(file, ",%s_intensity_W_sr", name);
-    for (int m = 0; m < UM_MECHANISM_COUNT; m++)
-      fprintf(file, ",%s_%s_W_sr", name, mechanism_names[m]);
-    fprintf(file, ",%s_stderr_W_sr,%s_irradiance_W_m2,%s_mag_ab", name, name, name);
+    um_output_csv_text(file, name, "_intensity_W_sr");
+    for (int m = 0; m < UM_MECHANISM_COUNT; m++) {
+      char tail[40];
+      snprintf(tail, sizeof tail, "_%s_W_sr", mechanism_names[m]);
+      um_output_csv_text(file, name, tail);
+    }
+    um_output_csv_text(file, name, "_stderr_W_sr");
+    um_output_csv_text(file, name, "_irradiance_W_m2");
+    um_output_csv_text(file, name, "_mag_ab");
   }
   fputc('\n', file);
 }
 
 /* The instant nearest mid-exposure stands for the geometry of an observation. */
-static size_t middle(const struct um_model_trace *trace, size_t k)
+static size_t middle(const struct um_model_precomputed *precomputed, size_t k)
 {
-  return k * trace->nsub + trace->nsub / 2;
+  return k * precomputed->nsub + precomputed->nsub / 2;
 }
 
 enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file)
 {
-  const struct um_model_trace *trace = run->trace;
+  const struct um_model_precomputed *precomputed = run->precomputed;
   const struct um_model_result *r = run->result;
   write_header(run, file);
-  for (size_t k = 0; k < trace->nobs; k++) {
-    const struct um_orbit_look *look = &trace->look[middle(trace, k)];
-    const struct um_environment_sample *s = &trace->sample[middle(trace, k)];
-    um_output_csv_time(file, trace->t_obs[k]);
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    const struct um_orbit_look *look = &precomputed->look[middle(precomputed, k)];
+    const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+    UM_TRY(um_output_stop(run));
+    um_output_csv_time(file, precomputed->t_obs[k]);
     um_output_csv_number(file, look->azimuth / UM_DEG);
     um_output_csv_number(file, look->elevation / UM_DEG);
     um_output_csv_number(file, look->range * 1e-3);
     um_output_csv_number(file, um_optics_airmass(look->elevation));
     um_output_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
-    um_output_csv_number(file, trace->sunlit[k]);
+    um_output_csv_number(file, precomputed->sunlit[k]);
     um_output_csv_number(file, look->sun_elevation / UM_DEG);
     for (size_t b = 0; b < r->nband; b++) {
       double part[UM_MECHANISM_COUNT], total = 0.0;
@@ -69,11 +75,12 @@ enum um_status um_output_write_materials(const struct um_output_run *run, FILE *
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++)
       for (size_t m = 0; m < r->nmaterial; m++) {
+        UM_TRY(um_output_stop(run));
         const double *at =
             r->intensity + ((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT;
-        um_output_csv_time(file, run->trace->t_obs[k]);
-        fprintf(file, ",%s,%s", run->model->band[b].name,
-                um_geometry_material_name(run->model->geometry, m));
+        um_output_csv_time(file, run->precomputed->t_obs[k]);
+        um_output_csv_text(file, run->model->band[b].name, "");
+        um_output_csv_text(file, um_geometry_material_name(run->model->geometry, m), "");
         for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_output_csv_number(file, at[i]);
         fputc('\n', file);
       }

@@ -8,10 +8,11 @@
 /* A finished run and what is said about it; everything borrowed. */
 struct um_output_run {
   const struct um_model *model;
-  const struct um_model_trace *trace;
+  const struct um_model_precomputed *precomputed;
   const struct um_model_result *result;
   const char *command; /* as typed, for the record */
   const char *version;
+  struct um_context *context; /* asked for a stop while files are written; NULL: none */
 };
 
 /* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,
@@ -36,26 +37,26 @@ enum um_status um_output_write_netcdf(struct um_context *context, const struct u
                                       FILE *file);
 enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file);
 
-/* PNG pictures of a finished folder, read from its CSV files by gnuplot: lightcurve.png (both
- * bands, shadow shaded), temperatures.png. A missing gnuplot is a logged warning, not an error. */
+/* Pictures of a finished folder as PNG, SVG and PDF, read from its CSV files by gnuplot: lightcurve
+ * (every band with the Monte-Carlo error, magnitudes of those below 2.5 µm, shadow shaded) and
+ * temperatures. A missing gnuplot is a logged warning, not an error. */
 enum um_status um_output_plot_run(struct um_context *context, const char *folder,
                                   const struct um_output_run *run);
-
-/* Run a gnuplot script that lies in a finished folder, with that as its working folder. What goes
- * wrong is a logged warning: pictures are not results. */
-void um_output_plot_script(struct um_context *context, const char *folder, const char *script);
 
 /* Spectral image as OpenEXR, channels "S0.<wavelength>nm" (Fichet 2021 layout, emission-like
  * radiance in W/m^2/sr/nm) and an RGB preview. */
 enum um_status um_output_write_exr(struct um_context *context, const struct um_optics_image *image,
                                    const char *path);
-/* The satellite as seen in every band at several observations: satellite.png in `folder`, a row per
- * band, a column per instant, each row on one scale of band radiance [W/m^2/sr]; logarithmic over
- * four decades where one picture outshines another thirtyfold. panels[rows * columns].
- */
+/* The satellite as seen in every band at several observations: satellite.png, .svg and .pdf in
+ * `folder`, a row per band, a column per instant, all on one scale of length, each row on one of
+ * band radiance [W/m^2/sr]; logarithmic over four decades where one picture outshines another
+ * thirtyfold. Arrows show where Sun, celestial north and nadir lie, as long as they are across the
+ * line of sight. panels[rows * columns]. UM_ERR_IO, UM_ERR_MEMORY. */
 struct um_output_panel {
   const struct um_optics_image *image;
-  const char *band, *caption;
+  const struct um_environment_sample *sample; /* its instant */
+  const struct um_optics_band *band;
+  const char *caption;
 };
 enum um_status um_output_plot_panels(struct um_context *context,
                                      const struct um_output_panel *panels, size_t rows,

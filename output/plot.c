@@ -1,170 +1,241 @@
 /* Pictures of a finished folder by gnuplot, from the CSV files that lie in it. The script is kept
  * beside them, so that a user can change a picture without computing again. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "orbit/time.h"
-#include "output/gnuplot_impl.h"
 #include "output/output.h"
+#include "plot/plot.h"
 
 #define PEAK_CONTRAST 5.0 /* highest over mean in sunlight that asks for a logarithmic axis */
 #define LOG_FLOOR     1e-5
+#define MAGNITUDES    12.5   /* below the brightest: LOG_FLOOR */
+#define VISIBLE       2.5e-6 /* [m] below which magnitudes are spoken of */
+#define SHARE         0.01   /* of the largest total: what is less is not drawn */
 
-/* Minutes from the first observation, the abscissa of every picture. */
-static double minutes(const struct um_output_run *run, double t)
-{
-  return (t - run->trace->t_obs[0]) / 60.0;
-}
+/* Pixels. */
+#define WIDTH        1000
+#define LEFT         100
+#define RIGHT        980
+#define TOP          82
+#define INTENSITY    240
+#define MAGNITUDE    170
+#define KEY          36 /* above a panel */
+#define GAP          22
+#define BELOW        58
+#define TEMPERATURES 380
+#define NAMES        760 /* right of it the names of the curves stand */
 
-/* A name with the underscores gnuplot would take for subscripts replaced. */
-static void print_title(FILE *f, const char *name)
-{
-  for (; *name != '\0'; name++) fputc(*name == '_' ? ' ' : *name == '"' ? '\'' : *name, f);
-}
+/* Columns of lightcurve.csv: eight before the bands, then nine per band. */
+enum {
+  TOTAL,
+  SUN,
+  EARTH,
+  EMITTED,
+  INTERREFLECTED,
+  OTHER,
+  STDERR,
+  IRRADIANCE,
+  MAGNITUDE_AB,
+  NCOLUMN
+};
+#define FIRST_COLUMN 9
 
-/* Intervals of zero sunlight as grey boxes behind the curves. */
-static void shade(const struct um_output_run *run, FILE *f)
-{
-  const struct um_model_trace *t = run->trace;
-  int object = 1;
-  for (size_t k = 0; k < t->nobs; k++) {
-    if (t->sunlit[k] > 0.0) continue;
-    size_t end = k;
-    while (end + 1 < t->nobs && !(t->sunlit[end + 1] > 0.0)) end++;
-    fprintf(f,
-            "set object %d rectangle from first %.6f, graph 0 to first %.6f, graph 1 fillcolor rgb "
-            "'#d8dce6' fillstyle solid noborder behind\n",
-            object++, minutes(run, t->t_obs[k]), minutes(run, t->t_obs[end]));
-    k = end;
-  }
-}
+static size_t column_of(size_t band, size_t what) { return FIRST_COLUMN + NCOLUMN * band + what; }
 
-static void head(const struct um_output_run *run, FILE *f, const char *picture, int height)
+static struct um_plot_time time_of(const struct um_output_run *run)
 {
   char start[32];
-  um_orbit_time_format(run->trace->t_obs[0], start);
-  fprintf(f,
-          "set terminal pngcairo size 1100,%d enhanced font 'Sans,11'\nset output '%s'\n"
-          "set datafile separator ','\nset encoding utf8\nset grid linecolor rgb '#e4e4e4'\n"
-          "set timefmt '%%Y-%%m-%%dT%%H:%%M:%%S'\nt0 = strptime('%%Y-%%m-%%dT%%H:%%M:%%S', '%s')\n"
-          "m(s) = (strptime('%%Y-%%m-%%dT%%H:%%M:%%S', s) - t0) / 60.0\n"
-          "set xrange [0:%.6f]\n",
-          height, picture, start,
-          fmax(minutes(run, run->trace->t_obs[run->trace->nobs - 1]), 1e-3));
+  const struct um_model_precomputed *t = run->precomputed;
+  um_orbit_time_format(t->t_obs[0], start);
+  return um_plot_time(t->t_obs[0], t->t_obs[t->nobs - 1], start);
+}
+
+/* ---- light ---- */
+
+struct extent {
+  double largest, mean_lit;   /* intensity [W/sr] */
+  double part[NCOLUMN];       /* largest of each mechanism [W/sr] */
+  double brightest, faintest; /* magnitudes; INFINITY and -INFINITY: none */
+};
+
+static struct extent extent_of(const struct um_output_run *run, size_t band)
+{
+  const struct um_model_result *r = run->result;
+  struct extent e = {.brightest = INFINITY, .faintest = -INFINITY};
+  size_t lit = 0;
+  for (size_t k = 0; k < r->nobs; k++) {
+    double total = um_model_result_intensity(r, k, band, -1);
+    double magnitude = r->magnitude_ab[k * r->nband + band];
+    e.largest = fmax(e.largest, total);
+    for (int m = 0; m < UM_MECHANISM_COUNT; m++)
+      e.part[SUN + m] = fmax(e.part[SUN + m], um_model_result_intensity(r, k, band, m));
+    if (isfinite(magnitude)) {
+      e.brightest = fmin(e.brightest, magnitude);
+      e.faintest = fmax(e.faintest, magnitude);
+    }
+    if (!(run->precomputed->sunlit[k] > 0.0)) continue;
+    e.mean_lit += total;
+    lit++;
+  }
+  e.mean_lit = lit > 0 ? e.mean_lit / (double)lit : e.largest;
+  return e;
+}
+
+static bool has_magnitudes(const struct um_output_run *run, size_t band, const struct extent *e)
+{
+  return run->model->band[band].to <= VISIBLE && e->brightest <= e->faintest;
 }
 
 /* Specular peaks outshine the rest by orders of magnitude; such a band gets a logarithmic axis,
- * five decades down from its maximum. */
-static void ordinate(const struct um_output_run *run, FILE *f, size_t band)
+ * five decades down from its maximum. Out: power of ten in whose units the axis is. */
+static double ordinate(struct um_plot *plot, const struct um_optics_band *band,
+                       const struct extent *e)
 {
-  const struct um_model_result *r = run->result;
-  double largest = 0.0, lit = 0.0;
-  size_t n = 0;
-  for (size_t k = 0; k < r->nobs; k++) {
-    double total = um_model_result_intensity(r, k, band, -1);
-    largest = fmax(largest, total);
-    if (!(run->trace->sunlit[k] > 0.0)) continue;
-    lit += total;
-    n++;
-  }
-  if (n > 0 && largest > PEAK_CONTRAST * lit / (double)n)
-    fprintf(f, "set logscale y\nset yrange [%.3g:%.3g]\nset format y '10^{%%T}'\n",
-            LOG_FLOOR * largest, 2.0 * largest);
+  char name[200], unit[80], words[120];
+  bool wide = e->largest > PEAK_CONTRAST * e->mean_lit;
+  double power = um_plot_power(wide ? 1.0 : e->largest, "W/sr", unit);
+  snprintf(name, sizeof name, "%.150s %g–%g µm", band->name, band->from * 1e6, band->to * 1e6);
+  snprintf(words, sizeof words, "radiant intensity [%s]", unit);
+  um_plot_ylabel(plot, name, words);
+  if (wide)
+    um_plot_add(plot, "set logscale y\nset yrange [%.3g:%.3g]\nset format y '10^{%%T}'\n",
+                LOG_FLOOR * e->largest, 2.0 * e->largest);
   else
-    fputs("unset logscale y\nset yrange [0:*]\nset format y '%g'\n", f);
+    um_plot_add(plot, "unset logscale y\nset yrange [0:%.6g]\nset format y '%%g'\n",
+                e->largest > 0.0 ? 1.06 * e->largest / power : 1.0);
+  um_plot_add(plot, "v(i) = column(i) / %g\nup(v) = v > %g ? v : %g\n", power,
+              wide ? LOG_FLOOR * e->largest : 0.0, wide ? LOG_FLOOR * e->largest : 0.0);
+  return power;
 }
 
-/* Columns of lightcurve.csv: eight before the bands, then nine per band. */
-static void script_lightcurve(const struct um_output_run *run, FILE *f)
+static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
 {
-  static const char *const colour[] = {"#1f4e9c", "#b3261e", "#3a7d34", "#7b3fa0"};
-  char start[32];
-  size_t n = run->model->nband;
-  head(run, f, "lightcurve.png", 300 * (int)n + 60);
-  shade(run, f);
-  um_orbit_time_format(run->trace->t_obs[0], start);
-  fprintf(f, "set multiplot layout %zu,1 title \"", n);
-  print_title(f, run->model->scenario->name);
-  fputs("\"\nset lmargin 13\nset key outside right top\n", f);
-  for (size_t b = 0; b < n; b++) {
-    const struct um_optics_band *band = &run->model->band[b];
-    size_t first = 9 + 9 * b;
-    fprintf(f, "set ylabel \"");
-    print_title(f, band->name);
-    fprintf(f, " %g-%g um\\nradiant intensity [W/sr]\"\n", band->from * 1e6, band->to * 1e6);
-    ordinate(run, f, b);
-    if (b + 1 == n)
-      fprintf(f, "set xlabel \"minutes after %s UTC (grey: no sunlight on the satellite)\"\n",
-              start);
-    fprintf(f,
-            "plot 'lightcurve.csv' every ::1 using (m(strcol(1))):%zu with lines linewidth 2.4 "
-            "linecolor rgb '%s' title 'total', '' every ::1 using (m(strcol(1))):%zu with lines "
-            "linewidth 1.2 dashtype 2 linecolor rgb '#e69f00' title 'Sun', '' every ::1 using "
-            "(m(strcol(1))):%zu with lines "
-            "linecolor rgb '#009e73' title 'Earth', '' every ::1 using (m(strcol(1))):%zu with "
-            "lines linecolor rgb '#888888' title 'emitted'\n",
-            first, colour[b % 4], first + 1, first + 2, first + 3);
+  static const char *const title[] = {[SUN] = "Sun",
+                                      [EARTH] = "Earth",
+                                      [EMITTED] = "emitted",
+                                      [INTERREFLECTED] = "interreflected",
+                                      [OTHER] = "other"};
+  static const char *const colour[] = {[SUN] = "#e69f00",
+                                       [EARTH] = "#009e73",
+                                       [EMITTED] = "#777777",
+                                       [INTERREFLECTED] = "#cc79a7",
+                                       [OTHER] = "#56b4e9"};
+  static const char *const total[] = {"#1f4e9c", "#b3261e", "#3a7d34", "#7b3fa0"};
+  size_t t = column_of(band, TOTAL), s = column_of(band, STDERR);
+  um_plot_add(
+      plot,
+      "plot 'lightcurve.csv' every ::1 using (x(1)):(up(v(%zu)-v(%zu))):(up(v(%zu)+v(%zu))) "
+      "with filledcurves fillcolor rgb %s fillstyle transparent solid 0.3 noborder title "
+      "'± 1σ', '' every ::1 using (x(1)):(v(%zu)) with lines linewidth 2 "
+      "linecolor rgb %s title 'total'",
+      t, s, t, s, total[band % 4], t, total[band % 4]);
+  for (size_t m = SUN; m <= OTHER; m++) {
+    if (m >= INTERREFLECTED && !(e->part[m] > SHARE * e->largest)) continue;
+    um_plot_add(plot, ", '' every ::1 using (x(1)):(v(%zu)) with lines linewidth 1.3 ",
+                column_of(band, m));
+    if (m == SUN) um_plot_add(plot, "dashtype (8,5) ");
+    um_plot_add(plot, "linecolor rgb %s title %s", colour[m], title[m]);
   }
-  fputs("unset multiplot\nunset object\nset lmargin\nset key default\nunset logscale y\n"
-        "set yrange [*:*]\nset format y "
-        "'%g'\n",
-        f);
+  um_plot_add(plot, "\n");
 }
 
-static void script_temperatures(const struct um_output_run *run, FILE *f)
+static void magnitudes(struct um_plot *plot, size_t band, const struct extent *e)
 {
-  head(run, f, "temperatures.png", 560);
-  shade(run, f);
-  fputs("set title \"", f);
-  print_title(f, run->model->scenario->name);
-  fputs(": mean temperatures (dashed: lowest and highest of each material)\"\n"
-        "set ylabel 'temperature [K]'\nset xlabel 'minutes after the first observation'\n"
-        "set key outside right top\nplot ",
-        f);
-  bool first = true;
+  double faintest = fmin(e->faintest, e->brightest + MAGNITUDES);
+  double margin = fmax(0.06 * (faintest - e->brightest), 0.1);
+  um_plot_ylabel(plot, "", "AB magnitude");
+  um_plot_add(plot,
+              "unset logscale y\nset format y '%%g'\nset yrange [%.4f:%.4f]\nplot 'lightcurve.csv' "
+              "every ::1 using (x(1)):%zu with lines linewidth 2 linecolor rgb '#333333' notitle\n",
+              faintest + margin, e->brightest - margin, column_of(band, MAGNITUDE_AB));
+}
+
+static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
+{
+  size_t n = run->model->nband;
+  int height = TOP - KEY + BELOW, at = TOP;
+  struct um_plot_time time = time_of(run);
+  for (size_t b = 0; b < n; b++) {
+    struct extent e = extent_of(run, b);
+    height += KEY + INTENSITY + (has_magnitudes(run, b, &e) ? GAP + MAGNITUDE : 0);
+  }
+  um_plot_picture(plot, "lightcurve", WIDTH, height);
+  um_plot_title(plot, run->model->scenario->name, "");
+  um_plot_time_axis(plot, &time);
+  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
+                run->precomputed->sunlit);
+  um_plot_xnumbers(plot, false);
+  for (size_t b = 0; b < n; b++) {
+    struct extent e = extent_of(run, b);
+    bool faint = has_magnitudes(run, b, &e);
+    um_plot_panel(plot, LEFT, at, RIGHT, at + INTENSITY);
+    (void)ordinate(plot, &run->model->band[b], &e);
+    if (b + 1 == n && !faint) {
+      um_plot_xnumbers(plot, true);
+      um_plot_time_label(plot, &time);
+    }
+    intensity(plot, b, &e);
+    at += INTENSITY + KEY;
+    if (!faint) continue;
+    um_plot_panel(plot, LEFT, at - KEY + GAP, RIGHT, at - KEY + GAP + MAGNITUDE);
+    if (b + 1 == n) {
+      um_plot_xnumbers(plot, true);
+      um_plot_time_label(plot, &time);
+    }
+    magnitudes(plot, b, &e);
+    at += GAP + MAGNITUDE;
+  }
+}
+
+/* ---- temperatures ---- */
+
+static void temperatures(struct um_plot *plot, const struct um_output_run *run)
+{
+  struct um_plot_time time = time_of(run);
   int style = 1;
+  um_plot_picture(plot, "temperatures", WIDTH, TOP - GAP + TEMPERATURES + BELOW);
+  um_plot_title(plot, run->model->scenario->name,
+                "mean temperatures; shaded: lowest to highest of each material");
+  um_plot_time_axis(plot, &time);
+  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
+                run->precomputed->sunlit);
+  um_plot_time_label(plot, &time);
+  um_plot_ylabel(plot, "", "temperature [K]");
+  um_plot_panel(plot, LEFT, TOP - GAP, NAMES, TOP - GAP + TEMPERATURES);
+  um_plot_add(plot,
+              "set key at screen %.4f, graph 1 left top vertical maxrows auto Left "
+              "reverse noenhanced\nplot ",
+              (NAMES + 12.0) / WIDTH);
   for (size_t p = 0; p < run->result->nplace; p++) {
     const char *name = run->result->place[p].name;
     bool material = strncmp(name, "material:", 9) == 0;
     const char *dot = strchr(name, '.');
     bool interior = dot != NULL && strcmp(dot, ".interior") == 0;
     if (!material && !interior) continue;
-    fprintf(f,
-            "%s'temperatures.csv' every ::1 using (m(strcol(1))):%zu with lines linewidth 1.8 "
-            "linetype %d title \"",
-            first ? "" : ", ", 2 + 3 * p, style);
-    print_title(f, material ? name + 9 : name);
-    fputc('"', f);
-    for (size_t k = 1; material && k < 3; k++)
-      fprintf(
-          f,
-          ", '' every ::1 using (m(strcol(1))):%zu with lines linewidth 0.6 dashtype 2 linetype "
-          "%d notitle",
-          2 + 3 * p + k, style);
-    first = false;
+    if (style > 1) um_plot_add(plot, ", ");
+    if (material)
+      um_plot_add(plot,
+                  "'temperatures.csv' every ::1 using (x(1)):%zu:%zu with filledcurves linetype %d "
+                  "fillstyle transparent solid 0.12 noborder notitle, ",
+                  3 + 3 * p, 4 + 3 * p, style);
+    um_plot_add(plot,
+                "'temperatures.csv' every ::1 using (x(1)):%zu with lines linewidth 2 linetype %d ",
+                2 + 3 * p, style);
+    if (interior) um_plot_add(plot, "dashtype (8,5) ");
+    um_plot_add(plot, "title %s noenhanced", material ? name + 9 : name);
     style++;
   }
-  fputs("\n", f);
+  um_plot_add(plot, style == 1 ? "NaN notitle\n" : "\n");
 }
 
 enum um_status um_output_plot_run(struct um_context *context, const char *folder,
                                   const struct um_output_run *run)
 {
-  enum um_status status;
-  char *path = NULL;
-  UM_TRY(um_core_asprintf(context, &path, "%s/plots.gp", folder));
-  FILE *f = fopen(path, "w");
-  if (f == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-    goto done;
-  }
-  if (run->model->has_observer) script_lightcurve(run, f);
-  script_temperatures(run, f);
-  UM_CHECK(um_core_file_close(context, "plots.gp", &f));
-  um_output_gnuplot_run(context, folder, "plots.gp");
-done:
-  um_core_free(context, path);
-  return status;
+  struct um_plot *plot = NULL;
+  UM_TRY(um_plot_create(context, folder, "plots.gp", &plot));
+  if (run->model->has_observer) lightcurve(plot, run);
+  temperatures(plot, run);
+  return um_plot_draw(context, &plot);
 }

@@ -12,11 +12,14 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   fputs("time_utc", file);
   for (size_t p = 0; p < r->nplace; p++) {
     const char *name = r->place[p].name;
-    fprintf(file, ",%s.mean_K,%s.min_K,%s.max_K", name, name, name);
+    um_output_csv_text(file, name, ".mean_K");
+    um_output_csv_text(file, name, ".min_K");
+    um_output_csv_text(file, name, ".max_K");
   }
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
-    um_output_csv_time(file, run->trace->t_obs[k]);
+    UM_TRY(um_output_stop(run));
+    um_output_csv_time(file, run->precomputed->t_obs[k]);
     for (size_t p = 0; p < r->nplace; p++) {
       um_output_csv_number(file, r->place[p].mean[k]);
       um_output_csv_number(file, r->place[p].minimum[k]);
@@ -43,9 +46,10 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t p = 0; p < r->nplace; p++) {
       if (!owns_its_nodes(r->place[p].name)) continue;
+      UM_TRY(um_output_stop(run));
       const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
-      um_output_csv_time(file, run->trace->t_obs[k]);
-      fprintf(file, ",%s", r->place[p].name);
+      um_output_csv_time(file, run->precomputed->t_obs[k]);
+      um_output_csv_text(file, r->place[p].name, "");
       const double value[] = {h->solar,     h->albedo,   h->planet,    h->internal,
                               h->conducted, h->radiated, h->exchanged, h->stored};
       for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
@@ -59,8 +63,8 @@ enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file)
 {
   const struct um_model_result *r = run->result;
   char start[32], stop[32];
-  um_orbit_time_format(run->trace->t_obs[0], start);
-  um_orbit_time_format(run->trace->t_obs[r->nobs - 1], stop);
+  um_orbit_time_format(run->precomputed->t_obs[0], start);
+  um_orbit_time_format(run->precomputed->t_obs[r->nobs - 1], stop);
   fprintf(file, "CIC_MEM_VERS = 1.0\nORIGINATOR = UMBRA %s\n\nMETA_START\n\n", run->version);
   fprintf(file, "OBJECT_NAME = %s\nUSER_DEFINED_PROTOCOL = CIC\n", run->model->scenario->name);
   fputs("USER_DEFINED_CONTENT = MATERIAL_TEMPERATURES\n", file);
@@ -73,11 +77,10 @@ enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file)
   fprintf(file, "USER_DEFINED_SIZE = %zu\nUSER_DEFINED_TYPE = REAL\nUSER_DEFINED_UNIT = [K]\n", n);
   fprintf(file, "TIME_SYSTEM = UTC\nCOMMENT from %s to %s\n\nMETA_STOP\n\n", start, stop);
   for (size_t k = 0; k < r->nobs; k++) {
-    double jd[2];
-    um_orbit_time_utc(run->trace->t_obs[k], jd);
-    double days = floor((jd[0] - 2400000.5) + jd[1]);
-    double seconds = ((jd[0] - 2400000.5 - days) + jd[1]) * 86400.0;
-    fprintf(file, "%.0f %.3f", days, fmax(seconds, 0.0));
+    UM_TRY(um_output_stop(run));
+    double days, seconds;
+    um_orbit_time_utc_clock(run->precomputed->t_obs[k], &days, &seconds);
+    fprintf(file, "%.0f %.3f", days, seconds);
     for (size_t p = 0; p < r->nplace; p++)
       if (strncmp(r->place[p].name, "material:", 9) == 0)
         fprintf(file, " %.4f", r->place[p].mean[k]);

@@ -36,7 +36,7 @@ static enum um_status write_scenario(struct um_context *context, const struct um
                                      struct um_core_folder *folder)
 {
   char *text = NULL;
-  UM_TRY(um_core_document_text(context, run->model->document, &text));
+  UM_TRY(um_document_text(context, run->model->document, &text));
   enum um_status status = write_text(context, folder, "scenario.yaml", text);
   um_core_free(context, text);
   return status;

@@ -12,7 +12,7 @@ enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file)
         file);
   for (size_t k = 0; k < r->nobs; k++) {
     fprintf(file, "<Grid Name=\"t%zu\"><Time Value=\"%.3f\"/>\n", k,
-            run->trace->t_obs[k] - run->trace->t_obs[0]);
+            run->precomputed->t_obs[k] - run->precomputed->t_obs[0]);
     fprintf(file,
             "<Topology TopologyType=\"Triangle\" NumberOfElements=\"%zu\"><DataItem "
             "Dimensions=\"%zu 3\" NumberType=\"UInt\" Format=\"HDF\">run.nc:/facet_vertex"

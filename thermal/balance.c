@@ -1,4 +1,4 @@
-/* Evaluation of the heat balance: state, net heat, rate of change (equation in system.c). */
+/* Evaluation of the heat balance at a state: net heat, rate of change (equation in system.c). */
 #include "thermal/system_impl.h"
 
 #include <math.h>
@@ -10,15 +10,6 @@ void um_thermal_system_powers(struct um_thermal_system *system)
     system->cube[i] = a * a * a;
     system->power4[i] = system->cube[i] * t;
   }
-}
-
-bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y)
-{
-  um_thermal_system_loads_at(system, t);
-  for (size_t k = 0; k < system->nunknown; k++) system->temperature[system->node[k]] = y[k];
-  um_thermal_system_powers(system);
-  if (system->made != NULL) um_thermal_system_heat_make(system, t);
-  return um_thermal_system_clusters_solve(system);
 }
 
 double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node)

@@ -1,7 +1,7 @@
 /* Specs of a body against the geometry, and their ranges; messages name the user's part. */
 #include <stdio.h>
 
-#include "thermal/body_impl.h"
+#include "thermal/body_check_impl.h"
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 static const double huge = 1e300;

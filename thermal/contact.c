@@ -12,10 +12,15 @@
  * of all K exactly G. A lumped or interior node is one node wherever it is met; a place of an
  * interior is met everywhere, in shares of area. Structure is the wall under MLI, and the interior
  * where the wall is left out: a bracket goes through the blanket. */
-#include "thermal/body_impl.h"
+#include "core/sort.h"
+#include "thermal/contact_impl.h"
+#include "thermal/place_impl.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "core/words.h"
 
 struct sample {
   uint32_t vertex, node;
@@ -108,7 +113,7 @@ static enum um_status collect(const struct um_thermal_builder *b, struct side *s
   }
   if (s->npatch == 0) return UM_OK;
   s->edge = sqrt(2.0 * area / (double)s->npatch);
-  qsort(s->sample, n, sizeof *s->sample, sample_order);
+  UM_TRY(um_core_sort(b->context, s->sample, n, sizeof *s->sample, sample_order));
   for (size_t i = 0; i < n; i++) {
     if (s->nsample > 0 && sample_order(&s->sample[s->nsample - 1], &s->sample[i]) == 0)
       s->sample[s->nsample - 1].area += s->sample[i].area;
@@ -154,10 +159,10 @@ static double triangle_distance(struct um_vec3 p, const struct um_vec3 v[3], dou
 }
 
 /* The nearest foot of every sample of `from` on `to`; returns the smallest gap. */
-static double find_feet(struct side *from, const struct side *to)
+static double find_feet(const struct um_context *context, struct side *from, const struct side *to)
 {
   double smallest = INFINITY;
-  for (size_t i = 0; i < from->nsample; i++) {
+  for (size_t i = 0; i < from->nsample && !um_core_stopped(context); i++) {
     struct sample *s = &from->sample[i];
     s->gap = INFINITY;
     for (size_t p = 0; p < to->npatch; p++) {
@@ -226,11 +231,28 @@ static enum um_status connect(struct um_thermal_builder *b, struct side *x, stru
 {
   if (x->at.interior) return spread(b, b->interior[x->at.part], y, conductance, joined);
   if (y->at.interior) return spread(b, b->interior[y->at.part], x, conductance, joined);
-  double gap = fmin(find_feet(x, y), find_feet(y, x)) + 0.5 * fmin(x->edge, y->edge);
+  double gap = fmin(find_feet(b->context, x, y), find_feet(b->context, y, x));
+  UM_TRY(um_core_stop_check(b->context, "contacts were joined"));
+  gap += 0.5 * fmin(x->edge, y->edge);
   bool both = area_within(x, gap) > 0.0 && area_within(y, gap) > 0.0;
   double each = both ? 0.5 * conductance : conductance;
   UM_TRY(pair(b, x, y, gap, each, joined));
   return pair(b, y, x, gap, each, joined);
+}
+
+static enum um_status refuse_place(const struct um_thermal_builder *b,
+                                   const struct um_thermal_contact *contact, const char *name)
+{
+  char part[64], hint[UM_CORE_WORDS_HINT];
+  struct um_core_words_guess guess = {.written = part};
+  snprintf(part, sizeof part, "%.*s", (int)strcspn(name, "."), name);
+  for (uint32_t p = 0; p < b->npart; p++)
+    if (strcmp(um_thermal_builder_part_name(b, p), part) != 0)
+      um_core_words_consider(&guess, um_thermal_builder_part_name(b, p));
+  return um_core_fail(b->context, UM_ERR_INPUT,
+                      "contact %s - %s: there is no place '%s'%s; accepted: PART, PART.GROUP, "
+                      "PART.front, PART.back, PART.interior",
+                      contact->a, contact->b, name, um_core_words_hint(&guess, hint));
 }
 
 enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
@@ -245,10 +267,7 @@ enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
   enum um_status status = UM_OK;
   for (int i = 0; i < 2; i++) {
     if (!resolve(b, &side[i])) {
-      status = um_core_fail(b->context, UM_ERR_INPUT,
-                            "contact %s - %s: there is no place '%s'; accepted: PART, PART.GROUP, "
-                            "PART.front, PART.back, PART.interior",
-                            contact->a, contact->b, side[i].name);
+      status = refuse_place(b, contact, side[i].name);
       goto done;
     }
     UM_CHECK(collect(b, &side[i]));

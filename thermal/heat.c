@@ -3,11 +3,12 @@
 
 #include "core/constants.h"
 #include "core/interpolation.h"
+#include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
 /* Loads at t, constant outside the table; equation in system_loads.c. */
 static void loads_add(const struct um_thermal_network *network,
-                      const struct um_thermal_loads *loads,
+                      const struct um_irradiation_loads *loads,
                       const struct um_thermal_solve_options *options, double t,
                       struct um_thermal_heat *out)
 {
@@ -97,7 +98,7 @@ void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, co
 
 enum um_status um_thermal_heat_of_nodes(struct um_context *context,
                                         const struct um_thermal_network *network,
-                                        const struct um_thermal_loads *loads,
+                                        const struct um_irradiation_loads *loads,
                                         const struct um_thermal_solve_options *options, double t,
                                         const double *temperature, struct um_thermal_heat *out)
 {

@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/body_impl.h"
+#include "thermal/heater_impl.h"
+#include "thermal/place_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
 struct share {

@@ -12,6 +12,8 @@
  * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
  * closes to the residual of Newton's iteration, which is solved to NEWTON_SHARE of the step's
  * error test instead of the usual 0.1. */
+#include "core/order.h"
+#include "core/sort.h"
 #include "thermal/integrator_impl.h"
 
 #include <math.h>
@@ -39,9 +41,9 @@ struct um_thermal_integrator {
   void *cvodes;
   double *stop; /* [nstop] ascending, the last one is the end [s] */
   size_t nstop, segment;
-  double t;         /* [s] of y */
-  double loosened;  /* factor on the tolerances [1] */
-  bool initialized; /* CVodeInit was done */
+  double t;                /* [s] of y */
+  double tolerance_factor; /* factor on the tolerances [1] */
+  bool initialized;        /* CVodeInit was done */
   double *mean_cube, *cube_before;
   double *mean_slope, *slope_before; /* [nthermostat], with mean_cube */
   int *root;                         /* [nthermostat] which thermostats switch; their directions */
@@ -62,6 +64,7 @@ static void words_keep(int code, const char *module, const char *function, char 
 static enum um_status fail(struct um_thermal_integrator *integrator, int code)
 {
   struct um_context *context = integrator->system->context;
+  UM_TRY(um_core_stop_check(context, "heat was integrated"));
   if (code == CV_MEM_FAIL)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat integration");
   const char *why = integrator->words[0] != '\0' ? integrator->words : "no message";
@@ -81,6 +84,7 @@ static int rate_callback(realtype t, N_Vector y, N_Vector rate, void *self)
 {
   struct um_thermal_integrator *integrator = self;
   integrator->rhs_evaluations++;
+  if (um_core_stopped(integrator->system->context)) return -1; /* for good */
   if (!um_thermal_system_state_set(integrator->system, t, N_VGetArrayPointer(y))) {
     integrator->balance_lost = true;
     return 1; /* recoverable: a shorter step */
@@ -169,18 +173,12 @@ static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
   return 0;
 }
 
-static int stop_compare(const void *pa, const void *pb)
-{
-  double a = *(const double *)pa, b = *(const double *)pb;
-  return (a > b) - (a < b);
-}
-
 /* Edges, jumps of the table and of power histories, and the end, ascending, apart by
  * SHORTEST_SEGMENT. */
 static enum um_status stops_list(struct um_thermal_integrator *integrator, double duration)
 {
   const struct um_thermal_system *system = integrator->system;
-  const struct um_thermal_loads *loads = system->loads;
+  const struct um_irradiation_loads *loads = system->loads;
   size_t room = 1 + (loads == NULL ? 0 : loads->nedge + loads->ntime), count = 0;
   room += um_thermal_system_heat_stops(system, NULL);
   UM_TRY(um_core_allocate(system->context, room, sizeof(double), &integrator->stop));
@@ -190,7 +188,7 @@ static enum um_status stops_list(struct um_thermal_integrator *integrator, doubl
   for (size_t k = 1; loads != NULL && k < loads->ntime; k++)
     if (system->grid[k] <= system->grid[k - 1]) stop[count++] = system->grid[k];
   count += um_thermal_system_heat_stops(system, stop + count);
-  qsort(stop, count, sizeof *stop, stop_compare);
+  UM_TRY(um_core_sort(system->context, stop, count, sizeof *stop, um_core_order_double));
   size_t kept = 0;
   double before = 0.0;
   for (size_t k = 0; k < count; k++)
@@ -232,7 +230,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
 static enum um_status tolerances_set(struct um_thermal_integrator *integrator)
 {
   const struct um_thermal_solve_options *options = &integrator->system->options;
-  double factor = integrator->loosened * options->loosened;
+  double factor = integrator->tolerance_factor * options->tolerance_factor;
   SUN_CHECK(CVodeSStolerances(integrator->cvodes, factor * options->relative_tolerance,
                               factor * options->absolute_tolerance));
   SUN_CHECK(CVodeSetNonlinConvCoef(integrator->cvodes, factor > 1.0 ? 0.1 : NEWTON_SHARE));
@@ -272,7 +270,7 @@ enum um_status um_thermal_integrator_create(struct um_thermal_system *system, do
   *out = NULL;
   UM_CHECK(um_core_allocate(system->context, 1, sizeof *integrator, &integrator));
   integrator->system = system;
-  integrator->loosened = 1.0;
+  integrator->tolerance_factor = 1.0;
   UM_CHECK(stops_list(integrator, duration));
   UM_CHECK(vectors_create(integrator));
   *out = integrator;
@@ -347,7 +345,7 @@ static enum um_status segment_start(struct um_thermal_integrator *integrator)
 
 void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, double factor)
 {
-  integrator->loosened = factor;
+  integrator->tolerance_factor = factor;
 }
 
 enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
@@ -406,6 +404,7 @@ const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrat
 static enum um_status step_once(struct um_thermal_integrator *integrator)
 {
   double end = integrator->stop[integrator->segment], before = integrator->t;
+  UM_TRY(um_core_stop_check(integrator->system->context, "heat was integrated"));
   int code = CVode(integrator->cvodes, end, integrator->y, &integrator->t, CV_ONE_STEP);
   if (code < 0) return fail(integrator, code);
   integrator->steps++;

@@ -4,7 +4,7 @@
  *
  * A group whose MLI wraps the interior is its blanket: the node has the blanket's capacity, and
  * the wall is left out. */
-#include "thermal/body_impl.h"
+#include "thermal/lump_impl.h"
 
 #include <stdio.h>
 

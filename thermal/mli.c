@@ -6,7 +6,7 @@
  *
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
  * is the wall (e* A / 3 to each corner) or, where the wall is left out, the interior node. */
-#include "thermal/body_impl.h"
+#include "thermal/mli_impl.h"
 
 #include <stdio.h>
 

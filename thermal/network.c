@@ -41,6 +41,25 @@ enum um_status um_thermal_network_create(struct um_context *context,
   return UM_OK;
 }
 
+static void heat_free(struct um_thermal_network *network)
+{
+  struct um_context *context = network->context;
+  for (size_t k = 0; k < network->nsource; k++) {
+    um_core_free(context, network->source[k].at.node);
+    um_core_free(context, network->source[k].at.weight);
+    um_core_free(context, network->source[k].t);
+    um_core_free(context, network->source[k].power);
+  }
+  for (size_t k = 0; k < network->nthermostat; k++) {
+    um_core_free(context, network->thermostat[k].at.node);
+    um_core_free(context, network->thermostat[k].at.weight);
+    um_core_free(context, network->thermostat[k].sensor.node);
+    um_core_free(context, network->thermostat[k].sensor.weight);
+  }
+  um_core_free(context, network->source);
+  um_core_free(context, network->thermostat);
+}
+
 void um_thermal_network_destroy(struct um_thermal_network **network)
 {
   if (network == NULL || *network == NULL) return;
@@ -52,7 +71,7 @@ void um_thermal_network_destroy(struct um_thermal_network **network)
   um_core_free(context, n->radiator);
   um_core_free(context, n->surface);
   um_core_free(context, n->attached);
-  um_thermal_network_heat_free(n);
+  heat_free(n);
   um_core_free(context, n);
   *network = NULL;
 }
@@ -97,13 +116,6 @@ enum um_status um_thermal_network_node_add(struct um_thermal_network *network, c
   network->node[network->nnode] = node;
   *index = (uint32_t)network->nnode++;
   return UM_OK;
-}
-
-void um_thermal_network_capacity_add(struct um_thermal_network *network, uint32_t node,
-                                     double capacity)
-{
-  assert(node < network->nnode);
-  network->node[node].capacity += capacity;
 }
 
 void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t node, double power)
@@ -280,41 +292,4 @@ void um_thermal_network_temperatures_set(struct um_thermal_network *network,
                                          const double *temperature)
 {
   for (size_t i = 0; i < network->nnode; i++) network->node[i].temperature = temperature[i];
-}
-
-static bool links_equal(const struct um_thermal_link *a, const struct um_thermal_link *b, size_t n)
-{
-  for (size_t k = 0; k < n; k++)
-    if (a[k].a != b[k].a || a[k].b != b[k].b || a[k].value != b[k].value) return false;
-  return true;
-}
-
-static bool surfaces_equal(const struct um_thermal_surface *a, const struct um_thermal_surface *b)
-{
-  for (int k = 0; k < 3; k++)
-    if (a->node[k] != b->node[k] || a->weight[k] != b->weight[k]) return false;
-  return a->area == b->area && a->absorptance == b->absorptance && a->emittance == b->emittance &&
-         a->extraction == b->extraction && a->blocked == b->blocked;
-}
-
-bool um_thermal_network_equal(const struct um_thermal_network *a,
-                              const struct um_thermal_network *b)
-{
-  if (a->nnode != b->nnode || a->nconductor != b->nconductor || a->nradiator != b->nradiator ||
-      a->nsurface != b->nsurface)
-    return false;
-  for (size_t i = 0; i < a->nnode; i++) {
-    const struct um_thermal_network_node *x = &a->node[i], *y = &b->node[i];
-    if (x->kind != y->kind || x->capacity != y->capacity || x->temperature != y->temperature ||
-        x->power != y->power)
-      return false;
-  }
-  if (!links_equal(a->conductor, b->conductor, a->nconductor) ||
-      !links_equal(a->radiator, b->radiator, a->nradiator))
-    return false;
-  for (size_t s = 0; s < a->nsurface; s++) {
-    if (a->attached[s] != b->attached[s]) return false;
-    if (a->attached[s] && !surfaces_equal(&a->surface[s], &b->surface[s])) return false;
-  }
-  return um_thermal_network_heat_equal(a, b);
 }

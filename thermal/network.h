@@ -30,9 +30,6 @@ void um_thermal_network_destroy(struct um_thermal_network **network);
 enum um_status um_thermal_network_node_add(struct um_thermal_network *network, const char *name,
                                            enum um_thermal_node_kind kind, double capacity,
                                            double temperature, double power, uint32_t *index);
-/* Add to what is there. capacity [J/K]. */
-void um_thermal_network_capacity_add(struct um_thermal_network *network, uint32_t node,
-                                     double capacity);
 void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t node, double power);
 /* Add to what is there. power [W]. */
 void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power);

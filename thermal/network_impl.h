@@ -48,11 +48,6 @@ struct um_thermal_network {
   size_t nsource, nthermostat;
 };
 
-/* network_heat.c: sources and thermostats compared number for number; freed. */
-bool um_thermal_network_heat_equal(const struct um_thermal_network *a,
-                                   const struct um_thermal_network *b);
-void um_thermal_network_heat_free(struct um_thermal_network *network);
-
 /* "node 'name'" or "node 12", for messages; written into text. */
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,
                                      char *text, size_t size);

@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "core/csv.h"
+#include "core/sort.h"
+#include "core/words.h"
 #include "thermal/network_impl.h"
 
 /* Column or 0 when the field is empty. */
@@ -47,6 +49,9 @@ static enum um_status node_read(struct um_context *context, const struct um_core
   if (name[0] == '\0' || strcmp(name, "space") == 0)
     return um_core_csv_fail(context, csv, row, at->name, "'%s'; accepted: a name other than space",
                             name);
+  if (!um_core_name_is_safe(name))
+    return um_core_csv_fail(context, csv, row, at->name,
+                            "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED, name);
   UM_TRY(kind_read(context, csv, row, at->kind, &kind));
   UM_TRY(number_or_zero(context, csv, row, at->capacity, &capacity));
   UM_TRY(um_core_csv_number(context, csv, row, at->temperature, &temperature));
@@ -97,7 +102,7 @@ static enum um_status index_build(struct um_context *context, const struct um_co
   size_t n = network->nnode;
   UM_TRY(um_core_allocate(context, n, sizeof **out, out));
   for (size_t i = 0; i < n; i++) (*out)[i] = (struct entry){network->node[i].name, (uint32_t)i};
-  qsort(*out, n, sizeof **out, entry_compare);
+  UM_TRY(um_core_sort(context, *out, n, sizeof **out, entry_compare));
   for (size_t i = 1; i < n; i++)
     if (strcmp((*out)[i].name, (*out)[i - 1].name) == 0)
       return um_core_fail(context, UM_ERR_INPUT,

@@ -35,6 +35,7 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include "thermal/integrator_impl.h"
+#include "thermal/solve.h"
 
 #define ORBITS_LIMIT   40
 #define ANDERSON_DEPTH 1
@@ -185,6 +186,8 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
 static int orbit_callback(N_Vector y, N_Vector corrected, void *self)
 {
   struct periodic *periodic = self;
+  periodic->status = um_core_stop_check(periodic->system->context, "the periodic orbit was sought");
+  if (periodic->status != UM_OK) return -1;
   periodic->status = orbit_run(periodic, N_VGetArrayPointer(y), N_VGetArrayPointer(corrected));
   if (periodic->status == UM_OK)
     periodic->status = um_core_progress_step(periodic->system->context, 1);
@@ -265,16 +268,16 @@ static enum um_status not_converged(struct periodic *periodic, double tolerance,
       periodic->words[0] != '\0' ? ": " : "", periodic->words);
 }
 
-/* Toward a fixed point within `wanted` [K], with integration tolerances times `loosened`, in at
- * most `orbits` iterations. KINSOL judges its mixed iterate, we the distance: go on until that is
- * small. *code: KINSOL's last. */
-static enum um_status approach(struct periodic *periodic, double wanted, double loosened,
+/* Toward a fixed point within `wanted` [K], with integration tolerances times `tolerance_factor`,
+ * in at most `orbits` iterations. KINSOL judges its mixed iterate, we the distance: go on until
+ * that is small. *code: KINSOL's last. */
+static enum um_status approach(struct periodic *periodic, double wanted, double tolerance_factor,
                                size_t orbits, int *code)
 {
   size_t last = periodic->orbits + orbits;
   periodic->wanted = wanted;
   periodic->distance = INFINITY;
-  um_thermal_integrator_loosen(periodic->integrator, loosened);
+  um_thermal_integrator_loosen(periodic->integrator, tolerance_factor);
   *code = KINSetFuncNormTol(periodic->kinsol, wanted);
   while (*code >= 0 && !(periodic->distance <= wanted) && periodic->orbits < last) {
     *code = KINSetNumMaxIters(periodic->kinsol, (long)(last - periodic->orbits));
@@ -314,7 +317,7 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
   if (code < 0) return not_converged(periodic, tolerance, code);
-  double rough = LOOSENED / system->options.loosened;
+  double rough = LOOSENED / system->options.tolerance_factor;
   if (tolerance < ROUGH && rough >= WORTH_A_STAGE)
     UM_TRY(approach(periodic, ROUGH, rough, ROUGH_ORBITS, &code));
   UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));
@@ -323,7 +326,7 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
 }
 
 static enum um_status arguments_check(struct um_context *context,
-                                      const struct um_thermal_loads *loads, double from,
+                                      const struct um_irradiation_loads *loads, double from,
                                       double period, double tolerance)
 {
   if (!(period > 0.0) || !isfinite(period) || !isfinite(from))
@@ -346,7 +349,7 @@ static enum um_status arguments_check(struct um_context *context,
 
 enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 const struct um_thermal_network *network,
-                                                const struct um_thermal_loads *loads,
+                                                const struct um_irradiation_loads *loads,
                                                 const struct um_thermal_solve_options *options,
                                                 double from, double period, double tolerance,
                                                 double *temperature, double *drift,
@@ -374,7 +377,7 @@ done:
 
 enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
-                                         const struct um_thermal_loads *loads,
+                                         const struct um_irradiation_loads *loads,
                                          const struct um_thermal_solve_options *options,
                                          double from, double period, double tolerance,
                                          double *temperature, double *drift)

@@ -4,7 +4,7 @@
  *   part.group, part.group.back   the same of one group and side
  *   part.wall, part.group.wall    the wall under MLI, where there is one
  *   part.interior                 the interior node */
-#include "thermal/body_impl.h"
+#include "thermal/place_impl.h"
 
 #include <string.h>
 
@@ -37,6 +37,12 @@ struct selection {
   uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
   int side;             /* 0 front, 1 back, -1 both */
   bool wall;            /* the wall under MLI instead of the surfaces */
+  size_t from, to;      /* surfaces of the part, which stand together */
+};
+
+/* Nodes that have area now lie in [low, high). */
+struct reach {
+  size_t low, high;
 };
 
 static bool selected(const struct selection *w, uint32_t part, uint32_t group, int back)
@@ -45,23 +51,32 @@ static bool selected(const struct selection *w, uint32_t part, uint32_t group, i
          (w->side < 0 || back == w->side);
 }
 
+static void put(double *area, struct reach *reach, uint32_t node, double a)
+{
+  area[node] += a;
+  if (node < reach->low) reach->low = node;
+  if (node >= reach->high) reach->high = (size_t)node + 1;
+}
+
 /* Area [m^2] on every node; returns the sum. */
 static double accumulate(const struct um_thermal_builder *b, const struct selection *w,
-                         double *area)
+                         double *area, struct reach *reach)
 {
   double sum = 0.0;
-  for (size_t s = 0; s < b->mesh->nsurface; s++) {
+  for (size_t s = w->from; s < w->to; s++) {
     const struct um_geometry_surface *g = &b->mesh->surface[s];
     if (!selected(w, g->part, g->group, g->back)) continue;
     if (w->wall) {
       if (g->back != 0 || b->skin[g->facet] == UM_THERMAL_SPACE ||
           b->front[g->facet][0] == UM_THERMAL_SPACE)
         continue;
-      for (int c = 0; c < 3; c++) area[b->front[g->facet][c]] += b->mesh->area[g->facet] / 3.0;
+      for (int c = 0; c < 3; c++)
+        put(area, reach, b->front[g->facet][c], b->mesh->area[g->facet] / 3.0);
     } else {
       const struct um_thermal_surface *at = um_thermal_network_surface(b->network, (uint32_t)s);
       for (int c = 0; c < 3; c++)
-        if (at->node[c] != UM_THERMAL_SPACE) area[at->node[c]] += at->weight[c] * at->area;
+        if (at->node[c] != UM_THERMAL_SPACE)
+          put(area, reach, at->node[c], at->weight[c] * at->area);
     }
     sum += b->mesh->area[g->facet];
   }
@@ -86,15 +101,17 @@ static enum um_status place_add(const struct um_thermal_builder *b, struct um_th
                                 const struct selection *w, double *area, const char *group,
                                 const char *suffix)
 {
-  double sum = accumulate(b, w, area);
-  size_t n = 0, nnode = um_thermal_network_nodes(b->network);
-  for (size_t i = 0; i < nnode; i++)
+  UM_TRY(um_core_stop_check(b->context, "places were listed"));
+  struct reach reach = {um_thermal_network_nodes(b->network), 0};
+  double sum = accumulate(b, w, area, &reach);
+  size_t n = 0;
+  for (size_t i = reach.low; i < reach.high; i++)
     if (area[i] > 0.0) n++;
   if (n == 0) return UM_OK;
   struct um_thermal_place *place;
   UM_TRY(place_new(b->context, body, n, &place));
   n = 0;
-  for (size_t i = 0; i < nnode; i++) {
+  for (size_t i = reach.low; i < reach.high; i++) {
     if (area[i] > 0.0) {
       place->node[n] = (uint32_t)i;
       place->weight[n++] = area[i] / sum;
@@ -116,9 +133,11 @@ static bool part_has_back(const struct um_thermal_builder *b, uint32_t part)
 }
 
 static enum um_status places_of_part(const struct um_thermal_builder *b,
-                                     struct um_thermal_body *body, uint32_t part, double *area)
+                                     struct um_thermal_body *body, uint32_t part, size_t from,
+                                     size_t to, double *area)
 {
-  struct selection w = {.part = part, .group = UM_GEOMETRY_NONE, .side = -1};
+  struct selection w = {
+      .part = part, .group = UM_GEOMETRY_NONE, .side = -1, .from = from, .to = to};
   UM_TRY(place_add(b, body, &w, area, NULL, ""));
   if (part_has_back(b, part)) {
     w.side = 0;
@@ -132,7 +151,7 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
   for (uint32_t g = 0; g < b->ngroup; g++) {
     const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
     if (group->part != part) continue;
-    w = (struct selection){.part = part, .group = g, .side = 0};
+    w = (struct selection){.part = part, .group = g, .side = 0, .from = from, .to = to};
     UM_TRY(place_add(b, body, &w, area, group->name, ""));
     w.side = 1;
     UM_TRY(place_add(b, body, &w, area, group->name, ".back"));
@@ -154,8 +173,13 @@ enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_t
   double *area = NULL;
   UM_TRY(um_core_allocate(b->context, um_thermal_network_nodes(b->network), sizeof *area, &area));
   enum um_status status = UM_OK;
-  for (uint32_t p = 0; p < b->npart && status == UM_OK; p++)
-    status = places_of_part(b, body, p, area);
+  size_t from = 0;
+  for (uint32_t p = 0; p < b->npart && status == UM_OK; p++) {
+    size_t to = from;
+    while (to < b->mesh->nsurface && b->mesh->surface[to].part == p) to++;
+    status = places_of_part(b, body, p, from, to, area);
+    from = to;
+  }
   um_core_free(b->context, area);
   return status;
 }

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "thermal/response_impl.h"
+#include "thermal/solve.h"
 
 static enum um_status sources_check(const struct um_thermal_response_run *r)
 {
@@ -165,6 +166,7 @@ static enum um_status hand_over(struct um_thermal_response_run *r, struct march 
 static enum um_status step_take(struct um_thermal_response_run *r, struct march *m, size_t k)
 {
   size_t stride = r->nsource * r->system->nunknown;
+  UM_TRY(um_core_stop_check(r->context, "heat responses were computed"));
   struct um_thermal_step step = {
       .rate = column_rate, .user = r, .taken = r->inside, .stride = stride};
   r->begin = r->grid[k];
@@ -260,7 +262,7 @@ static enum um_status times_check(struct um_context *context, double from, const
 
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
-                                   const struct um_thermal_loads *loads,
+                                   const struct um_irradiation_loads *loads,
                                    const struct um_thermal_solve_options *options, double from,
                                    const double *times, size_t ntime,
                                    const struct um_thermal_response_source *source, size_t nsource,

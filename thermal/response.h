@@ -38,7 +38,7 @@ typedef enum um_status um_thermal_response_take(void *user, size_t k, const doub
  * (tests/thermal/response.c). */
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
-                                   const struct um_thermal_loads *loads,
+                                   const struct um_irradiation_loads *loads,
                                    const struct um_thermal_solve_options *options, double from,
                                    const double *times, size_t ntime,
                                    const struct um_thermal_response_source *source, size_t nsource,

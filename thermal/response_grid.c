@@ -3,21 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/order.h"
+#include "core/sort.h"
 #include "thermal/response_impl.h"
 
 #define SHARE_OF_TIME 0.25 /* of the shortest source: the default step */
-
-static int time_compare(const void *pa, const void *pb)
-{
-  double a = *(const double *)pa, b = *(const double *)pb;
-  return (a > b) - (a < b);
-}
 
 /* Times at which a step ends, not sorted, from 0; times NULL: only counts. */
 static size_t ends_list(const struct um_thermal_response_run *r, const double *times, size_t ntime,
                         double *end)
 {
-  const struct um_thermal_loads *loads = r->system->loads;
+  const struct um_irradiation_loads *loads = r->system->loads;
   size_t count = 0;
 #define END(t)                                                                                     \
   do {                                                                                             \
@@ -57,7 +53,7 @@ enum um_status um_thermal_response_grid(struct um_thermal_response_run *r, const
   size_t count = ends_list(r, times, ntime, NULL), kept = 0;
   UM_CHECK(um_core_allocate(r->context, count, sizeof *end, &end));
   ends_list(r, times, ntime, end);
-  qsort(end, count, sizeof *end, time_compare);
+  UM_CHECK(um_core_sort(r->context, end, count, sizeof *end, um_core_order_double));
   for (size_t k = 0; k < count; k++)
     if (end[k] >= 0.0 && end[k] <= last &&
         (kept == 0 || end[k] > end[kept - 1] + UM_THERMAL_ONE_TIME))

@@ -4,7 +4,7 @@
  *
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
  * A linear field is reproduced exactly (test thermal/solid). */
-#include "thermal/body_impl.h"
+#include "thermal/solid_impl.h"
 #include "thermal/tetgen.h"
 
 double um_thermal_solid_element(const struct um_vec3 corner[4], double k, double out[6])

@@ -17,11 +17,12 @@ void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
                                                .space_temperature = UM_SPACE_TEMPERATURE,
                                                .albedo_on = true,
                                                .planet_on = true,
-                                               .loosened = 1.0};
+                                               .tolerance_factor = 1.0};
 }
 
-static enum um_status times_check(struct um_context *context, const struct um_thermal_loads *loads,
-                                  double from, const double *times, size_t ntime)
+static enum um_status times_check(struct um_context *context,
+                                  const struct um_irradiation_loads *loads, double from,
+                                  const double *times, size_t ntime)
 {
   if (ntime == 0)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -119,7 +120,7 @@ done:
 
 enum um_status um_thermal_solve(struct um_context *context,
                                 const struct um_thermal_network *network,
-                                const struct um_thermal_loads *loads,
+                                const struct um_irradiation_loads *loads,
                                 const struct um_thermal_solve_options *options, double from,
                                 const double *times, size_t ntime, struct um_thermal_history **out)
 {

@@ -3,18 +3,10 @@
 #ifndef UMBRA_THERMAL_SOLVE_H
 #define UMBRA_THERMAL_SOLVE_H
 
-#include "thermal/loads.h"
+#include "irradiation/loads.h"
 #include "thermal/network.h"
+#include "thermal/solve_options.h"
 
-struct um_thermal_solve_options {
-  double relative_tolerance; /* default 2e-7: errors of one sign add to some 5 mK in an orbit */
-  double absolute_tolerance; /* [K], default 2e-5 */
-  double space_temperature;  /* [K], default UM_SPACE_TEMPERATURE */
-  bool albedo_on, planet_on; /* heat loads switched */
-  /* Factor on both tolerances, default 1; above 1 without the care for the audit (Newton's
-   * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
-  double loosened;
-};
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 
 /* Heat of one node or the whole [W] (history) or [J] (audit). stored = sum of the others. */
@@ -37,7 +29,7 @@ struct um_thermal_history {
  * UM_ERR_NUMERIC when CVODES fails, with its words; NaN loads are refused first. */
 enum um_status um_thermal_solve(struct um_context *context,
                                 const struct um_thermal_network *network,
-                                const struct um_thermal_loads *loads,
+                                const struct um_irradiation_loads *loads,
                                 const struct um_thermal_solve_options *options, double from,
                                 const double *times, size_t ntime, struct um_thermal_history **out);
 void um_thermal_history_destroy(struct um_context *context, struct um_thermal_history **history);
@@ -53,7 +45,7 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
  * the state that repeats is that of a heater which holds the middle of its band. */
 enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
-                                         const struct um_thermal_loads *loads,
+                                         const struct um_irradiation_loads *loads,
                                          const struct um_thermal_solve_options *options,
                                          double from, double period, double tolerance,
                                          double *temperature, double *drift);
@@ -68,7 +60,7 @@ struct um_thermal_periodic {
  * (or NULL). */
 enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 const struct um_thermal_network *network,
-                                                const struct um_thermal_loads *loads,
+                                                const struct um_irradiation_loads *loads,
                                                 const struct um_thermal_solve_options *options,
                                                 double from, double period, double tolerance,
                                                 double *temperature, double *drift,
@@ -77,7 +69,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
  * power; KINSOL Newton. */
 enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,
-                                       const struct um_thermal_loads *loads, size_t time,
+                                       const struct um_irradiation_loads *loads, size_t time,
                                        const struct um_thermal_solve_options *options,
                                        double *temperature);
 /* Heat flows of every node at given temperatures and load time; out[nnode] [W]. Power histories are
@@ -85,7 +77,7 @@ enum um_status um_thermal_solve_steady(struct um_context *context,
  * below. */
 enum um_status um_thermal_heat_of_nodes(struct um_context *context,
                                         const struct um_thermal_network *network,
-                                        const struct um_thermal_loads *loads,
+                                        const struct um_irradiation_loads *loads,
                                         const struct um_thermal_solve_options *options, double t,
                                         const double *temperature, struct um_thermal_heat *out);
 /* Add the heat of the thermostats that are on, heating[nthermostat], to out[nnode]. */

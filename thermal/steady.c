@@ -12,6 +12,7 @@
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
+#include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
 #define RESIDUAL   1e-9 /* [K] */
@@ -41,6 +42,7 @@ static int heat_callback(N_Vector y, N_Vector heat, void *self)
 {
   struct steady *steady = self;
   struct um_thermal_system *system = steady->system;
+  if (um_core_stopped(system->context)) return -1; /* for good */
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
   um_thermal_system_rate(system, N_VGetArrayPointer(heat));
   return 0;
@@ -140,9 +142,11 @@ static enum um_status kinsol_run(struct steady *steady)
   int code = kinsol_set_up(steady);
   double residual = NAN;
   system->softness = system->nthermostat > 0 ? SOFTEST : 1.0;
+  /* NOLINTNEXTLINE(cert-flp30-c): ends at 1, whatever the rounding */
   for (;; system->softness /= SHARPER) {
     if (code >= 0) code = KINSol(k, steady->y, KIN_LINESEARCH, steady->y_scale, steady->f_scale);
     if (code >= 0) code = KINGetFuncNorm(k, &residual);
+    UM_TRY(um_core_stop_check(system->context, "the steady heat balance was solved"));
     /* a step too small to take is a success when the residual is met */
     if (code < 0 || !(residual <= 100.0 * RESIDUAL))
       return um_core_fail(system->context, UM_ERR_NUMERIC,
@@ -154,7 +158,7 @@ static enum um_status kinsol_run(struct steady *steady)
 
 enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,
-                                       const struct um_thermal_loads *loads, size_t time,
+                                       const struct um_irradiation_loads *loads, size_t time,
                                        const struct um_thermal_solve_options *options,
                                        double *temperature)
 {

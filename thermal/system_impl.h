@@ -6,8 +6,9 @@
 #ifndef UMBRA_THERMAL_SYSTEM_IMPL_H
 #define UMBRA_THERMAL_SYSTEM_IMPL_H
 
+#include "irradiation/loads.h"
 #include "thermal/network_impl.h"
-#include "thermal/solve.h"
+#include "thermal/solve_options.h"
 
 #define UM_THERMAL_NONE UINT32_MAX
 
@@ -67,7 +68,7 @@ enum um_thermal_system_kind {
 struct um_thermal_system {
   struct um_context *context;
   const struct um_thermal_network *network; /* borrowed */
-  const struct um_thermal_loads *loads;     /* borrowed, or NULL */
+  const struct um_irradiation_loads *loads; /* borrowed, or NULL */
   struct um_thermal_solve_options options;
   double from;   /* origin of the system's own time [s]: keeps the digits of small steps */
   double space4; /* T_space^4 [K^4] */
@@ -124,7 +125,7 @@ struct um_thermal_system {
  * arithmetic nodes without links. */
 enum um_status um_thermal_system_create(struct um_context *context,
                                         const struct um_thermal_network *network,
-                                        const struct um_thermal_loads *loads,
+                                        const struct um_irradiation_loads *loads,
                                         const struct um_thermal_solve_options *options, double from,
                                         enum um_thermal_system_kind kind,
                                         struct um_thermal_system **out);
@@ -137,7 +138,7 @@ void um_thermal_system_clusters_destroy(struct um_thermal_system *system);
 enum um_status um_thermal_system_pattern_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
-                                             const struct um_thermal_loads *loads);
+                                             const struct um_irradiation_loads *loads);
 enum um_status um_thermal_system_loads_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_heat_build(struct um_thermal_system *system);
 void um_thermal_system_heat_destroy(struct um_thermal_system *system);

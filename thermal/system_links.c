@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/constants.h"
+#include "core/sort.h"
 
 struct half_link {
   uint32_t node, other;
@@ -51,7 +52,7 @@ enum um_status um_thermal_system_links_build(struct um_thermal_system *system)
                         (unsigned long)(UINT32_MAX / 2));
   UM_CHECK(um_core_allocate(context, room, sizeof *half, &half));
   size_t count = halves_list(network, half);
-  qsort(half, count, sizeof *half, half_compare);
+  UM_CHECK(um_core_sort(context, half, count, sizeof *half, half_compare));
   UM_CHECK(um_core_allocate(context, system->n + 1, sizeof(size_t), &system->start));
   UM_CHECK(um_core_allocate(context, count, sizeof(uint32_t), &system->other));
   UM_CHECK(um_core_allocate(context, count, sizeof(double), &system->linear));

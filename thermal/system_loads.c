@@ -22,7 +22,7 @@ static enum um_status column_check(struct um_context *context, const char *what,
 }
 
 static enum um_status table_check(struct um_context *context, const char *what,
-                                  const struct um_thermal_loads *loads, const float *x)
+                                  const struct um_irradiation_loads *loads, const float *x)
 {
   for (size_t k = 0; k < loads->ntime; k++)
     for (size_t s = 0; s < loads->nsurface; s++)
@@ -36,7 +36,7 @@ static enum um_status table_check(struct um_context *context, const char *what,
 
 enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
-                                             const struct um_thermal_loads *loads)
+                                             const struct um_irradiation_loads *loads)
 {
   if (loads->nsurface < network->nsurface)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -113,7 +113,7 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
 {
   struct um_thermal_load_row *r = &system->load_row[row % 2];
   if (r->row == row) return r;
-  const struct um_thermal_loads *loads = system->loads;
+  const struct um_irradiation_loads *loads = system->loads;
   const struct um_thermal_surface *surface = system->network->surface;
   const float *sun = loads->sun + row * loads->nsurface;
   const float *albedo = loads->albedo + row * loads->nsurface;
@@ -181,7 +181,7 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t)
   double u = width > 0.0 ? (t - grid[k]) / width : 0.0;
   u = u < 0.0 ? 0.0 : u > 1.0 ? 1.0 : u;
   const struct um_thermal_load_row *a = row_sum(system, k), *b = row_sum(system, next);
-  const struct um_thermal_loads *loads = system->loads;
+  const struct um_irradiation_loads *loads = system->loads;
   double irradiance = (1.0 - u) * loads->irradiance[k] + u * loads->irradiance[next];
   double sunlit = (1.0 - u) * loads->sunlit[k] + u * loads->sunlit[next];
   double sa = irradiance * sunlit * (1.0 - u), sb = irradiance * sunlit * u;

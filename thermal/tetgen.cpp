@@ -5,6 +5,7 @@
 #ifdef UMBRA_TETGEN
 
 #define TETLIBRARY
+#include <cstddef>
 #include <cstring>
 #include <new>
 #include <string>
@@ -28,7 +29,7 @@ static void fill(tetgenio &in, const double *point, int npoint, const int *facet
     tetgenio::polygon &polygon = in.facetlist[f].polygonlist[0];
     polygon.numberofvertices = 3;
     polygon.vertexlist = new int[3];
-    std::memcpy(polygon.vertexlist, facet + 3 * f, 3 * sizeof(int));
+    std::memcpy(polygon.vertexlist, facet + 3 * static_cast<std::ptrdiff_t>(f), 3 * sizeof(int));
   }
   in.numberofholes = nhole;
   if (nhole == 0) return;

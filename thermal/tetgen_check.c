@@ -4,7 +4,8 @@
  * inward) get a seed so that they stay empty. */
 #include <stdlib.h>
 
-#include "thermal/tetgen_impl.h"
+#include "core/sort.h"
+#include "thermal/tetgen_check_impl.h"
 
 #define TOLERANCE 1e-9 /* of the size of the body: below TetGen's own 1e-8 */
 
@@ -78,9 +79,8 @@ static enum um_status check_distinct(struct um_context *context,
   struct um_vec3 along = um_vec3_unit(um_vec3(1.0, 0.754877666, 0.569840291));
   for (size_t v = 0; v < s->nvertex; v++)
     rank[v] = (struct ranked){um_vec3_dot(along, s->vertex[v]), (uint32_t)v};
-  qsort(rank, s->nvertex, sizeof *rank, rank_order);
+  enum um_status status = um_core_sort(context, rank, s->nvertex, sizeof *rank, rank_order);
   double gap = TOLERANCE * s->size;
-  enum um_status status = UM_OK;
   for (size_t i = 0; i < s->nvertex && status == UM_OK; i++)
     for (size_t j = i + 1; j < s->nvertex && rank[j].key - rank[i].key <= gap; j++) {
       struct um_vec3 p = s->vertex[rank[i].vertex], q = s->vertex[rank[j].vertex];
@@ -121,8 +121,7 @@ static enum um_status check_closed(struct um_context *context,
     uint32_t a = s->facet[i / 3][i % 3], b = s->facet[i / 3][(i + 1) % 3];
     edge[i] = a < b ? (struct edge){a, b, 1} : (struct edge){b, a, 0};
   }
-  qsort(edge, n, sizeof *edge, edge_order);
-  enum um_status status = UM_OK;
+  enum um_status status = um_core_sort(context, edge, n, sizeof *edge, edge_order);
   for (size_t i = 0, next; i < n && status == UM_OK; i = next) {
     size_t forward = 0;
     for (next = i; next < n && edge[next].low == edge[i].low && edge[next].high == edge[i].high;

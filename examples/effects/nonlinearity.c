@@ -4,14 +4,14 @@
  *
  * with q below 0 where it begins to saturate. The sum is the first two terms of any smooth
  * response, so q has a slope at 0 and the diagnosis can test it. */
-#include "core/effect.h"
+#include "effects/effect.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "q_m2_W",
      .unit = "m^2/W",
      .help = "relative change of what is reported, per irradiance",
      .null_value = 0.0,
-     .fallback = -1e8,
+     .default_value = -1e8,
      .minimum = -1e15,
      .maximum = 1e15,
      .prior_sigma = INFINITY,
@@ -33,8 +33,7 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 }
 
 const struct um_effect um_effect = {
-    .abi_version = UM_EFFECT_ABI_VERSION,
-    .struct_size = sizeof(struct um_effect),
+    UM_EFFECT_ABI,
     .name = "nonlinearity",
     .summary = "The detector is not linear: its bright end is compressed",
     .reference = "Howell 2006, Handbook of CCD Astronomy, section 3.8",

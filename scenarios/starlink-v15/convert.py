@@ -3,6 +3,7 @@
 
     convert.py OBSERVATIONS.csv OUT.csv
 
+measured.csv beside this file was made so; for other observations of the same survey run it again.
 OBSERVATIONS.csv: `observation_time,satellite_height,satellite_altitude,satellite_azimuth,
 ab_magnitude` (UTC, km, deg, deg, mag), as published with Fankhauser, Tyson & Askari 2023.
 

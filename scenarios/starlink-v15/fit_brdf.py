@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Material records from the laboratory BRDFs of a Starlink v1.5.
 
-    fit_brdf.py FOLDER            FOLDER holds chassis_brdf.csv and solar_array_brdf.csv
-    fit_brdf.py FOLDER --table    only prints how the fit depends on where it begins
+    fit_brdf.py            from brdf.csv beside this file
+    fit_brdf.py --table    only prints how the fit depends on where it begins
 
-Rows are `phi_i theta_i phi_o theta_o brdf`: zenith angle and azimuth of incidence and of scattering
-[deg], BRDF [1/sr] at 532 nm, all in the plane of incidence; phi_o > 0 is forward. Fitted is what
+Rows are `surface,incidence_deg,scattering_deg,brdf_1_sr`: zenith angles phi_i and phi_o [deg], BRDF
+[1/sr] at 532 nm, all in the plane of incidence; phi_o > 0 is forward. Fitted is what
 Umbra's grey records hold, a Lambert term and a Beckmann lobe with Smith masking,
 
     f = rho/pi + F D(h) G1(i) G1(o) / (4 cos_i cos_o)
@@ -17,6 +17,7 @@ rows nearer to the mirror direction than FROM [deg] of the half angle h = |phi_i
 both surfaces have a spike of a fraction of a degree that one lobe cannot follow as well, and rows
 nearer to grazing than 85 deg. Only the standard library is used; materials/*.yaml are rewritten.
 """
+import csv
 import math
 import os
 import sys
@@ -24,21 +25,17 @@ import sys
 FROM = 10.0        # [deg]; 98 % of the 800 observations are further out (README)
 GRAZING = 85.0     # [deg]
 SURFACES = (
-    ("chassis_brdf.csv", "starlink_chassis", "Nadir face of the Starlink v1.5 chassis."),
-    ("solar_array_brdf.csv", "starlink_array", "Cell side of the Starlink v1.5 solar array."),
+    ("chassis", "starlink_chassis", "Nadir face of the Starlink v1.5 chassis."),
+    ("array", "starlink_array", "Cell side of the Starlink v1.5 solar array."),
 )
 
 
-def read(path):
+def read(path, surface):
     """[(phi_i, phi_o, brdf)], angles in degrees."""
-    rows = []
-    with open(path, encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("#") or not line.strip():
-                continue
-            phi_i, _, phi_o, _, brdf = map(float, line.split())
-            rows.append((phi_i, phi_o, brdf))
-    return rows
+    with open(path, newline="", encoding="utf-8") as file:
+        return [(float(row["incidence_deg"]), float(row["scattering_deg"]), float(row["brdf_1_sr"]))
+                for row in csv.DictReader(line for line in file if not line.startswith("#"))
+                if row["surface"] == surface]
 
 
 def masking(alpha, cos_theta):
@@ -143,13 +140,13 @@ grey:
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or (len(sys.argv) == 3 and sys.argv[2] != "--table"):
+    table = sys.argv[1:] == ["--table"]
+    if len(sys.argv) > 1 and not table:
         raise SystemExit(__doc__)
-    table = len(sys.argv) == 3
     here = os.path.dirname(os.path.abspath(__file__))
     print("surface           from   rows   rho_d      F          alpha    rms ln f")
-    for file, name, summary in SURFACES:
-        rows = read(os.path.join(sys.argv[1], file))
+    for surface, name, summary in SURFACES:
+        rows = read(os.path.join(here, "brdf.csv"), surface)
         for begin in (3.0, 5.0, 8.0, 10.0, 15.0) if table else (FROM,):
             used = chosen(rows, begin)
             rho, specular, alpha, rms = fit(used)

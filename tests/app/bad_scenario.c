@@ -134,6 +134,21 @@ static const struct bad_case cases[] = {
                  "did you mean", "aluminium_bare"},
     },
     {
+        .name = "heat that cannot get out",
+        .scenario = {"lumped: true", "lumped: true\n    interior: {capacity_J_K: 1000, power_W: 5}",
+                     0},
+        .line_of = "interior:",
+        .says = {"parts.bus.interior.power_W: ", "5 W have no way out", "accepted: conductance_W_K",
+                 "a contact of bus.interior"},
+    },
+    {
+        .name = "heat of an effect that cannot get out",
+        .scenario = {"lumped: true", "lumped: true\n    interior: {capacity_J_K: 1000}", 0},
+        .line_of = "interior:",
+        .says = {"parts.bus.interior.power_W: ", "7 W have no way out"},
+        .option = {"--with", "internal_power:bus,power_W=7"},
+    },
+    {
         .name = "no material",
         .scenario = {"    outside: grey_white\n", "", 0},
         .line_of = "name: bus",
@@ -213,7 +228,7 @@ static const struct bad_case cases[] = {
         .scenario = {"thermal:", "contacts:\n  - {a: bus, b: buss, conductance_W_K: 1}\nthermal:",
                      0},
         .line_of = "a: bus, b",
-        .says = {"contacts.0: ", "there is no place 'buss'", "accepted: PART"},
+        .says = {"contacts.0: ", "there is no place 'buss'", "did you mean 'bus'?; accepted: PART"},
     },
     {
         .name = "contact to itself",
@@ -264,8 +279,27 @@ static const struct bad_case cases[] = {
     },
     {
         .name = "unknown effect in --with",
-        .says = {"umbra: --with albeda: ", "no effect is called 'albeda'", "accepted: albedo, "},
+        .says = {"umbra: --with albeda: ", "no effect is called 'albeda'",
+                 "did you mean 'albedo'?; accepted: albedo, "},
         .option = {"--with", "albeda"},
+    },
+    {
+        .name = "unknown parameter in --with",
+        .says = {"umbra: --with internal_power:bus,powr_W=1: ", "no parameter 'powr_W'",
+                 "did you mean 'power_W'?; accepted: power_W"},
+        .option = {"--with", "internal_power:bus,powr_W=1"},
+    },
+    {
+        .name = "unknown part as a target",
+        .says = {"umbra: --with internal_power:buss: ", "is called 'buss'",
+                 "did you mean 'bus'?; accepted: bus"},
+        .option = {"--with", "internal_power:buss"},
+    },
+    {
+        .name = "unknown band as a target",
+        .says = {"umbra: --with zero_point:vsi: ", "is called 'vsi'",
+                 "did you mean 'vis'?; accepted: vis"},
+        .option = {"--with", "zero_point:vsi"},
     },
     {
         .name = "unknown effect in --without",
@@ -312,7 +346,7 @@ static const struct bad_case cases[] = {
     {
         .name = "a name with a line break",
         .scenario = {"name: box", "name: \"a\\nb\"", 0},
-        .says = {"cannot name a folder", "accepted: "},
+        .says = {"name: 'a b'", "accepted: a name of at most 255 bytes without control"},
     },
     {
         .name = "a band name with a comma",

@@ -1,4 +1,5 @@
 /* See command.h. Standard output and error go into files, so that no pipe can fill up. */
+#define _GNU_SOURCE /* wait4 */
 #include "tests/app/command.h"
 
 #include <dirent.h>
@@ -53,11 +54,12 @@ static _Noreturn void become(const char *const *arguments, const char *out, cons
   while (*arguments != NULL && n <= ARGUMENTS_MAX) list[n++] = (char *)*arguments++;
   int o = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   int e = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666), i = open("/dev/null", O_RDONLY);
+  /* a shell that starts the tests in the background has switched it off */
+  signal(SIGINT, SIG_DFL);
   if (o < 0 || e < 0 || i < 0 || dup2(i, 0) < 0 || dup2(o, 1) < 0 || dup2(e, 2) < 0) _exit(126);
   if (file_limit > 0) {
     struct rlimit limit = {(rlim_t)file_limit, (rlim_t)file_limit};
-    /* without the signal a write fails with EFBIG, as with ENOSPC on a full disk */
-    if (signal(SIGXFSZ, SIG_IGN) == SIG_ERR || setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(125);
+    if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(125);
   }
   execv(UMBRA_PROGRAM, list);
   _exit(127);
@@ -85,7 +87,9 @@ static struct command finish(const struct running *r)
 {
   struct command command = {0};
   int state = 0;
-  while (waitpid(r->child, &state, 0) < 0) assert_int_equal(errno, EINTR);
+  struct rusage used;
+  while (wait4(r->child, &state, 0, &used) < 0) assert_int_equal(errno, EINTR);
+  command.peak_kB = used.ru_maxrss;
   command.code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
   command.out = command_read(r->out);
   command.err = command_read(r->err);
@@ -119,6 +123,34 @@ struct command command_run_until(const char *prefix, int signal_number,
   for (int i = 0; i < 1000 && !appeared(prefix); i++) nanosleep(&pause, NULL);
   kill(r.child, signal_number);
   return finish(&r);
+}
+
+static double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void nap(double seconds)
+{
+  struct timespec t = {(time_t)seconds, (long)(1e9 * (seconds - (double)(time_t)seconds))};
+  while (nanosleep(&t, &t) != 0) assert_int_equal(errno, EINTR);
+}
+
+struct command command_run_for(double seconds, int signal_number, const char *const *arguments)
+{
+  struct running r = start(arguments);
+  nap(seconds);
+  double begin = now();
+  siginfo_t info;
+  kill(r.child, signal_number);
+  while (waitid(P_PID, (id_t)r.child, &info, WEXITED | WNOWAIT) != 0)
+    assert_int_equal(errno, EINTR);
+  double end = now();
+  struct command command = finish(&r);
+  command.seconds = end - begin;
+  return command;
 }
 
 static void collect(const char **list, const char *first, va_list rest)

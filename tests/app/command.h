@@ -10,6 +10,9 @@
 struct command {
   int code; /* exit status; 128 + signal when it was killed */
   char *out, *err;
+  long peak_kB; /* largest memory in use */
+  /* from the signal of command_run_for to the end, wall clock [s] */
+  double seconds;
 };
 
 /* CMocka setup and teardown: a new empty folder becomes the working folder; it is removed. */
@@ -22,6 +25,8 @@ struct command command_run_list(const char *const *arguments);
 /* The same, sending `signal` as soon as a name that begins with `prefix` stands in the working
  * folder. */
 struct command command_run_until(const char *prefix, int signal, const char *const *arguments);
+/* The same, sending `signal` after so many seconds. */
+struct command command_run_for(double seconds, int signal, const char *const *arguments);
 void command_release(struct command *command);
 /* From now on, until command_enter, commands can write no file longer than this [bytes]: a full
  * disk as seen from inside; 0: no limit. */

@@ -131,11 +131,11 @@ static void test_bad_measurements(void **state)
   refused("time,quantity,of,value,sigma\n", "m.csv: header: unknown column 'time'");
   refused(HEAD T0 ",band_irradiance,swir,1,1\n",
           "m.csv:2: column 'of': the scenario has no band 'swir'");
-  refused(HEAD T0 ",temperature,wing,1,1\n",
+  refused(HEAD T0 ",temperature,wing,280,1\n",
           "m.csv:2: column 'of': the scenario has no place 'wing'");
   refused(HEAD T0 ",irradiance,vis,1,1\n", "m.csv:2: column 'quantity': unknown quantity");
   refused(HEAD T0 ",count_rate,ufo,1,1\n", "m.csv:2: column 'quantity': count_rate of 'ufo'");
-  refused(HEAD T1 ",temperature,bus,1,1\n" T0 ",temperature,bus,1,1\n",
+  refused(HEAD T1 ",temperature,bus,280,1\n" T0 ",temperature,bus,280,1\n",
           "m.csv:3: column 'time_utc': 2016-09-06T18:10:00.000Z is before");
   refused(HEAD T0 ",temperature,bus,280,1\n2017-09-06T18:10:00Z,temperature,bus,280,1\n",
           "m.csv:3: column 'time_utc': 2017-09-06T18:10:00.000Z is outside the scenario");

@@ -69,6 +69,33 @@ static void test_found(void **state)
   table_release(&t);
 }
 
+/* What was fitted and is worse stands on the terminal and in the picture of the ranking by how much
+ * its BIC is above the winner's, as diagnosis.json has both. */
+static void test_worse(void **state)
+{
+  (void)state;
+  command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--seed", "5", "-o", "m.csv", "--with",
+                 "emittance:grey_white,emittance_factor=0.6", NULL);
+  struct command c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  const char *worse = strstr(c.out, "\n  fitted and worse: zero_point:lwir factor ");
+  if (worse == NULL) fail_msg("zero_point:lwir is not among the fitted in:\n%s", c.out);
+  double behind = number_behind(worse, " factor ", ", BIC +");
+  char *json = command_read("out/diagnosis.json"), *alternatives = strstr(json, "\"alternatives\"");
+  assert_non_null(alternatives);
+  double best =
+      number_behind(alternatives, "\"emittance\", \"target\": \"grey_white\"", "\"bic\": ");
+  double other = number_behind(alternatives, "\"zero_point\", \"target\": \"lwir\"", "\"bic\": ");
+  assert_true(behind > 10.0);
+  assert_close(behind, other - best, 0.0501);
+  char text[64], *script = command_read("out/plots.gp");
+  snprintf(text, sizeof text, "'BIC %+.4g   factor ", other - best);
+  if (strstr(script, text) == NULL) fail_msg("no %s in plots.gp", text);
+  free(script);
+  free(json);
+  command_release(&c);
+}
+
 /* A complete model is called so, and a person can read it. */
 static void test_complete(void **state)
 {
@@ -81,9 +108,17 @@ static void test_complete(void **state)
   assert_non_null(strstr(c.out, "\nbaseline: reduced chi-square "));
   assert_non_null(strstr(c.out, "\n  temperature bus "));
   assert_non_null(strstr(c.out, "\nverdict: complete\n"));
-  assert_non_null(strstr(c.out, "results in out/box, "));
-  assert_true(command_exists("out/box/improved/scenario.yaml"));
-  assert_false(command_exists("out/box/plots.gp"));
+  /* changed on the command line, so not in the folder of the scenario as it is */
+  const char *said = strstr(c.out, "results in out/box--set-time.step_s=6--set-");
+  assert_non_null(said);
+  char folder[128], path[160];
+  said += strlen("results in ");
+  snprintf(folder, sizeof folder, "%.*s", (int)strcspn(said, ","), said);
+  snprintf(path, sizeof path, "%s/improved/scenario.yaml", folder);
+  assert_true(command_exists(path));
+  snprintf(path, sizeof path, "%s/plots.gp", folder);
+  assert_false(command_exists(path));
+  assert_false(command_exists("out/box"));
   command_release(&c);
 }
 
@@ -150,6 +185,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_found, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_worse, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, enter, command_leave)};

@@ -1,5 +1,6 @@
 /* The output folder: it appears whole, replaces only what Umbra wrote, and a run that fails leaves
  * everything as it was. */
+#include <dirent.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,6 +51,44 @@ static void test_default_place(void **state)
   (void)state;
   command_expect(0, RUN, NULL);
   expect_names(".", "./\n./box.yaml\n./out/\n./out/box/\n" FILES("./out/box"));
+}
+
+/* A variant made on the command line does not replace its base, nor another variant. */
+static void test_variants_have_places(void **state)
+{
+  (void)state;
+  command_expect(0, RUN, NULL);
+  char *base = command_snapshot("out/box");
+  struct command c = command_run(RUN, "--set", "time.step_s=120", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "results in out/box--set-time.step_s=120\n"));
+  command_release(&c);
+  command_expect(0, RUN, "--without", "albedo", "--with", "zero_point:vis,factor=0.5", NULL);
+  command_expect(0, RUN, "--with", "zero_point:lwir,factor=0.5", NULL);
+  command_expect(0, RUN, "--with", "zero_point,factor=0.5", "--set", "summary=a/../../../b", NULL);
+  char *after = command_snapshot("out/box");
+  assert_string_equal(after, base);
+  size_t variants = 0;
+  DIR *out = opendir("out");
+  assert_non_null(out);
+  for (struct dirent *entry = readdir(out); entry != NULL; entry = readdir(out))
+    variants += strncmp(entry->d_name, "box--", 5) == 0;
+  closedir(out);
+  assert_int_equal(variants, 4);
+  /* longer than any file name: cut, with a hash that tells two of one beginning apart */
+  char text[2][400];
+  for (int i = 0; i < 2; i++) {
+    snprintf(text[i], sizeof text[i], "summary=%0300d", i);
+    command_expect(0, RUN, "--set", text[i], NULL);
+  }
+  variants = 0;
+  out = opendir("out");
+  for (struct dirent *entry = readdir(out); entry != NULL; entry = readdir(out))
+    variants += strncmp(entry->d_name, "box--set-summary", 16) == 0;
+  closedir(out);
+  assert_int_equal(variants, 3);
+  free(base);
+  free(after);
 }
 
 static void test_is_replaced(void **state)
@@ -135,7 +174,7 @@ static void test_interrupt_leaves_results(void **state)
   char *before = command_snapshot(".");
   for (int i = 0; i < 2; i++) {
     struct command c = command_run_until(".out.partial", signals[i], arguments);
-    if (c.code != 1 || strncmp(c.err, "umbra: cancelled while ", 23) != 0 ||
+    if (c.code != 128 + signals[i] || strncmp(c.err, "umbra: cancelled while ", 23) != 0 ||
         command_count_lines(c.err) != 1)
       fail_msg("exit %d, said:\n%s", c.code, c.err);
     char *after = command_snapshot(".");
@@ -170,6 +209,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_appears_whole, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_default_place, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_variants_have_places, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_is_replaced, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_foreign_is_refused, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failure_leaves_results, enter, command_leave),

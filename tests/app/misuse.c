@@ -11,24 +11,36 @@ static const struct misuse {
   const char *argument[10];
   const char *says, *usage;
 } cases[] = {
-    {{"compute"}, "unknown command 'compute'", HELP_ONLY},
+    {{"compute"}, "unknown command 'compute'; did you mean 'compare'?", HELP_ONLY},
+    {{"gravity"}, "unknown command 'gravity'", HELP_ONLY},
+    {{"valdiate", "--json"}, "did you mean 'validate'?", HELP_ONLY},
+    {{"help", "rnu"}, "unknown command 'rnu'; did you mean 'run'?", "usage: umbra help [COMMAND]"},
+    {{"completion"}, "SHELL is missing", "usage: umbra completion SHELL"},
+    {{"completion", "fish"}, "accepted: bash, zsh", "usage: umbra completion SHELL"},
     {{"run"}, "SCENARIO is missing", "usage: umbra run SCENARIO"},
     {{"run", "a", "b"}, "too many arguments: 'b'", "usage: umbra run"},
-    {{"run", "a", "--outt", "x"}, "'--outt'", "usage: umbra run"},
+    {{"run", "a", "--outt", "x"}, "'--outt'; did you mean '--out'?", "usage: umbra run"},
     {{"run", "a", "-x"}, "'-x'", "usage: umbra run"},
-    {{"run", "a", "--out"}, "'--out'", "usage: umbra run"},
+    {{"run", "a", "--out"}, "'--out' wants a value", "usage: umbra run"},
     {{"run", "a", "--set", "x"}, "'x'", "usage: umbra run"},
     {{"run", "a", "--set"}, "'--set'", "usage: umbra run"},
     {{"run", "a", "--with"}, "'--with'", "usage: umbra run"},
     {{"run", "a", "--threads", "0"}, "'0'", "usage: umbra run"},
     {{"run", "a", "--threads", "two"}, "'two'", "usage: umbra run"},
-    {{"run", "a", "--no-plots=1"}, "'--no-plots=1'", "usage: umbra run"},
+    {{"run", "a", "--no-polts"}, "did you mean '--no-plots'?", "usage: umbra run"},
+    {{"run", "a", "-o"}, "'-o' wants a value", "usage: umbra run"},
+    {{"validate", "--th"}, "ambiguous option '--th'", "usage: umbra validate"},
+    {{"run", "a", "--no-plots=1"},
+     "'--no-plots=1': this option takes no value",
+     "usage: umbra run"},
     {{"run", "a", "--time", "now"}, "does not take --time", "usage: umbra run"},
     {{"check"}, "SCENARIO is missing", "usage: umbra check SCENARIO"},
     {{"check", "a", "--force"}, "does not take --force", "usage: umbra check"},
     {{"passes"}, "SCENARIO is missing", "usage: umbra passes SCENARIO"},
-    {{"render", "a"}, "--time", "usage: umbra render SCENARIO"},
-    {{"render", "a", "--time", "now", "--band", "vis"}, "-o", "usage: umbra render"},
+    {{"render", "a"}, "--time UTC, --band B, -o FILE is missing", "usage: umbra render SCENARIO"},
+    {{"render", "a", "--time", "now", "--band", "vis"},
+     "-o FILE is missing",
+     "usage: umbra render"},
     {{"render", "a", "--width", "0"}, "'0'", "usage: umbra render"},
     {{"render", "a", "--samples", "1.5"}, "'1.5'", "usage: umbra render"},
     {{"compare", "a"}, "MEASURED is missing", "usage: umbra compare SCENARIO MEASURED"},
@@ -39,7 +51,9 @@ static const struct misuse {
     {{"diagnose", "a", "b", "--add", "x"}, "does not take --add", "usage: umbra diagnose"},
     {{"fit", "a", "b"}, "--add EFFECT[:TARGET]", "usage: umbra fit SCENARIO MEASURED"},
     {{"fit", "a", "b", "--only", "x"}, "does not take --only", "usage: umbra fit"},
-    {{"synth", "a"}, "--noise REL[,FLOOR], --seed N and -o", "usage: umbra synth SCENARIO"},
+    {{"synth", "a"},
+     "--noise REL[,FLOOR], --seed N, -o FILE is missing",
+     "usage: umbra synth SCENARIO"},
     {{"synth", "a", "-o", "x", "--noise", "1,2,3", "--seed", "1"},
      "--noise takes",
      "usage: umbra synth"},
@@ -48,7 +62,7 @@ static const struct misuse {
      "usage: umbra synth"},
     {{"materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra materials"},
     {{"effects", "--out", "x"}, "does not take --out", "usage: umbra effects"},
-    {{"schema", "x"}, "too many arguments: 'x'", "usage: umbra schema"},
+    {{"schema", "x", "y"}, "too many arguments: 'y'", "usage: umbra schema"},
     {{"validate", "x"}, "too many arguments: 'x'", "usage: umbra validate"},
 };
 
@@ -68,6 +82,39 @@ static void test_misuse(void **state)
   free(left);
 }
 
+/* `umbra VERB --help`, `-h` and `umbra help VERB` are one page: usage, every option of the usage
+ * line explained, an example of the verb, exit codes; lines of at most 80 characters behind the
+ * usage. */
+static void check_page(const char *verb)
+{
+  struct command a = command_run(verb, "--help", NULL), b = command_run("help", verb, NULL);
+  struct command c = command_run(verb, "-h", NULL);
+  char begin[64], example[64];
+  snprintf(begin, sizeof begin, "umbra %s", verb);
+  snprintf(example, sizeof example, "\nExamples:\n  umbra %s", verb);
+  assert_int_equal(a.code, 0);
+  assert_string_equal(a.err, "");
+  assert_string_equal(a.out, b.out);
+  assert_string_equal(a.out, c.out);
+  assert_int_equal(strncmp(a.out, begin, strlen(begin)), 0);
+  const char *options = strstr(a.out, "\nOptions:\n"), *usage_end = strchr(a.out, '\n');
+  if (options == NULL || strstr(a.out, example) == NULL ||
+      strstr(a.out, "\nExit status:\n  0  done\n  1  failed") == NULL)
+    fail_msg("%s --help lacks a section:\n%s", verb, a.out);
+  for (const char *at = strstr(a.out, "--"); at != NULL && at < usage_end;
+       at = strstr(at + 2, "--")) {
+    char name[64];
+    snprintf(name, sizeof name, " %.*s", (int)strcspn(at, " ]\n"), at);
+    if (strstr(options, name) == NULL) fail_msg("%s --help does not explain%s", verb, name);
+  }
+  for (const char *line = usage_end; line != NULL && strstr(line, "\nExamples:") != NULL;
+       line = strchr(line + 1, '\n'))
+    if (strcspn(line + 1, "\n") > 80) fail_msg("%s --help: %.100s", verb, line + 1);
+  command_release(&a);
+  command_release(&b);
+  command_release(&c);
+}
+
 /* Without a command the list of commands goes to standard error; asked for, to standard output. */
 static void test_help(void **state)
 {
@@ -78,19 +125,35 @@ static void test_help(void **state)
   assert_int_equal(help.code, 0);
   assert_string_equal(help.err, "");
   assert_string_equal(help.out, none.err);
-  static const char *const verbs[] = {"run",       "check",   "passes", "render",
-                                      "materials", "effects", "schema", "validate"};
+  static const char *const verbs[] = {"run",      "check",  "passes",   "render",     "compare",
+                                      "diagnose", "fit",    "synth",    "period",     "materials",
+                                      "effects",  "schema", "validate", "completion", "help"};
   for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
     char usage[64];
     snprintf(usage, sizeof usage, "  umbra %s", verbs[i]);
     assert_non_null(strstr(help.out, usage));
-    struct command verb = command_run(verbs[i], "--help", NULL);
-    assert_int_equal(verb.code, 0);
-    assert_int_equal(strncmp(verb.out, usage + 2, strlen(usage + 2)), 0);
-    command_release(&verb);
+    check_page(verbs[i]);
   }
   command_release(&none);
   command_release(&help);
+}
+
+/* Values that the program has without an option stand in its help. */
+static void test_help_of_defaults(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *verb, *holds[3];
+  } defaults[] = {{"render", {"Pixels of a line, up to 8192. Default: 512.", "Required."}},
+                  {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
+                  {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
+  for (size_t i = 0; i < sizeof defaults / sizeof defaults[0]; i++) {
+    struct command c = command_run("help", defaults[i].verb, NULL);
+    for (size_t k = 0; k < 3 && defaults[i].holds[k] != NULL; k++)
+      if (strstr(c.out, defaults[i].holds[k]) == NULL)
+        fail_msg("help %s: no '%s' in\n%s", defaults[i].verb, defaults[i].holds[k], c.out);
+    command_release(&c);
+  }
 }
 
 static void test_version(void **state)
@@ -113,13 +176,26 @@ static void test_order_of_arguments(void **state)
   command_expect(1, "check", "--", "--json", NULL);
 }
 
+/* A time that is none is the option's fault, not a key's that it becomes. */
+static void test_time(void **state)
+{
+  (void)state;
+  struct command c =
+      command_run("render", "a", "--time", "2020", "--band", "vis", "-o", "x.exr", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "umbra: --time: '2020' is not a UTC time"));
+  command_release(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_misuse, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_help, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_help_of_defaults, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_version, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_order_of_arguments, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_time, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

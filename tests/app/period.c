@@ -42,6 +42,34 @@ static void test_track_to_period(void **state)
   assert_true(command_exists("found/period_magnitude_vega_Clear.png"));
 }
 
+/* A track that brightens and fades as a pass does, with 0.03 mag of noise (three uniform numbers),
+ * without a spin: no period is named, in JSON and in words. */
+static void test_no_period(void **state)
+{
+  (void)state;
+  const char *where;
+  FILE *f = fopen("track.txt", "w");
+  assert_non_null(f);
+  fputs("# track: 7\n# Date Time Mag Filter Penumbra Channel Track Satellite\n", f);
+  unsigned short seed[3] = {1, 2, 3};
+  for (int i = 0; i < ROWS; i++) {
+    double u = 2.0 * i / ROWS - 1.0, noise = erand48(seed) + erand48(seed) + erand48(seed) - 1.5;
+    fprintf(f, "2016-09-21 20:%02d:%02d.000 %.2f Clear 0 1 7 27386\n", 30 + i / 60, i % 60,
+            7.0 + 2.5 * log10(1.0 + 3.0 * u * u) + 0.3 * u + 0.06 * noise);
+  }
+  fclose(f);
+  command_expect(0, "import", "track.txt", "-o", "measured.csv", "--noise", "0.02", NULL);
+  struct command c = command_run("period", "measured.csv", "--out", "found", "--json", NULL);
+  assert_int_equal(c.code, 0);
+  assert_true(json_is_valid(c.out, &where));
+  assert_non_null(strstr(c.out, "\"named\": false, \"period_s\": null"));
+  command_release(&c);
+  c = command_run("period", "measured.csv", "--out", "found", "--no-plots", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "no period: noise peaks as high"));
+  command_release(&c);
+}
+
 static void test_refusals(void **state)
 {
   (void)state;
@@ -66,6 +94,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_track_to_period, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_no_period, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refusals, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "tests/app/command.h"
 #include "tests/app/table.h"
@@ -73,11 +74,12 @@ static void test_lightcurve(void **state)
       assert_true(intensity > 0.0);
       assert_true((band_number(&t, k, bands[b], "sun_W_sr") > 0.0) == lit);
       assert_true(band_number(&t, k, bands[b], "stderr_W_sr") >= 0.0);
-      (void)band_number(&t, k, bands[b], "mag_ab"); /* a number below the horizon, too */
       if (!up) {
         assert_string_equal(band_text(&t, k, bands[b], "irradiance_W_m2"), "");
+        assert_string_equal(band_text(&t, k, bands[b], "mag_ab"), "");
         continue;
       }
+      (void)band_number(&t, k, bands[b], "mag_ab");
       /* E = I / R^2 without an atmosphere */
       double e = band_number(&t, k, bands[b], "irradiance_W_m2");
       assert_close(e * range * range / intensity, 1.0, PRINTED);
@@ -184,7 +186,10 @@ static void test_texts(void **state)
   (void)state;
   char *log = command_read("out/log.txt"), *cic = command_read("out/temperatures.cic"),
        *xdmf = command_read("out/run.xdmf");
-  assert_non_null(strstr(log, "TLE of object 27386"));
+  /* 6.8 min old: the error at the epoch, over 7.5 km/s */
+  assert_non_null(strstr(log,
+                         "TLE of object 27386, epoch 2016-09-06T18:00:10.965Z, 0.0 days before "
+                         "the first observation: expect 1 km, 0.13 s, along the track"));
   assert_null(strstr(log, "warning"));
   assert_int_equal(strncmp(cic, "CIC_MEM_VERS = 1.0\n", 19), 0);
   /* MJD 57637 is 2016-09-06; 18:07:00 is second 65220 */
@@ -238,6 +243,193 @@ static void compare_intensity(int file)
   table_release(&parts);
 }
 
+/* Index of a name in the coordinate of a dimension, as a reader finds it that selects by name. */
+static size_t coordinate_find(int file, const char *dimension, const char *name)
+{
+  int id, axis, axes[1];
+  size_t n, found = (size_t)-1;
+  NC(nc_inq_dimid(file, dimension, &axis));
+  NC(nc_inq_dimlen(file, axis, &n));
+  NC(nc_inq_varid(file, dimension, &id));
+  NC(nc_inq_varndims(file, id, axes));
+  assert_int_equal(axes[0], 1);
+  NC(nc_inq_vardimid(file, id, axes));
+  assert_int_equal(axes[0], axis);
+  char **names = calloc(n, sizeof *names);
+  assert_non_null(names);
+  NC(nc_get_var_string(file, id, names));
+  for (size_t i = 0; i < n; i++) {
+    if (strcmp(names[i], name) == 0) found = i;
+    for (size_t j = 0; j < i; j++) assert_string_not_equal(names[i], names[j]);
+  }
+  NC(nc_free_string(n, names));
+  free(names);
+  if (found == (size_t)-1) fail_msg("%s has no '%s'", dimension, name);
+  return found;
+}
+
+/* Variable of `time`, and of the entry `name` of one more dimension (NULL: none). */
+static double at(int file, const char *variable, size_t k, const char *dimension, const char *name)
+{
+  const size_t index[2] = {k, name == NULL ? 0 : coordinate_find(file, dimension, name)};
+  double value;
+  int id, n;
+  NC(nc_inq_varid(file, variable, &id));
+  NC(nc_inq_varndims(file, id, &n));
+  assert_int_equal(n, name == NULL ? 1 : 2);
+  NC(nc_get_var1_double(file, id, index, &value));
+  return value;
+}
+
+/* A field of a table and a number beside it: empty and NaN, or equal to nine digits. */
+static void expect_field(const struct table *t, size_t row, const char *column, double value)
+{
+  if (table_text(t, row, column)[0] == '\0') {
+    if (!isnan(value)) fail_msg("row %zu, %s: empty, run.nc has %g", row, column, value);
+    return;
+  }
+  double csv = table_number(t, row, column);
+  if (!(fabs(value - csv) <= PRINTED * fabs(csv)))
+    fail_msg("row %zu, %s: %.12g, run.nc has %.12g", row, column, csv, value);
+}
+
+/* What a reader without leap seconds makes of `time`: days of 86400 s behind the date in its units
+ * (CF 1.8, 4.4), here by the C library's calendar; to the millisecond. */
+static void decode_time(int file, size_t k, char out[64])
+{
+  char units[64] = "", calendar[32] = "";
+  int id, year, month, day;
+  double value;
+  NC(nc_inq_varid(file, "time", &id));
+  NC(nc_get_att_text(file, id, "units", units));
+  NC(nc_get_att_text(file, id, "calendar", calendar));
+  assert_string_equal(calendar, "standard");
+  int end = 0; /* stays 0 where the hour is another */
+  assert_int_equal(sscanf(units, "seconds since %d-%d-%d 00:00:00%n", &year, &month, &day, &end),
+                   3);
+  assert_true(end > 0 && units[end] == '\0');
+  NC(nc_get_var1_double(file, id, &k, &value));
+  struct tm epoch = {.tm_year = year - 1900, .tm_mon = month - 1, .tm_mday = day};
+  long milliseconds = lround(1e3 * value);
+  assert_int_equal(setenv("TZ", "UTC0", 1), 0);
+  tzset();
+  time_t seconds = mktime(&epoch) + milliseconds / 1000;
+  struct tm *utc = gmtime(&seconds);
+  snprintf(out, 64, "%04d-%02d-%02dT%02d:%02d:%02d.%03ldZ", utc->tm_year + 1900, utc->tm_mon + 1,
+           utc->tm_mday, utc->tm_hour, utc->tm_min, utc->tm_sec, milliseconds % 1000);
+}
+
+/* Everything that stands in the tables, too, found in run.nc by name. */
+static void test_netcdf_is_the_tables(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *column, *variable;
+    double unit;
+  } look[] = {{"azimuth_deg", "azimuth", 1.0},
+              {"elevation_deg", "elevation", 1.0},
+              {"range_km", "range", 1e-3},
+              {"airmass", "airmass", 1.0},
+              {"phase_angle_deg", "phase_angle", 1.0},
+              {"sun_elevation_deg", "sun_elevation", 1.0},
+              {"sunlit_fraction", "sunlit_fraction", 1.0}};
+  static const char *const flows[] = {"solar",     "albedo",   "planet",    "internal",
+                                      "conducted", "radiated", "exchanged", "stored"};
+  struct table light = table_read("out/lightcurve.csv"), heat = table_read("out/heat.csv"),
+               warm = table_read("out/temperatures.csv");
+  int file;
+  NC(nc_open("out/run.nc", NC_NOWRITE, &file));
+  for (size_t k = 0; k < light.nrow; k++) {
+    char time[64], name[64];
+    decode_time(file, k, time);
+    assert_string_equal(time, table_text(&light, k, "time_utc"));
+    for (size_t i = 0; i < sizeof look / sizeof look[0]; i++)
+      expect_field(&light, k, look[i].column,
+                   look[i].unit * at(file, look[i].variable, k, NULL, NULL));
+    assert_true(at(file, "hidden", k, NULL, NULL) == (k == 0 ? 1.0 : 0.0));
+    for (int b = 0; b < 2; b++) {
+      snprintf(name, sizeof name, "%s_irradiance_W_m2", bands[b]);
+      expect_field(&light, k, name, at(file, "irradiance", k, "band", bands[b]));
+      snprintf(name, sizeof name, "%s_mag_ab", bands[b]);
+      expect_field(&light, k, name, at(file, "magnitude_ab", k, "band", bands[b]));
+    }
+    for (size_t c = 1; c < warm.ncolumn; c += 3) {
+      snprintf(name, sizeof name, "%.*s", (int)(strlen(warm.field[c]) - strlen(".mean_K")),
+               warm.field[c]);
+      expect_field(&warm, k, warm.field[c], at(file, "part_temperature", k, "part", name));
+      expect_field(&warm, k, warm.field[c + 1],
+                   at(file, "part_temperature_minimum", k, "part", name));
+      expect_field(&warm, k, warm.field[c + 2],
+                   at(file, "part_temperature_maximum", k, "part", name));
+    }
+    for (int side = 0; side < 6; side++) { /* lumped: each is one node */
+      snprintf(name, sizeof name, "bus.%c%c", side % 2 ? '-' : '+', "xyz"[side / 2]);
+      assert_true(at(file, "node_temperature", k, "node", name) ==
+                  at(file, "part_temperature", k, "part", name));
+    }
+  }
+  for (size_t row = 0; row < heat.nrow; row++)
+    for (size_t i = 0; i < sizeof flows / sizeof flows[0]; i++) {
+      char name[32];
+      snprintf(name, sizeof name, "heat_%s", flows[i]);
+      expect_field(
+          &heat, row, flows[i],
+          at(file, name, row * light.nrow / heat.nrow, "part", table_text(&heat, row, "node")));
+    }
+  (void)coordinate_find(file, "material", "grey_white");
+  (void)coordinate_find(file, "mechanism", "interreflected");
+  assert_int_equal(coordinate_find(file, "xyz", "z"), 2);
+  assert_int_equal(coordinate_find(file, "quaternion", "w"), 0);
+  NC(nc_close(file));
+  table_release(&light);
+  table_release(&heat);
+  table_release(&warm);
+}
+
+/* Through the leap second at the end of 2016: the clock is right outside of it, inside it reads as
+ * the second after, and the file says so; TAI goes on without a gap. */
+static void test_netcdf_leap_second(void **state)
+{
+  (void)state;
+  command_expect(0, "run", "box.yaml", "--no-plots", "--out", "leap", "--set",
+                 "time.start_utc=2016-12-31T23:59:59Z", "--set",
+                 "time.stop_utc=2017-01-01T00:00:01Z", "--set", "time.step_s=0.5", NULL);
+  static const char *const expected[] = {"2016-12-31T23:59:59.000Z", "2016-12-31T23:59:59.500Z",
+                                         "2017-01-01T00:00:00.000Z", "2017-01-01T00:00:00.500Z",
+                                         "2017-01-01T00:00:00.000Z", "2017-01-01T00:00:00.500Z",
+                                         "2017-01-01T00:00:01.000Z"};
+  struct table light = table_read("leap/lightcurve.csv");
+  char *cic = command_read("leap/temperatures.cic");
+  char note[160] = "";
+  double tai[7];
+  int file, id;
+  assert_int_equal(light.nrow, 7);
+  assert_string_equal(table_text(&light, 2, "time_utc"), "2016-12-31T23:59:60.000Z");
+  NC(nc_open("leap/run.nc", NC_NOWRITE, &file));
+  NC(nc_inq_varid(file, "time_tai", &id));
+  NC(nc_get_var_double(file, id, tai));
+  for (size_t k = 0; k < 7; k++) {
+    char time[64];
+    decode_time(file, k, time);
+    assert_string_equal(time, expected[k]);
+    if (k != 2 && k != 3) assert_string_equal(time, table_text(&light, k, "time_utc"));
+    assert_close(tai[k] - tai[0], 0.5 * (double)k, 1e-6);
+  }
+  /* TAI - UTC was 36 s: 2016-12-31T23:59:59 UTC is 6210 days less 1 s and 36 s after
+   * 2000-01-01T00:00:00, and 12 h less after its noon */
+  assert_close(tai[0], 6210.0 * 86400.0 - 1.0 + 36.0 - 43200.0, 1e-6);
+  NC(nc_inq_varid(file, "time", &id));
+  NC(nc_get_att_text(file, id, "leap_seconds", note));
+  assert_int_equal(strncmp(note, "1 between the first and the last observation", 44), 0);
+  /* MJD 57753 is 2016-12-31, which had 86401 s */
+  assert_non_null(strstr(cic, "\n57753 86399.500 "));
+  assert_non_null(strstr(cic, "\n57753 86400.500 "));
+  assert_non_null(strstr(cic, "\n57754 0.000 "));
+  NC(nc_close(file));
+  free(cic);
+  table_release(&light);
+}
+
 /* Opens with the library, and says of everything what it is and in which unit. */
 static void test_netcdf(void **state)
 {
@@ -275,19 +467,29 @@ static void test_long_names(void **state)
   command_write("long.yaml", scenario);
   free(scenario);
   command_expect(0, "run", "long.yaml", "--no-plots", "--out", "long", NULL);
-  int file, id, dimension[2];
-  size_t width;
+  int file;
   NC(nc_open("long/run.nc", NC_NOWRITE, &file));
-  NC(nc_inq_varid(file, "part_name", &id));
-  NC(nc_inq_vardimid(file, id, dimension));
-  NC(nc_inq_dimlen(file, dimension[1], &width));
-  assert_int_equal(width, 200 + strlen(".+x") + 1);
-  char *names = calloc(8, width);
-  assert_non_null(names);
-  NC(nc_get_var_text(file, id, names));
-  assert_string_equal(names, name);
-  free(names);
+  assert_int_equal(coordinate_find(file, "part", name), 0);
+  snprintf(text, sizeof text, "%s.+x", name);
+  assert_int_equal(coordinate_find(file, "part", text), 1);
   NC(nc_close(file));
+}
+
+/* The older the elements, the more is said of them: 10 days later 11 km, more than a second. */
+static void test_age_of_elements(void **state)
+{
+  (void)state;
+  struct command c = command_run("run", "box.yaml", "--no-plots", "--out", "aged", "--set",
+                                 "time.start_utc=2016-09-16T18:07:00Z", "--set",
+                                 "time.stop_utc=2016-09-16T18:08:00Z", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.err, "warning: orbit: TLE of object 27386"));
+  assert_non_null(strstr(c.err, "10.0 days before the first observation: expect 11 km, 1.5 s, "));
+  assert_non_null(strstr(c.out, "two-line elements 10.0 days old: 11 km, 1.5 s of error"));
+  char *log = command_read("aged/log.txt");
+  assert_non_null(strstr(log, "expect 11 km, 1.5 s, along the track (1 sigma)"));
+  command_release(&c);
+  free(log);
 }
 
 /* Without a station the station's columns are empty; without an observer there is no light curve.
@@ -323,27 +525,39 @@ static void test_other_observers(void **state)
   assert_true(command_exists("alone/run.nc"));
 }
 
-/* With gnuplot three pictures; without it a warning and everything else. */
+/* With gnuplot three pictures, each of three kinds; without it a warning and everything else. */
 static void test_pictures(void **state)
 {
   (void)state;
-  static const char *const names[] = {"lightcurve.png", "temperatures.png", "satellite.png"};
+  static const char *const names[] = {"lightcurve", "temperatures", "satellite"};
+  static const struct {
+    const char *name, *magic;
+  } kinds[] = {{"png", "\x89PNG\r\n\x1a\n"}, {"svg", "<?xml"}, {"pdf", "%PDF-"}};
   struct command c = command_run("run", "box.yaml", "--out", "drawn", NULL);
   assert_int_equal(c.code, 0);
   bool gnuplot = strstr(c.err, "gnuplot is not installed") == NULL;
   if (gnuplot) assert_string_equal(c.err, "");
-  for (size_t i = 0; i < 3; i++) {
+  for (size_t i = 0; i < 9; i++) {
     char path[64];
     size_t length;
-    snprintf(path, sizeof path, "drawn/%s", names[i]);
+    snprintf(path, sizeof path, "drawn/%s.%s", names[i / 3], kinds[i % 3].name);
     assert_int_equal(command_exists(path), gnuplot);
     if (!gnuplot) continue;
     char *bytes = command_read_bytes(path, &length);
-    assert_true(length > 1000 && memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0);
+    assert_true(length > 1000 &&
+                memcmp(bytes, kinds[i % 3].magic, strlen(kinds[i % 3].magic)) == 0);
     free(bytes);
   }
   if (!gnuplot) print_message("gnuplot is not installed: pictures not looked at\n");
   command_release(&c);
+  /* magnitudes of the visible band alone, from its own column (the ninth of its nine) */
+  char *script = command_read("drawn/plots.gp");
+  char *first = strstr(script, "'AB magnitude'");
+  assert_non_null(first);
+  assert_null(strstr(first + 1, "'AB magnitude'"));
+  assert_non_null(strstr(first, "using (x(1)):17 with lines"));
+  assert_non_null(strstr(script, "vis 0.38–0.78 µm"));
+  free(script);
 }
 
 int main(void)
@@ -358,6 +572,9 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_heat, enter_two_parts, command_leave),
       cmocka_unit_test_setup_teardown(test_texts, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_netcdf, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_netcdf_is_the_tables, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_netcdf_leap_second, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_age_of_elements, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_long_names, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_other_observers, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_pictures, enter_box, command_leave),

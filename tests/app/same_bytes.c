@@ -36,6 +36,24 @@ static bool same_file(const char *a, const char *b, const char *name)
 
 #define NC(call) assert_int_equal(call, NC_NOERR)
 
+/* The texts behind pointers, each with its zero; frees the pointers. */
+static char *texts_of(char *pointers, size_t *length)
+{
+  size_t n = *length / sizeof(char *);
+  char **text = (char **)(void *)pointers;
+  *length = 0;
+  for (size_t i = 0; i < n; i++) *length += strlen(text[i]) + 1;
+  char *all = calloc(*length + 1, 1), *to = all;
+  assert_non_null(all);
+  for (size_t i = 0; i < n; i++) {
+    strcpy(to, text[i]);
+    to += strlen(text[i]) + 1;
+  }
+  NC(nc_free_string(n, text));
+  free(pointers);
+  return all;
+}
+
 /* All bytes of a variable; the caller frees. */
 static char *variable_bytes(int file, int v, size_t *length)
 {
@@ -51,7 +69,7 @@ static char *variable_bytes(int file, int v, size_t *length)
   char *bytes = calloc(*length + 1, 1);
   assert_non_null(bytes);
   NC(nc_get_var(file, v, bytes));
-  return bytes;
+  return type == NC_STRING ? texts_of(bytes, length) : bytes;
 }
 
 static void expect_same_variables(const char *a, const char *b)

@@ -51,6 +51,8 @@ static void test_json(void **state)
       {{"effects", "--json"}, "\"name\": \"albedo\", \"on_by_default\": true"},
       {{"effects", "albedo", "--json"}, "\"parameters\": ["},
       {{"schema", "--json"}, "\"start_utc\""},
+      {{"schema", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
+      {{"schema", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
   };
   command_copy_data("box.yaml");
@@ -62,11 +64,11 @@ static void test_json(void **state)
 static void test_json_escapes(void **state)
 {
   (void)state;
-  static const char *const arguments[] = {"check", "box.yaml", "--json", NULL};
-  char *text = command_edit(command_data("box.yaml"), "name: box", "name: 'a\"b\\c'");
-  command_write("box.yaml", text);
-  free(text);
-  expect_json(arguments, "\"name\": \"a\\\"b\\\\c\"");
+  /* a name cannot hold such characters, a folder can */
+  static const char *const arguments[] = {"run",   "box.yaml", "--no-plots", "--json",
+                                          "--out", "a\"b\\c",  NULL};
+  command_copy_data("box.yaml");
+  expect_json(arguments, "\"folder\": \"a\\\"b\\\\c\"");
 }
 
 static void expect_lines(const char *const *arguments, const char *const *holds)
@@ -93,6 +95,11 @@ static void test_text(void **state)
       {{"effects"}, {"albedo", "penumbra", "oblateness"}},
       {{"effects", "albedo"}, {"on by default", "reference: "}},
       {{"schema"}, {"start_utc", "areal_heat_capacity_J_m2_K"}},
+      {{"schema", "parts.shell"}, {"# shell\n", "Stands at `parts.shell`", "| `front_share` |"}},
+      {{"schema", "parts.bus.shell"}, {"# shell\n", "| `front_share` |"}},
+      {{"schema", "orbit"}, {"# orbit\n", "`tle`", "Sections of it: ", "`orbit.circular`"}},
+      {{"schema", "orbit.circular.altitude_km"},
+       {"| `altitude_km` | a finite number, at least 1, at most 1000000"}},
   };
   command_copy_data("box.yaml");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
@@ -118,10 +125,14 @@ static void test_failures(void **state)
     const char *argument[14], *says;
   } cases[] = {
       {{"materials", "grey_whit"}, "did you mean"},
-      {{"effects", "albeda"}, "accepted: albedo"},
+      {{"schema", "parts.shel"}, "part has no key 'shel'; did you mean 'shell'?; accepted: name, "},
+      {{"schema", "orbits.tle"}, "scenario has no key 'orbits'; did you mean 'orbit'?; accepted: "},
+      {{"schema", "time.step_s.x"}, "'step_s' holds no keys"},
+      {{"schema", ""}, "scenario has no key ''; accepted: schema"},
+      {{"effects", "albeda"}, "did you mean 'albedo'?; accepted: albedo"},
       {{"check", "nowhere.yaml"}, "nowhere.yaml: No such file"},
       {{"passes", "space.yaml"}, "observer.station"},
-      {{RENDER, MOMENT, "--band", "uv", "-o", "a.exr"}, "no such band"},
+      {{RENDER, MOMENT, "--band", "vos", "-o", "a.exr"}, "did you mean 'vis'?; accepted: vis"},
       {{RENDER, "--time", "noon", "--band", "vis", "-o", "a.exr"}, "'noon'"},
       {{RENDER, MOMENT, "--band", "vis", "-o", "box.yaml"}, "box.yaml: exists"},
       {{RENDER, MOMENT, "--band", "vis", "-o", "nowhere/a.exr"}, "no such folder"},

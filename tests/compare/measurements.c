@@ -4,11 +4,16 @@
 #include <sys/resource.h>
 
 #include "compare_test.h"
+#include "core/file.h"
 #include "orbit/time.h"
 
 #define HEAD "time_utc,quantity,of,value,sigma\n"
 #define T0   "2016-09-21T20:36:40.000Z"
 #define T1   "2016-09-21T20:36:41.000Z"
+
+#define ACCEPTED_COLUMNS                                                                           \
+  "time_utc, time_unix_s, jd_utc, mjd_utc, quantity, of, value, sigma, exposure_s, flag, track, "  \
+  "satellite_height_km, azimuth_deg, elevation_deg, station"
 
 static double utc(const char *text)
 {
@@ -55,7 +60,7 @@ static const char full[] =
     "station,track,elevation_deg,azimuth_deg,satellite_height_km,flag,exposure_s,sigma,value,of,"
     "quantity,time_utc\n"
     "Mt Lemmon,a,30,180,550,0,0.5,0.1,5.25,V,magnitude_vega," T1 "\n"
-    "\"Graz, Lustbuehel\",b,-5.5,270,550.125,3,,0.2,6,\"V \"\"wide\"\"\",magnitude_ab," T0 "\n"
+    "\"Graz, Lustbuehel\",b,-5.5,270,550.125,3,,0.2,6,\"V, wide\",magnitude_ab," T0 "\n"
     ",a,45,360,551,,0,,5.5,V,magnitude_vega,2016-09-21T20:36:41.000250Z\n";
 
 static void test_optional(void **state)
@@ -70,7 +75,7 @@ static void test_optional(void **state)
   assert_int_equal(m->nstation, 2);
   assert_string_equal(m->track[1], "b");
   assert_string_equal(m->station[1], "Graz, Lustbuehel");
-  assert_string_equal(m->channel[1].of, "V \"wide\"");
+  assert_string_equal(m->channel[1].of, "V, wide");
   assert_int_equal(m->channel[1].quantity, UM_QUANTITY_MAGNITUDE_AB);
   assert_int_equal(m->row[1].track, 1);
   assert_int_equal(m->row[1].flag, 3);
@@ -131,12 +136,11 @@ static void test_round_trip(void **state)
   (void)state;
   round_trip(HEAD T0 ",band_irradiance,lwir,1.23e-10,2e-12\n" T1 ",count_rate,ufo,-0.1,\n",
              HEAD T0 ",band_irradiance,lwir,1.23e-10,2e-12\n" T1 ",count_rate,ufo,-0.1,\n");
-  round_trip(full,
-             "time_utc,quantity,of,value,sigma,exposure_s,flag,track,satellite_height_km,"
-             "azimuth_deg,elevation_deg,station\n" T1
-             ",magnitude_vega,V,5.25,0.1,0.5,0,a,550,180,30,Mt Lemmon\n" T0
-             ",magnitude_ab,\"V \"\"wide\"\"\",6,0.2,,3,b,550.125,270,-5.5,\"Graz, Lustbuehel\"\n"
-             "2016-09-21T20:36:41.000250Z,magnitude_vega,V,5.5,,0,0,a,551,360,45,\n");
+  round_trip(full, "time_utc,quantity,of,value,sigma,exposure_s,flag,track,satellite_height_km,"
+                   "azimuth_deg,elevation_deg,station\n" T1
+                   ",magnitude_vega,V,5.25,0.1,0.5,0,a,550,180,30,Mt Lemmon\n" T0
+                   ",magnitude_ab,\"V, wide\",6,0.2,,3,b,550.125,270,-5.5,\"Graz, Lustbuehel\"\n"
+                   "2016-09-21T20:36:41.000250Z,magnitude_vega,V,5.5,,0,0,a,551,360,45,\n");
   /* digits that nine places do not hold */
   round_trip(HEAD T0 ",radiant_intensity,vis,0.30000000000000004,1.2345678901234568e-300\n",
              HEAD T0 ",radiant_intensity,vis,0.30000000000000004,1.2345678901234568e-300\n");
@@ -188,13 +192,86 @@ static void test_write_whole(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* One instant in the four forms, and what is written of each. 20:33 is 0.85625 of a day. */
+static void test_forms_of_time(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *column, *text;
+  } forms[] = {{"time_utc", "2016-09-21T20:33:00.000Z"},
+               {"time_utc", "2016-09-21 20:33:00"},
+               {"time_utc", "2016-09-21 20:33:00.000Z"},
+               {"time_unix_s", "1474489980"},
+               {"time_unix_s", "1474489980.000"},
+               {"jd_utc", "2457653.35625"},
+               {"mjd_utc", "57652.856250000"}};
+  for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+    char text[160];
+    struct um_compare_measurements *m;
+    snprintf(text, sizeof text, "quantity,%s,of,value,sigma\ncount_rate,%s,ufo,1,\n",
+             forms[i].column, forms[i].text);
+    round_trip(text, HEAD "2016-09-21T20:33:00.000Z,count_rate,ufo,1,\n");
+    assert_ok(um_compare_measurements_read(context, "m.csv", &m));
+    assert_string_equal(m->time_column, forms[i].column);
+    assert_close(m->row[0].t_tai, utc("2016-09-21T20:33:00Z"), 2e-7);
+    um_compare_measurements_destroy(context, &m);
+  }
+  /* 0.123456 s: a double of the Julian date would be up to 20 us off */
+  round_trip("jd_utc,quantity,of,value,sigma\n2457653.356251428888888,count_rate,ufo,1,\n",
+             HEAD "2016-09-21T20:33:00.123456Z,count_rate,ufo,1,\n");
+}
+
+/* Celsius and kelvin of one place are one channel; cold that is meant stays cold when written. */
+static void test_temperatures(void **state)
+{
+  (void)state;
+  round_trip(HEAD T0 ",temperature_C,bus,-12.5,0.5\n" T1 ",temperature,bus,281.25,0.5\n",
+             HEAD T0 ",temperature,bus,260.65,0.5\n" T1 ",temperature,bus,281.25,0.5\n");
+  round_trip(HEAD T0 ",temperature_K,detector,40,0.01\n" T1 ",temperature_C,detector,-230,0.01\n",
+             HEAD T0 ",temperature_K,detector,40,0.01\n" T1
+                     ",temperature_K,detector,43.14999999999998,0.01\n");
+  /* 100 K once is enough: kelvin of an array that falls far in a long eclipse */
+  round_trip(HEAD T0 ",temperature,array,310,\n" T1 ",temperature,array,95,\n",
+             HEAD T0 ",temperature,array,310,\n" T1 ",temperature_K,array,95,\n");
+}
+
+/* The manual's example is read, and its tables name every column and quantity. */
+static void test_manual(void **state)
+{
+  (void)state;
+  char *page = NULL;
+  size_t length;
+  assert_ok(um_core_file_read(context, UMBRA_SOURCE_DIR "/docs/files.md", 1 << 20, &page, &length));
+  for (const char *c = ACCEPTED_COLUMNS; *c != '\0'; c += strspn(c, ", ")) {
+    char row[64];
+    size_t n = strcspn(c, ",");
+    snprintf(row, sizeof row, "\n| `%.*s` | ", (int)n, c);
+    if (strstr(page, row) == NULL) fail_msg("docs/files.md has no row '%s'", row);
+    c += n;
+  }
+  for (int q = 0; q < UM_QUANTITY_COUNT; q++) {
+    char row[64];
+    snprintf(row, sizeof row, "\n| `%s`", um_compare_quantity_name((enum um_compare_quantity)q));
+    if (strstr(page, row) == NULL) fail_msg("docs/files.md has no quantity '%s'", row);
+  }
+  char *block = strstr(page, "```csv\n"), *end = block == NULL ? NULL : strstr(block, "\n```\n");
+  assert_non_null(end);
+  end[1] = '\0';
+  put("m.csv", block + strlen("```csv\n"));
+  struct um_compare_measurements *m;
+  assert_ok(um_compare_measurements_read(context, "m.csv", &m));
+  assert_int_equal(m->count, 5);
+  assert_int_equal(m->nchannel, 3);
+  assert_close(m->row[3].value, 281.4, 1e-12);
+  assert_int_equal(m->row[2].flag, 1);
+  um_compare_measurements_destroy(context, &m);
+  um_core_free(context, page);
+}
+
 struct refusal {
   const char *text, *message;
 };
 
-#define ACCEPTED_COLUMNS                                                                           \
-  "time_utc, quantity, of, value, sigma, exposure_s, flag, track, satellite_height_km, "           \
-  "azimuth_deg, elevation_deg, station"
 #define PLACE_HEAD                                                                                 \
   "time_utc,quantity,of,value,sigma,satellite_height_km,azimuth_deg,elevation_deg\n"
 
@@ -228,8 +305,13 @@ static const struct refusal refusals[] = {
     {HEAD "2016-09-31T20:36:00Z,count_rate,ufo,1,1\n",
      "m.csv:2: column 'time_utc': '2016-09-31T20:36:00Z': that month does not have this day"},
     {HEAD T0 ",irradiance,vis,1,1\n",
-     "m.csv:2: column 'quantity': unknown quantity 'irradiance'; accepted: band_irradiance, "
-     "radiant_intensity, magnitude_ab, magnitude_vega, count_rate, temperature"},
+     "m.csv:2: column 'quantity': unknown quantity 'irradiance'; did you mean "
+     "'band_irradiance'?; accepted: band_irradiance, radiant_intensity, magnitude_ab, "
+     "magnitude_vega, count_rate, temperature, temperature_C, temperature_K"},
+    {HEAD T0 ",temperature_c,bus,1,1\n",
+     "m.csv:2: column 'quantity': unknown quantity 'temperature_c'; did you mean 'temperature_C'?; "
+     "accepted: band_irradiance, radiant_intensity, magnitude_ab, magnitude_vega, count_rate, "
+     "temperature, temperature_C, temperature_K"},
     {HEAD T0 ",count_rate,,1,1\n",
      "m.csv:2: column 'of': empty; accepted: the name of a band, part, side, node, filter or "
      "sensor"},
@@ -247,9 +329,49 @@ static const struct refusal refusals[] = {
      "m.csv:2: column 'sigma': -2e-13 W/m^2; accepted: above 0, or empty where the scenario gives "
      "a noise model"},
     {HEAD T0 ",temperature,bus,-12.5,1\n",
-     "m.csv:2: column 'value': temperature -12.5 K; accepted: above 0 K"},
+     "m.csv:2: column 'value': temperature -12.5 K; accepted: above 0 K (Celsius is the quantity "
+     "temperature_C)"},
     {HEAD T0 ",temperature,bus,0,1\n",
-     "m.csv:2: column 'value': temperature 0 K; accepted: above 0 K"},
+     "m.csv:2: column 'value': temperature 0 K; accepted: above 0 K (Celsius is the quantity "
+     "temperature_C)"},
+    {HEAD T0 ",temperature_C,bus,-273.15,1\n",
+     "m.csv:2: column 'value': temperature -273.15 C; accepted: above -273.15 C"},
+    {HEAD T0 ",temperature_K,bus,-1,1\n",
+     "m.csv:2: column 'value': temperature -1 K; accepted: above 0 K (Celsius is the quantity "
+     "temperature_C)"},
+    /* one place in kelvin, the other cannot be */
+    {HEAD T0 ",temperature,bus,290,1\n" T0 ",temperature,array,21.5,1\n" T1
+             ",temperature,array,84,1\n",
+     "m.csv:3: column 'value': temperature of 'array' is never above 84 K, is it Celsius? "
+     "accepted: "
+     "100 K somewhere, or a quantity that names its unit, temperature_C or temperature_K"},
+    /* times */
+    {"time_utc,jd_utc,quantity,of,value,sigma\n" T0 ",2457653,count_rate,ufo,1,1\n",
+     "m.csv: header: columns 'time_utc' and 'jd_utc'; accepted: one column of times"},
+    {"jd,quantity,of,value,sigma\n2457653,count_rate,ufo,1,1\n",
+     "m.csv: header: unknown column 'jd'; did you mean 'jd_utc'?; accepted: " ACCEPTED_COLUMNS},
+    {HEAD "1474489980,count_rate,ufo,1,1\n",
+     "m.csv:2: column 'time_utc': '1474489980' is not a UTC time like 2016-09-21T20:33:00.000Z; "
+     "seconds since 1970 stand in a column time_unix_s"},
+    {HEAD "2457653.35625,count_rate,ufo,1,1\n",
+     "m.csv:2: column 'time_utc': '2457653.35625' is not a UTC time like 2016-09-21T20:33:00.000Z; "
+     "Julian dates stand in a column jd_utc"},
+    {"jd_utc,quantity,of,value,sigma\n57652.85625,count_rate,ufo,1,1\n",
+     "m.csv:2: column 'jd_utc': '57652.85625' is not a Julian date like 2457653.35625000, of 1960 "
+     "to "
+     "2100; modified Julian dates stand in a column mjd_utc"},
+    {"time_unix_s,quantity,of,value,sigma\n1474489980000,count_rate,ufo,1,1\n",
+     "m.csv:2: column 'time_unix_s': '1474489980000' is not seconds since 1970-01-01T00:00:00Z "
+     "like "
+     "1474489980.000, of 1960 to 2100; milliseconds are not taken, seconds stand in a column "
+     "time_unix_s"},
+    {"time_unix_s,quantity,of,value,sigma\n1.47448998e9,count_rate,ufo,1,1\n",
+     "m.csv:2: column 'time_unix_s': '1.47448998e9' is not seconds since 1970-01-01T00:00:00Z like "
+     "1474489980.000, digits without exponent"},
+    {"mjd_utc,quantity,of,value,sigma\n57652.9,count_rate,ufo,1,1\n"
+     "57652.85625,temperature,bus,280,1\n",
+     "m.csv:3: column 'mjd_utc': 2016-09-21T20:33:00.000Z is before 2016-09-21T21:36:00.000Z of "
+     "line 2 in track ''; accepted: rows in time order within a track"},
     {HEAD T0 ",magnitude_ab,V,99.9,1\n",
      "m.csv:2: column 'value': magnitude 99.9 mag; accepted: -40 to 40 mag"},
     {"time_utc,quantity,of,value,sigma,exposure_s\n" T0 ",count_rate,ufo,1,1,-1\n",
@@ -341,19 +463,15 @@ static void test_blind(void **state)
   static const struct {
     const char *name;
     size_t count, vis, lwir, temperatures;
-  } sets[] = {{"a", 372, 165, 165, 42},
-              {"b", 663, 105, 105, 453},
-              {"c", 264, 117, 117, 30},
-              {"d", 295, 131, 131, 33}};
-  for (size_t k = 0; k < 4; k++) {
+  } sets[] = {{"a", 372, 165, 165, 42}, {"b", 663, 105, 105, 453}, {"c", 264, 117, 117, 30},
+              {"d", 295, 131, 131, 33}, {"e", 416, 208, 208, 0},   {"f", 358, 165, 165, 28},
+              {"g", 431, 57, 57, 317},  {"h", 376, 29, 29, 318}};
+  for (size_t k = 0; k < sizeof sets / sizeof sets[0]; k++) {
     char path[1024];
     struct um_compare_measurements *m;
     size_t vis = 0, lwir = 0, temperatures = 0;
-    snprintf(path, sizeof path, "%s/blind/%s/measurement.csv", UMBRA_SHARED_DIR, sets[k].name);
-    if (access(path, R_OK) != 0) {
-      print_message("%s is not there: skipped\n", path);
-      skip();
-    }
+    snprintf(path, sizeof path, "%s/scenarios/blind/%s/measured.csv", UMBRA_SOURCE_DIR,
+             sets[k].name);
     assert_ok(um_compare_measurements_read(context, path, &m));
     assert_int_equal(m->count, sets[k].count);
     for (size_t i = 0; i < m->nchannel; i++) {
@@ -376,9 +494,11 @@ static void test_blind(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_plain),       cmocka_unit_test(test_optional),
-      cmocka_unit_test(test_round_trip),  cmocka_unit_test(test_write_whole),
-      cmocka_unit_test(test_refusals),    cmocka_unit_test(test_damage),
-      cmocka_unit_test(test_many_tracks), cmocka_unit_test(test_blind)};
+      cmocka_unit_test(test_plain),         cmocka_unit_test(test_optional),
+      cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_write_whole),
+      cmocka_unit_test(test_refusals),      cmocka_unit_test(test_damage),
+      cmocka_unit_test(test_many_tracks),   cmocka_unit_test(test_blind),
+      cmocka_unit_test(test_forms_of_time), cmocka_unit_test(test_temperatures),
+      cmocka_unit_test(test_manual)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }

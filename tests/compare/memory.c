@@ -20,7 +20,7 @@ static enum um_status everything(struct um_context *c)
   UM_CHECK(um_compare_series_create(c, m, 0, SIZE_MAX, &series));
   UM_CHECK(um_compare_period_search(c, series, NULL, &period));
   UM_CHECK(um_compare_metrics_compute(c, UM_QUANTITY_COUNT_RATE, series->count, series->value,
-                                      series->value, NULL, NULL, 0, 0.0, NULL, &all));
+                                      series->value, NULL, NULL, NULL, 0, 0.0, NULL, &all));
 done:
   if (status != UM_OK && m == NULL) assert_null(survey);
   um_compare_measurements_destroy(c, &m);
@@ -39,7 +39,8 @@ static void test_every_allocation(void **state)
   fputs("time_utc,quantity,of,value,sigma,track,station\n", file);
   fputs("# Date Time Mag Filter Channel Track\n", survey);
   for (int i = 0; i < 59; i++) { /* enough for every table to grow */
-    fprintf(file, "2016-09-21T20:36:%02dZ,count_rate,ufo,%d,,t%d,s%d\n", i, i * i % 7, i, i % 3);
+    fprintf(file, "2016-09-21T20:36:%02dZ,count_rate,ufo,%d,,t%d,s%d\n", i, i * i % 7,
+            i < 30 ? 0 : i, i % 3); /* one track that has a period, many names */
     fprintf(survey, "2016-09-21 20:36:%02d %d V 1 %d\n", i, i % 5, i);
     fprintf(survey, "2016-09-21 20:36:%02d %d B 2 %d\n", i, i % 5, i);
   }

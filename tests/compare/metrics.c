@@ -15,8 +15,8 @@ static struct um_compare_metrics compute(enum um_compare_quantity quantity, size
                                          double fitted)
 {
   struct um_compare_metrics all;
-  assert_ok(
-      um_compare_metrics_compute(context, quantity, count, y, m, s, NULL, 0, fitted, NULL, &all));
+  assert_ok(um_compare_metrics_compute(context, quantity, count, y, m, s, NULL, NULL, 0, fitted,
+                                       NULL, &all));
   return all;
 }
 
@@ -58,8 +58,8 @@ static void test_segments(void **state)
   const double s[6] = {0.5, 1.0, 1.0, 2.0, 1.0, NAN};
   const size_t label[6] = {0, UM_COMPARE_LABEL_NONE, 0, 2, 2, 2};
   struct um_compare_metrics g[3], a;
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 6, y, m, s, label, 3, 1.0,
-                                       g, &a));
+  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 6, y, m, s, NULL, label, 3,
+                                       1.0, g, &a));
   assert_int_equal(a.count, 5);
   assert_close(a.bias, -0.4, 1e-15);
   assert_close(a.chi2, 6.0, 1e-15);
@@ -163,38 +163,87 @@ static void test_tails(void **state)
   }
 }
 
+/* The model's own error in quadrature: sigma 3, 4, none and model 4, 3, 1 make both s = 5, so that
+ * residuals of 5 and -10 have chi-square 1 + 4; shares 16/25 and 9/25; whiteness takes r without
+ * sigma, as before. */
+static void test_model_sigma(void **state)
+{
+  (void)state;
+  const double y[3] = {5.0, -10.0, 7.0}, m[3] = {0}, s[3] = {3.0, 4.0, NAN},
+               own[3] = {4.0, 3.0, 1.0};
+  struct um_compare_metrics a, without;
+  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 3, y, m, s, own, NULL, 0,
+                                       0.0, NULL, &a));
+  assert_close(a.chi2, 5.0, 1e-14);
+  assert_close(a.dof, 2.0, 1e-15);
+  assert_close(a.model_share, 0.5, 1e-15);
+  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 3, y, m, s, NULL, NULL, 0,
+                                       0.0, NULL, &without));
+  assert_close(without.chi2, 25.0 / 9.0 + 100.0 / 16.0, 1e-14);
+  assert_close(without.model_share, 0.0, 0.0);
+  assert_close(without.durbin_watson, a.durbin_watson, 1e-15);
+  /* all with a sigma: (1, -2) has (3^2) / (1 + 4) */
+  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, y, m, s, own, NULL, 0,
+                                       0.0, NULL, &a));
+  assert_true(isnan(a.durbin_watson)); /* two observations */
+  const double four[4] = {5.0, -10.0, 5.0, -10.0}, zero[4] = {0}, s4[4] = {3, 4, 3, 4},
+               own4[4] = {4, 3, 4, 3};
+  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 4, four, zero, s4, own4,
+                                       NULL, 0, 0.0, NULL, &a));
+  assert_close(a.durbin_watson, 27.0 / 10.0, 1e-14);
+  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, y, m, s,
+                                            (const double[2]){1.0, -1.0}, NULL, 0, 0.0, NULL, &a),
+                 UM_ERR_NUMERIC,
+                 "metrics: row 2: standard error of the model -1; accepted: 0 or more");
+}
+
+/* Metrics of magnitudes in magnitudes: residuals 0.3, -0.1 and one of a model without light, which
+ * has no magnitude; bias 0.1, rms sqrt((0.09 + 0.01) / 2). Other quantities have none. */
+static void test_in_magnitudes(void **state)
+{
+  (void)state;
+  const double y[3] = {5.3, 6.9, 8.0}, m[3] = {5.0, 7.0, INFINITY};
+  struct um_compare_metrics a = compute(UM_QUANTITY_MAGNITUDE_AB, 3, y, m, NULL, 0.0);
+  assert_close(a.bias_mag, 0.1, 1e-14);
+  assert_close(a.rms_mag, sqrt(0.05), 1e-14);
+  assert_int_equal(a.count, 3);
+  a = compute(UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, 0.0);
+  assert_true(isnan(a.bias_mag) && isnan(a.rms_mag));
+}
+
 static void test_refusals(void **state)
 {
   (void)state;
   struct um_compare_metrics a, g[2];
   const double y[2] = {1.0, NAN}, m[2] = {1.0, 1.0}, s[2] = {1.0, 0.0}, minus[2] = {-INFINITY, 1};
   const size_t label[2] = {0, 2};
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, NULL, 0,
-                                            0.0, NULL, &a),
+  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, NULL,
+                                            NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: row 2: measured nan, model 1 1/s; accepted: finite numbers");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, m, y, NULL, NULL, 0,
-                                            0.0, NULL, &a),
+  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, m, y, NULL, NULL,
+                                            NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: row 2: measured 1, model nan 1/s; accepted: finite numbers");
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_MAGNITUDE_AB, 2, m, minus, NULL,
-                                            NULL, 0, 0.0, NULL, &a),
+                                            NULL, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: row 1: measured 1, model -inf mag; accepted: finite numbers");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, s, NULL, 0,
-                                            0.0, NULL, &a),
+  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, s, NULL,
+                                            NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC, "metrics: row 2: sigma 0 K; accepted: above 0, or NaN for none");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, NULL, label,
-                                            2, 0.0, g, &a),
+  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, NULL, NULL,
+                                            label, 2, 0.0, g, &a),
                  UM_ERR_INPUT, "metrics: row 2: segment 2; accepted: 0 to 1");
 }
 
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_by_hand),     cmocka_unit_test(test_segments),
-      cmocka_unit_test(test_magnitudes),  cmocka_unit_test(test_temperatures),
-      cmocka_unit_test(test_correlation), cmocka_unit_test(test_edges),
-      cmocka_unit_test(test_tails),       cmocka_unit_test(test_refusals)};
+      cmocka_unit_test(test_by_hand),       cmocka_unit_test(test_segments),
+      cmocka_unit_test(test_magnitudes),    cmocka_unit_test(test_temperatures),
+      cmocka_unit_test(test_correlation),   cmocka_unit_test(test_edges),
+      cmocka_unit_test(test_tails),         cmocka_unit_test(test_model_sigma),
+      cmocka_unit_test(test_in_magnitudes), cmocka_unit_test(test_refusals)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }

@@ -1,5 +1,9 @@
 /* Period search against exact sines and against least squares done another way. */
 #include "compare/series.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_linalg.h>
+
 #include "compare_test.h"
 
 #define ROWS 120
@@ -34,9 +38,9 @@ static void test_exact_sine(void **state)
   assert_close(p->best_power, 1.0, 1e-13);
   assert_true(p->false_alarm <= 1e-200);
   assert_true(p->period_sigma < 1e-6);
-  /* the grid: 1/T to half the inverse of the median step, 10 steps in 1/T */
+  /* the grid: 2/T to half the inverse of the median step, 10 steps in 1/T */
   double span = times[ROWS - 1] - times[0];
-  assert_close(p->frequency[0], 1.0 / span, 1e-15);
+  assert_close(p->frequency[0], 2.0 / span, 1e-15);
   assert_close(p->frequency[1] - p->frequency[0], 0.1 / span, 1e-14);
   assert_close(p->frequency[p->count - 1], 0.5 / (100.0 / ROWS), 0.05);
   um_compare_period_destroy(context, &p);
@@ -44,57 +48,86 @@ static void test_exact_sine(void **state)
   um_compare_period_destroy(context, NULL);
 }
 
-/* chi-square of y = a cos + b sin + c by the normal equations (Cramer), relative to that of y = c:
- * the definition of the power, without the sums of the method. Tolerance: condition of the 3 x 3
- * system near f = 1/T, about 1e3, times 1e-13 of rounding of the sums. */
-static double power_by_least_squares(double f)
+/* chi-square of a model of `ncolumn` columns by generalised least squares in noise of covariance V:
+ * everything is divided by the Cholesky factor of V and solved by Householder's QR (GSL), without
+ * filter and without orthogonalisation. */
+static double chi2_dense(const gsl_matrix *cholesky, size_t ncolumn, double column[][ROWS])
 {
-  double m[3][4] = {{0}}, chi0 = 0.0, chi = 0.0, mean = 0.0, weight = 0.0, x[3];
-  for (int i = 0; i < ROWS; i++) {
-    double u = 2.0 * UM_PI * f * (times[i] - 5e8), w = 1.0 / (sigmas[i] * sigmas[i]);
-    double g[4] = {cos(u), sin(u), 1.0, values[i]};
-    for (int j = 0; j < 3; j++)
-      for (int k = 0; k < 4; k++) m[j][k] += w * g[j] * g[k];
-    mean += w * values[i];
-    weight += w;
+  gsl_matrix *x = gsl_matrix_alloc(ROWS, ncolumn);
+  gsl_vector *y = gsl_vector_alloc(ROWS), *tau = gsl_vector_alloc(ncolumn);
+  gsl_vector *c = gsl_vector_alloc(ncolumn), *r = gsl_vector_alloc(ROWS);
+  double chi2 = 0.0;
+  for (size_t i = 0; i < ROWS; i++) {
+    gsl_vector_set(y, i, values[i]);
+    for (size_t k = 0; k < ncolumn; k++) gsl_matrix_set(x, i, k, column[k][i]);
   }
-  mean /= weight;
-  for (int j = 0; j < 3; j++) /* Gauss without pivots: the matrix is positive definite */
-    for (int r = j + 1; r < 3; r++) {
-      double q = m[r][j] / m[j][j];
-      for (int k = j; k < 4; k++) m[r][k] -= q * m[j][k];
-    }
-  x[2] = m[2][3] / m[2][2];
-  x[1] = (m[1][3] - m[1][2] * x[2]) / m[1][1];
-  x[0] = (m[0][3] - m[0][1] * x[1] - m[0][2] * x[2]) / m[0][0];
-  for (int i = 0; i < ROWS; i++) {
-    double u = 2.0 * UM_PI * f * (times[i] - 5e8), w = 1.0 / (sigmas[i] * sigmas[i]);
-    double r = values[i] - x[0] * cos(u) - x[1] * sin(u) - x[2];
-    chi += w * r * r;
-    chi0 += w * (values[i] - mean) * (values[i] - mean);
-  }
-  return 1.0 - chi / chi0;
+  gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, cholesky, y);
+  gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1.0, cholesky, x);
+  gsl_linalg_QR_decomp(x, tau);
+  gsl_linalg_QR_lssolve(x, tau, y, c, r);
+  for (size_t i = 0; i < ROWS; i++) chi2 += gsl_vector_get(r, i) * gsl_vector_get(r, i);
+  gsl_matrix_free(x);
+  gsl_vector_free(y);
+  gsl_vector_free(tau);
+  gsl_vector_free(c);
+  gsl_vector_free(r);
+  return chi2;
 }
 
+/* The power by its definition: 120 observations have a trend of the seventh degree. */
+static double power_by_least_squares(double f, double red, double red_time)
+{
+  static double column[10][ROWS];
+  double weight = 0.0;
+  gsl_matrix *v = gsl_matrix_alloc(ROWS, ROWS);
+  for (size_t i = 0; i < ROWS; i++) weight += 1.0 / (sigmas[i] * sigmas[i]) / ROWS;
+  for (size_t i = 0; i < ROWS; i++) {
+    for (size_t k = 0; k < ROWS; k++) {
+      double c = red > 0.0 ? red * exp(-fabs(times[i] - times[k]) / red_time) : 0.0;
+      gsl_matrix_set(v, i, k, c + (i == k ? sigmas[i] * sigmas[i] * weight : 0.0));
+    }
+    for (int k = 0; k < 8; k++) column[k][i] = pow((times[i] - 5e8) / 50.0 - 1.0, k);
+    column[8][i] = cos(2.0 * UM_PI * f * (times[i] - 5e8));
+    column[9][i] = sin(2.0 * UM_PI * f * (times[i] - 5e8));
+  }
+  gsl_linalg_cholesky_decomp1(v);
+  double power = 1.0 - chi2_dense(v, 10, column) / chi2_dense(v, 8, column);
+  gsl_matrix_free(v);
+  return power;
+}
+
+static void make_values(bool coloured)
+{
+  double walk = 0.0;
+  for (uint64_t i = 0; i < ROWS; i++) {
+    walk = 0.8 * walk + (coloured ? 1.5 * gaussian(4, i) : 0.0);
+    sigmas[i] = 0.5 + um_core_hash_uniform(um_core_hash(2, i));
+    values[i] =
+        10.0 + 3.0 * sin(2.0 * UM_PI * (times[i] - 5e8) / 13.0) + walk + sigmas[i] * gaussian(3, i);
+  }
+}
+
+/* White and red noise under a trend. Tolerance 1e-9: the condition of the sine beside a trend of
+ * the seventh degree at two turns, about 1e4, times 1e-13 of rounding of the sums. */
 static void test_least_squares(void **state)
 {
   (void)state;
   make_times();
-  for (uint64_t i = 0; i < ROWS; i++) {
-    sigmas[i] = 0.5 + um_core_hash_uniform(um_core_hash(2, i));
-    values[i] =
-        10.0 + 1.5 * sin(2.0 * UM_PI * (times[i] - 5e8) / 13.0) + sigmas[i] * gaussian(3, i);
+  for (int coloured = 0; coloured < 2; coloured++) {
+    make_values(coloured == 1);
+    struct um_compare_series s = {.count = ROWS, .t = times, .value = values, .sigma = sigmas};
+    struct um_compare_period *p;
+    assert_ok(um_compare_period_search(context, &s, NULL, &p));
+    assert_int_equal(p->trend_terms, 8);
+    if (coloured) assert_true(p->red > 0.0);
+    for (size_t k = 0; k < p->count; k += 5)
+      assert_close(p->power[k], power_by_least_squares(p->frequency[k], p->red, p->red_time), 1e-9);
+    assert_close(p->best_power, power_by_least_squares(1.0 / p->period, p->red, p->red_time), 1e-9);
+    for (size_t k = 0; k < p->count; k++) assert_true(p->power[k] <= p->best_power);
+    assert_close(p->period, 13.0, 4.0 * p->period_sigma);
+    assert_true(p->epoch >= times[0] && p->epoch < times[0] + p->period);
+    um_compare_period_destroy(context, &p);
   }
-  struct um_compare_series s = {.count = ROWS, .t = times, .value = values, .sigma = sigmas};
-  struct um_compare_period *p;
-  assert_ok(um_compare_period_search(context, &s, NULL, &p));
-  for (size_t k = 0; k < p->count; k++)
-    assert_close(p->power[k], power_by_least_squares(p->frequency[k]), 1e-10);
-  assert_close(p->best_power, power_by_least_squares(1.0 / p->period), 1e-10);
-  for (size_t k = 0; k < p->count; k++) assert_true(p->power[k] <= p->best_power);
-  assert_close(p->period, 13.0, 4.0 * p->period_sigma);
-  assert_true(p->epoch >= times[0] && p->epoch < times[0] + p->period);
-  um_compare_period_destroy(context, &p);
 }
 
 /* The same bytes from one thread and from three. */
@@ -158,6 +191,11 @@ static void test_refusals(void **state)
   o.frequency_min = 2.0;
   assert_refused(um_compare_period_search(context, &s, &o, &p), UM_ERR_INPUT,
                  "period search: frequencies from 2 to 0.5 Hz; accepted: above 0, from below to");
+  o = (struct um_compare_period_options){.frequency_min = 0.2};
+  assert_refused(
+      um_compare_period_search(context, &s, &o, &p), UM_ERR_INPUT,
+      "period search: frequencies from 0.2 Hz; accepted: 0.4 Hz or more, two turns in the "
+      "5 s of the longest track");
   o = (struct um_compare_period_options){.frequency_max = 1e7};
   assert_refused(um_compare_period_search(context, &s, &o, &p), UM_ERR_INPUT,
                  "period search: 5e+08 frequencies over 5 s; accepted: at most 16777216 (narrow "

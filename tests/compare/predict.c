@@ -4,8 +4,9 @@
 #include "orbit/time.h"
 
 /* Every quantity once, out of the order of the channels, tracks interleaved; flagged rows may be
- * anything. Values are those of a run at the same times (same bytes: the same trace), of which
- * E = I / R^2 without exposure, and the places are the ones that short and full names mean. */
+ * anything. Values are those of a run at the same times (same bytes: the same geometry
+ * precomputation), of which E = I / R^2 without exposure, and the places are the ones that short
+ * and full names mean. */
 static void test_values(void **state)
 {
   (void)state;
@@ -24,7 +25,7 @@ static void test_values(void **state)
   static const size_t expected[] = {1, 1, 2, 2, UM_COMPARE_NOWHERE, 0, 1, 2, 2, UM_COMPARE_NOWHERE};
   for (size_t i = 0; i < 10; i++) assert_true(p.plan->observation[i] == expected[i]);
   const struct um_model_result *r = p.result;
-  double range = p.trace->look[1].range;
+  double range = p.precomputed->look[1].range;
   assert_true(fabs(value[1] * range * range / um_model_result_intensity(r, 1, 1, -1) - 1.0) <
               1e-12); /* sums of five mechanisms in another order */
   assert_true(value[2] == um_model_result_intensity(r, 2, 0, -1));
@@ -73,7 +74,7 @@ static void test_exposures(void **state)
   char text[512];
   snprintf(text, sizeof text,
            "%s" DAY "12:00Z,band_irradiance,lwir,1,1,4\n" DAY
-           "12:00Z,temperature,interior,1,1,\n" DAY "12:10Z,temperature,interior,1,1,\n",
+           "12:00Z,temperature,interior,280,1,\n" DAY "12:10Z,temperature,interior,280,1,\n",
            head);
   put("m.csv", text);
   struct pair p = pair_of(model, "m.csv", 0.0);
@@ -113,9 +114,10 @@ static void test_refusals(void **state)
   refused(model, HEAD DAY "12:00Z,magnitude_ab,V,1,1\n",
           "m.csv:2: column 'of': the scenario has no band 'V'; accepted: vis, lwir");
   refused(model,
-          "# note\n" HEAD DAY "12:00Z,temperature,+x,1,1\n" DAY "12:00Z,temperature,radiator,1,1\n",
+          "# note\n" HEAD DAY "12:00Z,temperature,+x,280,1\n" DAY
+          "12:00Z,temperature,radiator,280,1\n",
           "m.csv:4: column 'of': the scenario has no place 'radiator'; accepted: " PLACES);
-  refused(model, HEAD DAY "12:00Z,temperature,frnt,1,1\n",
+  refused(model, HEAD DAY "12:00Z,temperature,frnt,280,1\n",
           "m.csv:2: column 'of': the scenario has no place 'frnt'; did you mean 'front'?; "
           "accepted: " PLACES);
   refused(model, HEAD DAY "12:00Z,magnitude_vega,Clear,1,1\n",
@@ -126,10 +128,10 @@ static void test_refusals(void **state)
           "m.csv:2: column 'quantity': count_rate of 'ufo' wants a sensor, which scenarios "
           "of this version do not have; accepted: band_irradiance, radiant_intensity, "
           "magnitude_ab, temperature, or a flag that leaves the row out");
-  refused(model, HEAD DAY "12:00Z,temperature,+x,1,1\n" DAY "20:05Z,temperature,+x,1,1\n",
+  refused(model, HEAD DAY "12:00Z,temperature,+x,280,1\n" DAY "20:05Z,temperature,+x,280,1\n",
           "m.csv:3: column 'time_utc': 2016-09-06T18:20:05.000Z is outside the scenario; accepted: "
           "2016-09-06T18:08:00.000Z to 2016-09-06T18:20:00.000Z (time.start_utc, time.stop_utc)");
-  refused(model, "time_utc,quantity,of,value,sigma,flag\n" DAY "12:00Z,temperature,+x,1,1,1\n",
+  refused(model, "time_utc,quantity,of,value,sigma,flag\n" DAY "12:00Z,temperature,+x,280,1,1\n",
           "m.csv: every row is flagged; accepted: at least one row with flag 0");
   um_model_destroy(context, &model);
 }
@@ -149,7 +151,7 @@ static void test_other_scenarios(void **state)
            (int)(tail - scenario_text), scenario_text, tail);
   put(SCENARIO, text);
   model = model_of(NULL);
-  refused(model, HEAD DAY "12:00Z,temperature,front,1,1\n",
+  refused(model, HEAD DAY "12:00Z,temperature,front,280,1\n",
           "m.csv:2: column 'of': 'front' stands for more than one place; accepted: panel.front, "
           "wing.front");
   um_model_destroy(context, &model);
@@ -183,11 +185,32 @@ static void test_orbit_ends(void **state)
            scenario_text, attitude);
   put(SCENARIO, text);
   struct um_model *model = model_of(NULL);
-  refused(model, HEAD DAY "12:00Z,temperature,+x,1,1\n" DAY "16:00.5Z,temperature,+x,1,1\n",
+  refused(model, HEAD DAY "12:00Z,temperature,+x,280,1\n" DAY "16:00.5Z,temperature,+x,280,1\n",
           "m.csv:3: orbit.csv: a position is wanted at 2016-09-06T18:16:00.500Z; the table covers "
           "2016-09-06T18:07:00.000Z to 2016-09-06T18:16:00.000Z");
   um_model_destroy(context, &model);
   put(SCENARIO, scenario_text);
+}
+
+/* A radiant intensity is concluded from what was measured: a calibration that is off by half is in
+ * it, an atmosphere is not. */
+static void test_measured_intensity(void **state)
+{
+  (void)state;
+  static const char *const with[] = {"zero_point:lwir,factor=0.5", "extinction,k_mag=0.4"};
+  double value[2][2];
+  put("m.csv",
+      HEAD DAY "14:00Z,radiant_intensity,vis,1,1\n" DAY "14:00Z,radiant_intensity,lwir,1,1\n");
+  for (int i = 0; i < 2; i++) {
+    const struct um_model_options options = {.with = with, .nwith = i == 0 ? 0 : 2};
+    struct um_model *model = model_of(&options);
+    struct pair p = pair_of(model, "m.csv", 0.0);
+    memcpy(value[i], p.comparison->model, sizeof value[i]);
+    pair_end(&p);
+    um_model_destroy(context, &model);
+  }
+  assert_true(value[0][0] > 0.0 && value[1][0] == value[0][0]);
+  assert_true(value[0][1] > 0.0 && fabs(value[1][1] / value[0][1] - 0.5) <= 1e-14);
 }
 
 /* The pass rises at 18:07:50: a magnitude before has no meaning, an intensity has. */
@@ -211,12 +234,13 @@ static void test_horizon(void **state)
     assert_ok(um_compare_measurements_read(context, "m.csv", &p.measurements));
     assert_ok(um_compare_plan_create(context, model, p.measurements, &p.plan));
     um_core_message_clear(context);
-    assert_int_equal(um_compare_predict(context, p.plan, p.trace, p.result, &value), UM_ERR_INPUT);
+    assert_int_equal(um_compare_predict(context, p.plan, p.precomputed, p.result, &value),
+                     UM_ERR_INPUT);
     char message[256];
     snprintf(message, sizeof message,
              "m.csv:2: column 'time_utc': the satellite is below the horizon (elevation %.2f deg); "
              "accepted: rows above it, or a flag that leaves the row out",
-             p.trace->look[0].elevation / UM_DEG);
+             p.precomputed->look[0].elevation / UM_DEG);
     assert_string_equal(um_core_message(context), message);
     um_compare_plan_destroy(context, &p.plan);
     um_compare_measurements_destroy(context, &p.measurements);
@@ -227,9 +251,12 @@ static void test_horizon(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_values),     cmocka_unit_test(test_exposures),
-      cmocka_unit_test(test_refusals),   cmocka_unit_test(test_other_scenarios),
-      cmocka_unit_test(test_orbit_ends), cmocka_unit_test(test_horizon)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_values),
+                                     cmocka_unit_test(test_exposures),
+                                     cmocka_unit_test(test_refusals),
+                                     cmocka_unit_test(test_other_scenarios),
+                                     cmocka_unit_test(test_orbit_ends),
+                                     cmocka_unit_test(test_horizon),
+                                     cmocka_unit_test(test_measured_intensity)};
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
 }

@@ -5,9 +5,11 @@
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "tests/support/cmocka_all.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
 
@@ -76,6 +78,47 @@ static void test_quotes(void **state)
   assert_int_equal(um_core_csv_line(csv, 1), 3);
   assert_int_equal(um_core_csv_line(csv, 2), 6);
   um_core_csv_destroy(&csv);
+}
+
+/* What is written is read back as it was; only what needs quotes gets them (RFC 4180, 2.5-2.7). */
+static void test_written(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *text, *tail, *written;
+  } cases[] = {{"bus.+x", "", "bus.+x"},
+               {"a b'c`d$e\\f", "", "a b'c`d$e\\f"},
+               {"", "", ""},
+               {"a,b", "", "\"a,b\""},
+               {"a,b", ".mean_K", "\"a,b.mean_K\""},
+               {"vis", "_mag_ab", "vis_mag_ab"},
+               {"say \"x\"", "", "\"say \"\"x\"\"\""},
+               {"\"", "\"", "\"\"\"\"\"\""},
+               {"two\nlines", "", "\"two\nlines\""},
+               {"two\rlines", "", "\"two\rlines\""},
+               {"#c", "", "\"#c\""},
+               {"c#", "", "c#"},
+               {" blank", "", "\" blank\""},
+               {"blank\t", "", "\"blank\t\""},
+               {"blank ", "_x", "blank _x"},
+               {"", " x", "\" x\""}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char text[128] = "", whole[64];
+    FILE *file = fmemopen(text, sizeof text, "w");
+    assert_non_null(file);
+    fputs("one,two\n", file);
+    um_core_csv_put(file, cases[i].text, cases[i].tail);
+    fputs(",3\n", file);
+    fclose(file);
+    assert_memory_equal(text + 8, cases[i].written, strlen(cases[i].written));
+    assert_string_equal(text + 8 + strlen(cases[i].written), ",3\n");
+    snprintf(whole, sizeof whole, "%s%s", cases[i].text, cases[i].tail);
+    struct um_core_csv *csv = parse(text);
+    assert_int_equal(um_core_csv_rows(csv), 1);
+    assert_string_equal(um_core_csv_text(csv, 0, 0), whole);
+    assert_string_equal(um_core_csv_text(csv, 0, 1), "3");
+    um_core_csv_destroy(&csv);
+  }
 }
 
 static void test_header_only(void **state)
@@ -199,18 +242,36 @@ static void test_numbers(void **state)
   assert_false(um_core_number_parse(many, &v)); /* 399 digits */
 }
 
+/* Switch numbers to a locale with a decimal comma: an installed one, or one compiled into `folder`
+ * from Debian's package `locales`. */
+static bool set_comma(const char *folder)
+{
+  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"};
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    if (setlocale(LC_NUMERIC, names[i]) != NULL) return true;
+  char command[3 * UM_TEST_PATH];
+  snprintf(command, sizeof command,
+           "localedef --no-archive -i de_DE -f UTF-8 '%s/comma' >'%s/said' 2>&1", folder, folder);
+  if (system(command) != 0) return false;
+  assert_int_equal(setenv("LOCPATH", folder, 1), 0);
+  return setlocale(LC_NUMERIC, "comma") != NULL;
+}
+
 /* A locale whose decimal point is a comma must not change how files are read. */
 static void test_numbers_in_comma_locale(void **state)
 {
   (void)state;
-  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"};
-  bool found = false;
-  for (size_t i = 0; i < sizeof names / sizeof names[0] && !found; i++)
-    found = setlocale(LC_NUMERIC, names[i]) != NULL;
+  char folder[UM_TEST_PATH], command[UM_TEST_PATH + 16];
+  assert_int_equal(um_test_folder_create(folder), 0);
+  bool found = set_comma(folder);
+  snprintf(command, sizeof command, "rm -rf '%s'/*", folder);
+  assert_int_equal(system(command), 0);
+  assert_int_equal(um_test_folder_remove(folder), 0);
   if (!found) {
-    print_message("skipped: no locale with a decimal comma is installed\n");
+    print_message("no locale with a decimal comma, and none can be compiled (package locales)\n");
     skip();
   }
+  assert_string_equal(localeconv()->decimal_point, ",");
   check_numbers();
   setlocale(LC_NUMERIC, "C");
 }
@@ -218,10 +279,15 @@ static void test_numbers_in_comma_locale(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_plain),          cmocka_unit_test(test_quotes),
-      cmocka_unit_test(test_header_only),    cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_field_messages), cmocka_unit_test(test_files),
-      cmocka_unit_test(test_numbers),        cmocka_unit_test(test_numbers_in_comma_locale),
+      cmocka_unit_test(test_plain),
+      cmocka_unit_test(test_quotes),
+      cmocka_unit_test(test_written),
+      cmocka_unit_test(test_header_only),
+      cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_field_messages),
+      cmocka_unit_test(test_files),
+      cmocka_unit_test(test_numbers),
+      cmocka_unit_test(test_numbers_in_comma_locale),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

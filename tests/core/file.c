@@ -1,12 +1,16 @@
 /* Whole files, names, and output folders that appear whole or not at all. Everything happens in a
  * fresh folder below the working folder of the test. */
+#define _GNU_SOURCE /* flock */
 #include "core/file.h"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/support/cmocka_all.h"
@@ -258,6 +262,97 @@ static void test_disk_full(void **state)
   assert_int_equal(um_core_file_close(context, "run.nc", &file), UM_OK);
 }
 
+/* A number that no process has: that of a child that has ended. */
+static long dead_process(void)
+{
+  pid_t child = fork();
+  assert_true(child >= 0);
+  if (child == 0) _exit(0);
+  assert_int_equal(waitpid(child, NULL, 0), child);
+  return (long)child;
+}
+
+static void make_left(const char *kind, long writer, char *path)
+{
+  char marker[128];
+  snprintf(path, 100, ".out.%s-%ld", kind, writer);
+  assert_int_equal(mkdir(path, 0777), 0);
+  snprintf(marker, sizeof marker, "%s/.umbra", path);
+  write_file(marker, "x");
+}
+
+static void remove_left(const char *path)
+{
+  char marker[128];
+  snprintf(marker, sizeof marker, "%s/.umbra", path);
+  assert_int_equal(remove(marker), 0);
+  assert_int_equal(rmdir(path), 0);
+}
+
+/* Of the folders beside a new one those of dead processes go; those of living ones, of others who
+ * hold the lock, and what only looks like them stay. */
+static void test_leftovers(void **state)
+{
+  (void)state;
+  char dead[100], old[100], living[100], locked[100], marker[128];
+  long writer = dead_process();
+  make_folder("out", false, "a", "1");
+  make_left("partial", writer, dead);
+  make_left("old", writer, old);
+  make_left("partial", (long)getppid(), living);
+  make_left("partial", dead_process(), locked);
+  snprintf(marker, sizeof marker, "%s/.umbra", locked);
+  int lock = open(marker, O_RDONLY);
+  assert_true(lock >= 0 && flock(lock, LOCK_EX | LOCK_NB) == 0);
+  assert_int_equal(mkdir(".out.partial-x", 0777), 0);
+  assert_int_equal(mkdir(".outer.partial-1", 0777), 0);
+  make_folder("out", false, "a", "2");
+  assert_false(exists(dead) || exists(old));
+  assert_true(exists(living) && exists(locked));
+  assert_true(exists(".out.partial-x") && exists(".outer.partial-1"));
+  close(lock);
+  make_folder("out", false, "a", "3");
+  assert_false(exists(locked));
+  remove_left(living);
+  assert_int_equal(rmdir(".out.partial-x"), 0);
+  assert_int_equal(rmdir(".outer.partial-1"), 0);
+  assert_int_equal(remove("out/a"), 0);
+  remove_left("out");
+}
+
+/* Ended between the two renames of a replacement: the earlier results come back. */
+static void test_old_is_put_back(void **state)
+{
+  (void)state;
+  char old[100];
+  struct um_core_folder *folder = NULL;
+  make_left("old", dead_process(), old);
+  assert_int_equal(um_core_folder_begin(context, "out", false, &folder), UM_OK);
+  assert_true(exists("out/.umbra"));
+  assert_false(exists(old));
+  um_core_folder_abort(&folder);
+  remove_left("out");
+}
+
+static bool always(void *self)
+{
+  (void)self;
+  return true;
+}
+
+static void test_stop_publishes_nothing(void **state)
+{
+  (void)state;
+  struct um_core_folder *folder = NULL;
+  assert_int_equal(um_core_folder_begin(context, "out", false, &folder), UM_OK);
+  um_core_context_set_stop(context, always, NULL);
+  assert_int_equal(um_core_folder_commit(context, &folder), UM_ERR_CANCELLED);
+  um_core_context_set_stop(context, NULL, NULL);
+  um_core_message_clear(context);
+  assert_false(exists("out"));
+  assert_int_equal(entries("."), 0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -269,6 +364,9 @@ int main(void)
       cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_target_appears_meanwhile),
       cmocka_unit_test(test_disk_full),
+      cmocka_unit_test(test_leftovers),
+      cmocka_unit_test(test_old_is_put_back),
+      cmocka_unit_test(test_stop_publishes_nothing),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

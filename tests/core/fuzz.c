@@ -6,7 +6,7 @@
 
 #include "core/csv.h"
 #include "core/sampling.h"
-#include "tests/core/sample_schema.h"
+#include "tests/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
 
 #define FLIPS 4000
@@ -62,17 +62,17 @@ static bool try_yaml(const char *text, const char *set)
   struct um_document *document;
   void *root;
   um_core_message_clear(context);
-  enum um_status status = um_core_document_parse(context, "fuzz.yaml", text, &sample_schema, &set,
-                                                 set != NULL ? 1 : 0, &document, &root);
+  enum um_status status = um_document_parse(context, "fuzz.yaml", text, &sample_schema, &set,
+                                            set != NULL ? 1 : 0, &document, &root);
   if (status != UM_OK) {
     check_failure(status);
     assert_null(document);
     return false;
   }
   char *again;
-  assert_int_equal(um_core_document_text(context, document, &again), UM_OK);
+  assert_int_equal(um_document_text(context, document, &again), UM_OK);
   um_core_free(context, again);
-  um_core_document_destroy(&document);
+  um_document_destroy(&document);
   return true;
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/csv.h"
 #include "core/file.h"
-#include "tests/core/sample_schema.h"
+#include "tests/document/sample_schema.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
 
@@ -26,11 +26,11 @@ static enum um_status use_document(struct um_context *context)
   struct um_document *document;
   void *root;
   char *text = NULL;
-  UM_TRY(um_core_document_parse(context, "s.yaml", sample_text, &sample_schema, sets, 3, &document,
-                                &root));
-  enum um_status status = um_core_document_text(context, document, &text);
+  UM_TRY(
+      um_document_parse(context, "s.yaml", sample_text, &sample_schema, sets, 3, &document, &root));
+  enum um_status status = um_document_text(context, document, &text);
   um_core_free(context, text);
-  um_core_document_destroy(&document);
+  um_document_destroy(&document);
   return status;
 }
 
@@ -41,11 +41,11 @@ static enum um_status use_rewriting(struct um_context *context)
   struct um_document *document;
   void *root;
   char *text = NULL;
-  UM_TRY(um_core_document_parse(context, "s.yaml", sample_text, &sample_schema, &set, 1, &document,
-                                &root));
-  enum um_status status = um_core_document_text(context, document, &text);
+  UM_TRY(
+      um_document_parse(context, "s.yaml", sample_text, &sample_schema, &set, 1, &document, &root));
+  enum um_status status = um_document_text(context, document, &text);
   um_core_free(context, text);
-  um_core_document_destroy(&document);
+  um_document_destroy(&document);
   return status;
 }
 
@@ -59,9 +59,8 @@ static enum um_status use_large_document(struct um_context *context)
   strcpy(p, "]\n");
   struct um_document *document;
   void *root;
-  UM_TRY(
-      um_core_document_parse(context, "s.yaml", text, &sample_schema, NULL, 0, &document, &root));
-  um_core_document_destroy(&document);
+  UM_TRY(um_document_parse(context, "s.yaml", text, &sample_schema, NULL, 0, &document, &root));
+  um_document_destroy(&document);
   return UM_OK;
 }
 
@@ -70,8 +69,8 @@ static enum um_status use_refusal(struct um_context *context)
   static const char *const set = "parts.bux.x=1";
   struct um_document *document;
   void *root;
-  enum um_status status = um_core_document_parse(context, "s.yaml", sample_text, &sample_schema,
-                                                 &set, 1, &document, &root);
+  enum um_status status =
+      um_document_parse(context, "s.yaml", sample_text, &sample_schema, &set, 1, &document, &root);
   return status == UM_ERR_INPUT ? UM_OK : status;
 }
 

@@ -193,21 +193,6 @@ static void test_mean_temperature_bias(void **state)
     }
 }
 
-/* The inverse: one bisection of 1e-12 relative in temperature. */
-static void test_temperature(void **state)
-{
-  (void)state;
-  for (double t = 5.0; t < 19000.0; t *= 1.17) {
-    double l = um_core_planck_band(FROM, TO, t);
-    if (l > um_core_planck_band(FROM, TO, 1.0))
-      assert_close(um_core_planck_band_temperature(FROM, TO, l) / t, 1.0, 3e-12);
-  }
-  assert_true(isnan(um_core_planck_band_temperature(FROM, TO, 0.0)));
-  assert_true(isnan(um_core_planck_band_temperature(FROM, TO, -1.0)));
-  assert_true(isnan(um_core_planck_band_temperature(FROM, TO, NAN)));
-  assert_true(isnan(um_core_planck_band_temperature(FROM, TO, 1e30)));
-}
-
 static void test_cold(void **state)
 {
   (void)state;
@@ -230,7 +215,7 @@ int main(void)
       cmocka_unit_test(test_spectral),
       cmocka_unit_test(test_sun),
       cmocka_unit_test(test_mean_temperature_bias),
-      cmocka_unit_test(test_temperature),
+
       cmocka_unit_test(test_cold),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

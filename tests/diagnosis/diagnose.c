@@ -1,9 +1,9 @@
 /* The whole method on a small satellite: measurements are made from a scenario that has what the
- * analyst's lacks, and the verdict must name it, or say that these rows cannot. Random numbers are
- * repeatable; the laboratory does the same on other meshes, many times. */
+ * analyst's lacks, and the verdict must name it, or say that these observations cannot. Random
+ * numbers are repeatable; the laboratory does the same on other meshes, many times. */
 #include "diagnosis/diagnose.h"
 
-#include "forward_test.h"
+#include "tests/sensitivity/forward_test.h"
 
 /* Every 20 s: 33 times above the horizon; candidates of several kinds. */
 static const char *const coarse[] = {"time.step_s=20"};
@@ -25,17 +25,46 @@ static void measure(const char *const *with, size_t nwith, const char *const *pl
                                          .temperature_sigma = 0.3};
   struct world w = world_of(&options);
   struct um_compare_measurements *m;
-  assert_ok(um_compare_synth_create(context, w.model, w.trace, w.result, &noise, "m.csv", &m));
+  assert_ok(
+      um_compare_synth_create(context, w.model, w.precomputed, w.result, &noise, "m.csv", &m));
   remove("m.csv");
   assert_ok(um_compare_measurements_write(context, m, "m.csv"));
   um_compare_measurements_destroy(context, &m);
   world_end(&w);
 }
 
+/* The scenario states what its panel gives. */
+static void put_stated(void)
+{
+  char text[4096], more[4160];
+  FILE *file = fopen(SCENARIO, "r");
+  assert_non_null(file);
+  size_t n = fread(text, 1, sizeof text - 1, file);
+  text[n] = '\0';
+  assert_int_equal(fclose(file), 0);
+  const char *at = strstr(text, "    front: grey_panel\n");
+  size_t before = at == NULL ? n : (size_t)(at - text);
+  assert_true(before < n);
+  snprintf(more, sizeof more, "%.*s    electrical_extraction: 0.18\n%s", (int)before, text,
+           text + before);
+  put(SCENARIO, more);
+}
+
+/* Rows of m.csv of other channels are flagged. */
+static void only_channel(const char *of)
+{
+  struct um_compare_measurements *m = measured();
+  for (size_t i = 0; i < m->count; i++)
+    if (strcmp(m->channel[m->row[i].channel].of, of) != 0) m->row[i].flag = 1;
+  remove("m.csv");
+  assert_ok(um_compare_measurements_write(context, m, "m.csv"));
+  um_compare_measurements_destroy(context, &m);
+}
+
 struct case_of {
   struct um_compare_measurements *m;
-  struct um_diagnosis_forward *forward;
-  struct um_diagnosis_candidates *candidates;
+  struct um_sensitivity_forward *forward;
+  struct um_sensitivity_candidates *candidates;
   struct um_diagnosis *d;
 };
 
@@ -44,17 +73,17 @@ static enum um_status diagnose(struct um_diagnosis_options *options, struct case
   *c = (struct case_of){.m = measured()};
   options->candidates.only = few;
   options->candidates.nonly = FEW;
-  c->forward = forward_of(NULL, c->m, UM_DIAGNOSIS_LOOSENED);
-  assert_ok(um_diagnosis_candidates_create(context, c->forward, NULL, 0, &options->candidates,
-                                           &c->candidates));
+  c->forward = forward_of(NULL, c->m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  assert_ok(um_sensitivity_candidates_create(context, c->forward, NULL, 0, &options->candidates,
+                                             &c->candidates));
   return um_diagnosis_create(context, c->forward, c->candidates, options, &c->d);
 }
 
 static void end(struct case_of *c)
 {
   um_diagnosis_destroy(context, &c->d);
-  um_diagnosis_candidates_destroy(context, &c->candidates);
-  um_diagnosis_forward_destroy(context, &c->forward);
+  um_sensitivity_candidates_destroy(context, &c->candidates);
+  um_sensitivity_forward_destroy(context, &c->forward);
   um_compare_measurements_destroy(context, &c->m);
 }
 
@@ -66,9 +95,9 @@ static const char *name_of(const struct case_of *c, size_t step)
 static bool is_tied(const struct case_of *c, size_t step, const char *name)
 {
   const struct um_diagnosis_step *s = &c->d->step[step];
-  for (size_t i = 0; i < s->nrival; i++)
-    if (s->rival[i].indistinguishable &&
-        strcmp(c->candidates->candidate[s->rival[i].candidate].name, name) == 0)
+  for (size_t i = 0; i < s->nalternative; i++)
+    if (s->alternative[i].indistinguishable &&
+        strcmp(c->candidates->candidate[s->alternative[i].candidate].name, name) == 0)
       return true;
   return false;
 }
@@ -167,6 +196,32 @@ static void test_group(void **state)
   end(&c);
 }
 
+/* Cells that give less than the scenario states, seen by their heat alone, could as well absorb
+ * more; sunlight that they reflect would tell. */
+static void test_less_extraction(void **state)
+{
+  (void)state;
+  static const char *const hidden[] = {"panel_extraction:panel,efficiency=-0.08"};
+  struct um_diagnosis_options options = {0};
+  struct case_of c;
+  put_world("");
+  put_stated();
+  measure(hidden, 1, NULL, 0);
+  only_channel("lwir");
+  assert_ok(diagnose(&options, &c));
+  assert_verdict(&c, UM_VERDICT_NOT_IDENTIFIABLE);
+  print_message("  %s\n", c.d->sentence);
+  const char *first = name_of(&c, 0);
+  bool extraction = strcmp(first, "panel_extraction:panel") == 0;
+  if (!extraction) assert_string_equal(first, "solar_absorptance:grey_panel");
+  assert_true(
+      is_tied(&c, 0, extraction ? "solar_absorptance:grey_panel" : "panel_extraction:panel"));
+  assert_non_null(c.d->next);
+  assert_string_equal(c.d->next->of, "vis");
+  assert_int_equal(c.d->next->segment, UM_SEGMENT_SUNLIT);
+  end(&c);
+}
+
 static void test_refusals(void **state)
 {
   (void)state;
@@ -201,9 +256,13 @@ static void test_free_scale(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_complete), cmocka_unit_test(test_found),
-      cmocka_unit_test(test_two),      cmocka_unit_test(test_group),
-      cmocka_unit_test(test_refusals), cmocka_unit_test(test_free_scale),
+      cmocka_unit_test(test_complete),
+      cmocka_unit_test(test_found),
+      cmocka_unit_test(test_two),
+      cmocka_unit_test(test_group),
+      cmocka_unit_test(test_less_extraction),
+      cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_free_scale),
   };
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
 }

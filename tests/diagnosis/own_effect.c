@@ -1,6 +1,7 @@
 /* An effect of a user's own is a candidate like any other: measurements made with it, in a detector
  * whose bright end is compressed by a fifth, are read with it hidden, and the diagnosis names it
- * before its rivals, with a value within three of its sigmas. OBJECT is the worked example. */
+ * before its alternatives, with a value within three of its sigmas. OBJECT is the worked example.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -55,19 +56,20 @@ static double measure(const char *path, const char *with, const struct um_compar
                       struct um_compare_measurements **out)
 {
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
   struct um_model_options options = {.effect_files = files, .neffect_file = 1};
   double largest = 0.0;
   options.with = &with;
   options.nwith = with != NULL;
   OK(um_model_create(context, path, &options, &model));
-  OK(um_model_trace_create(context, model, &trace));
-  OK(um_model_run(context, model, trace, &result));
+  OK(um_model_precompute(context, model, &precomputed));
+  OK(um_model_run(context, model, precomputed, &result));
   for (size_t k = 0; k < result->nobs; k++) largest = fmax(largest, result->irradiance[2 * k]);
-  if (out != NULL) OK(um_compare_synth_create(context, model, trace, result, noise, "made", out));
+  if (out != NULL)
+    OK(um_compare_synth_create(context, model, precomputed, result, noise, "made", out));
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
   return largest;
 }
@@ -84,8 +86,8 @@ static void own_effect_is_named(void **state)
       .no_next = true,
       .no_heat = true};
   struct um_compare_measurements *measured;
-  struct um_diagnosis_forward *forward;
-  struct um_diagnosis_candidates *candidates;
+  struct um_sensitivity_forward *forward;
+  struct um_sensitivity_candidates *candidates;
   struct um_diagnosis *d;
   char path[64], with[64];
   snprintf(path, sizeof path, "own_effect_%ld.yaml", (long)getpid());
@@ -96,8 +98,8 @@ static void own_effect_is_named(void **state)
   double q = -0.2 / measure(path, NULL, NULL, NULL);
   snprintf(with, sizeof with, "nonlinearity:vis,q_m2_W=%.17g", q);
   measure(path, with, &noise, &measured);
-  OK(um_diagnosis_forward_create(context, path, &changes, measured, 1.0, &forward));
-  OK(um_diagnosis_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
+  OK(um_sensitivity_forward_create(context, path, &changes, measured, 1.0, &forward));
+  OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
   OK(um_diagnosis_create(context, forward, candidates, &options, &d));
   print_message("  %s\n", d->sentence);
   assert_int_equal(d->verdict, UM_VERDICT_FOUND);
@@ -110,8 +112,8 @@ static void own_effect_is_named(void **state)
                 d->chi2_reduced_after);
   assert_true(fabs(away) <= 3.0);
   um_diagnosis_destroy(context, &d);
-  um_diagnosis_candidates_destroy(context, &candidates);
-  um_diagnosis_forward_destroy(context, &forward);
+  um_sensitivity_candidates_destroy(context, &candidates);
+  um_sensitivity_forward_destroy(context, &forward);
   um_compare_measurements_destroy(context, &measured);
   remove(path);
 }

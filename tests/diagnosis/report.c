@@ -10,7 +10,8 @@
 #include "compare/synth.h"
 #include "core/csv.h"
 #include "core/file.h"
-#include "diagnosis/channels.h"
+#include "diagnosis/report/channels.h"
+#include "diagnosis/report/report.h"
 #include "diagnosis/request.h"
 #include "effects/effects.h"
 #include "tests/app/json.h"
@@ -110,16 +111,17 @@ static const struct um_model_options changes = {.overrides = overrides,
 
 struct world {
   struct um_compare_measurements *measurements;
-  struct um_diagnosis_forward *forward;
-  struct um_diagnosis_candidate candidate[3];
-  struct um_diagnosis_candidates candidates;
-  struct um_diagnosis_rival ranking[3], rival[2];
+  struct um_sensitivity_forward *forward;
+  struct um_sensitivity_candidate candidate[3];
+  struct um_sensitivity_candidates candidates;
+  struct um_diagnosis_alternative ranking[3], alternative[2];
   struct um_diagnosis_step step[1];
-  struct um_diagnosis_addition addition[2], nuisance[1];
+  struct um_model_addition addition[2], nuisance[1];
   double addition_sigma[2][UM_EFFECT_PARAMETERS_MAX], nuisance_sigma[1][UM_EFFECT_PARAMETERS_MAX];
-  struct um_diagnosis_next next;
-  struct um_diagnosis_unexplained unexplained;
-  struct um_diagnosis_heat heat;
+  struct um_diagnosis_next next[2];
+  struct um_diagnosis_superseded superseded;
+  struct um_missing_heat_unexplained unexplained;
+  struct um_missing_heat heat;
   double edge[41], history[40], history_sigma[40];
   struct um_diagnosis d;
 };
@@ -148,13 +150,13 @@ static void measure(void)
   static const char *const place[] = {"bus.interior", "panel.front"};
   const struct um_compare_synth noise = {0.01, 0.002, 5, place, 2, 0.3};
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
   struct um_compare_measurements *made;
   assert_ok(um_model_create(context, "scene", &truth, &model));
-  assert_ok(um_model_trace_create(context, model, &trace));
-  assert_ok(um_model_run(context, model, trace, &result));
-  assert_ok(um_compare_synth_create(context, model, trace, result, &noise, "m.csv", &made));
+  assert_ok(um_model_precompute(context, model, &precomputed));
+  assert_ok(um_model_run(context, model, precomputed, &result));
+  assert_ok(um_compare_synth_create(context, model, precomputed, result, &noise, "m.csv", &made));
   assert_ok(um_compare_measurements_write(context, made, "m.csv"));
   FILE *file = fopen("m.csv", "ab");
   assert_non_null(file);
@@ -162,30 +164,31 @@ static void measure(void)
   assert_int_equal(fclose(file), 0);
   um_compare_measurements_destroy(context, &made);
   um_model_result_destroy(context, &result);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
 }
 
-static double chi2_of(const struct um_diagnosis_forward *f, const double *value)
+static double chi2_of(const struct um_sensitivity_forward *f, const double *value)
 {
   double sum = 0.0;
-  for (size_t i = 0; i < f->nrow; i++) sum += pow((f->measured[i] - value[i]) / f->sigma[i], 2.0);
+  for (size_t i = 0; i < f->nobservation; i++)
+    sum += pow((f->measured[i] - value[i]) / f->sigma[i], 2.0);
   return sum;
 }
 
 static void candidate(struct world *w, size_t i, const char *effect, char *target, char *name,
                       double chi2, double estimate)
 {
-  w->candidate[i] = (struct um_diagnosis_candidate){
+  w->candidate[i] = (struct um_sensitivity_candidate){
       .name = name, .effect = effect_named(effect), .target = target, .ncolumn = 1};
-  w->ranking[i] = (struct um_diagnosis_rival){.candidate = i,
-                                              .score = {.statistic = chi2,
-                                                        .dof = 1.0,
-                                                        .p = 1e-9,
-                                                        .p_corrected = 3e-9,
-                                                        .estimate = {estimate},
-                                                        .sigma = {0.1 * fabs(estimate)},
-                                                        .kept = 0.9}};
+  w->ranking[i] = (struct um_diagnosis_alternative){.candidate = i,
+                                                    .score = {.statistic = chi2,
+                                                              .dof = 1.0,
+                                                              .p = 1e-9,
+                                                              .p_corrected = 3e-9,
+                                                              .estimate = {estimate},
+                                                              .sigma = {0.1 * fabs(estimate)},
+                                                              .kept = 0.9}};
 }
 
 static void unexplained(struct world *w)
@@ -197,26 +200,26 @@ static void unexplained(struct world *w)
     w->history_sigma[i] = 6.0;
   }
   static char place[] = "bus.interior", coordinate[] = "time_s", channel[] = "temperature bus";
-  w->heat = (struct um_diagnosis_heat){.place = place,
-                                       .chi2_explained = 400.0,
-                                       .start = first + 120.0,
-                                       .stop = first + 200.0,
-                                       .start_sigma = 4.0,
-                                       .power = 55.0,
-                                       .energy = 4400.0,
-                                       .energy_sigma = 300.0,
-                                       .nbin = 40,
-                                       .t = w->edge,
-                                       .heat = w->history,
-                                       .sigma = w->history_sigma};
-  w->unexplained = (struct um_diagnosis_unexplained){.coordinate = coordinate,
-                                                     .channel = channel,
-                                                     .p = 1e-5,
-                                                     .nheat = 1,
-                                                     .heat = &w->heat,
-                                                     .chi2_before = 600.0,
-                                                     .chi2_after = 200.0,
-                                                     .found = true};
+  w->heat = (struct um_missing_heat){.place = place,
+                                     .chi2_explained = 400.0,
+                                     .start = first + 120.0,
+                                     .stop = first + 200.0,
+                                     .start_sigma = 4.0,
+                                     .power = 55.0,
+                                     .energy = 4400.0,
+                                     .energy_sigma = 300.0,
+                                     .nbin = 40,
+                                     .t = w->edge,
+                                     .heat = w->history,
+                                     .sigma = w->history_sigma};
+  w->unexplained = (struct um_missing_heat_unexplained){.coordinate = coordinate,
+                                                        .channel = channel,
+                                                        .p = 1e-5,
+                                                        .nheat = 1,
+                                                        .heat = &w->heat,
+                                                        .chi2_before = 600.0,
+                                                        .chi2_after = 200.0,
+                                                        .found = true};
 }
 
 static void world_make(struct world *w)
@@ -228,13 +231,12 @@ static void world_make(struct world *w)
   measure();
   assert_ok(um_compare_measurements_read(context, "m.csv", &w->measurements));
   assert_ok(
-      um_diagnosis_forward_create(context, "scene", &changes, w->measurements, 1.0, &w->forward));
+      um_sensitivity_forward_create(context, "scene", &changes, w->measurements, 1.0, &w->forward));
   struct um_diagnosis *d = &w->d;
-  size_t n = w->forward->nrow;
-  w->addition[0] = (struct um_diagnosis_addition){effect_named("internal_power"), "bus", {41.5}};
-  w->addition[1] =
-      (struct um_diagnosis_addition){effect_named("panel_extraction"), "panel", {0.1875}};
-  w->nuisance[0] = (struct um_diagnosis_addition){effect_named("zero_point"), "lwir", {1.0078125}};
+  size_t n = w->forward->nobservation;
+  w->addition[0] = (struct um_model_addition){effect_named("internal_power"), "bus", {41.5}};
+  w->addition[1] = (struct um_model_addition){effect_named("panel_extraction"), "panel", {0.1875}};
+  w->nuisance[0] = (struct um_model_addition){effect_named("zero_point"), "lwir", {1.0078125}};
   w->addition_sigma[0][0] = 0.7;
   w->addition_sigma[1][0] = 0.01;
   w->nuisance_sigma[0][0] = 0.003;
@@ -242,7 +244,7 @@ static void world_make(struct world *w)
   candidate(w, 1, "emittance", white, mli, 4000.0, -0.1);
   candidate(w, 2, "time_tag", NULL, tag, 3.0, 0.2);
   w->candidates =
-      (struct um_diagnosis_candidates){.count = 3, .nrow = n, .candidate = w->candidate};
+      (struct um_sensitivity_candidates){.count = 3, .nobservation = n, .candidate = w->candidate};
   *d = (struct um_diagnosis){.verdict = UM_VERDICT_NOT_IDENTIFIABLE,
                              .sentence = sentence,
                              .level = 0.01,
@@ -260,40 +262,56 @@ static void world_make(struct world *w)
                              .nranking = 3};
   assert_ok(um_core_allocate(context, n, sizeof(double), &d->value_before));
   assert_ok(um_core_allocate(context, n, sizeof(double), &d->value_after));
-  assert_ok(um_diagnosis_forward_evaluate(context, w->forward, NULL, 0, d->value_before));
-  const struct um_diagnosis_addition all[] = {w->nuisance[0], w->addition[0], w->addition[1]};
-  assert_ok(um_diagnosis_forward_evaluate(context, w->forward, all, 3, d->value_after));
+  assert_ok(um_sensitivity_forward_evaluate(context, w->forward, NULL, 0, d->value_before));
+  const struct um_model_addition all[] = {w->nuisance[0], w->addition[0], w->addition[1]};
+  assert_ok(um_sensitivity_forward_evaluate(context, w->forward, all, 3, d->value_after));
   d->chi2 = chi2_of(w->forward, d->value_before);
   d->dof = (double)n;
   d->chi2_after = chi2_of(w->forward, d->value_after);
   d->dof_after = (double)n - 3.0;
   d->chi2_reduced = d->chi2 / d->dof;
   d->chi2_reduced_after = d->chi2_after / d->dof_after;
-  w->rival[0] = w->ranking[0];
-  w->rival[1] = w->ranking[1];
-  w->rival[1].indistinguishable = true;
-  w->rival[1].chi2 = NAN;
+  w->alternative[0] = w->ranking[0];
+  w->alternative[1] = w->ranking[1];
+  w->alternative[1].indistinguishable = true;
+  w->alternative[1].chi2 = NAN;
+  w->alternative[1].excluded_by_prior = true;
   w->step[0] = (struct um_diagnosis_step){.candidate = 0,
                                           .addition = w->addition[0],
                                           .sigma = {0.7},
                                           .p_value = 1e-9,
                                           .delta_bic = -4990.0,
+                                          .standing = UM_STANDING_ONE_OF_GROUP,
                                           .held_out_before = 5000.0,
                                           .held_out = 130.0,
                                           .chi2 = d->chi2_after,
                                           .dof = d->dof_after,
                                           .chi2_reduced = d->chi2_reduced_after,
-                                          .nrival = 2,
-                                          .rival = w->rival};
-  w->next = (struct um_diagnosis_next){what,
-                                       UM_QUANTITY_TEMPERATURE,
-                                       of,
-                                       UM_SEGMENT_UMBRA,
-                                       0.3,
-                                       12.0,
-                                       w->forward->t[0],
-                                       w->forward->t[0] + 60.0};
-  d->next = &w->next;
+                                          .nalternative = 2,
+                                          .alternative = w->alternative};
+  w->next[0] = (struct um_diagnosis_next){.what = what,
+                                          .quantity = UM_QUANTITY_TEMPERATURE,
+                                          .of = of,
+                                          .segment = UM_SEGMENT_UMBRA,
+                                          .airmass = NAN,
+                                          .sigma = 0.3,
+                                          .chi2_difference = 12.0,
+                                          .from = w->forward->t[0],
+                                          .to = w->forward->t[0] + 60.0,
+                                          .candidate = 1};
+  w->next[1] = (struct um_diagnosis_next){
+      .airmass = NAN, .from = NAN, .to = NAN, .candidate = 2, .told_apart_by = "stars in frames"};
+  d->nnext = 2;
+  d->next_of = w->next;
+  d->next = &w->next[0];
+  w->superseded = (struct um_diagnosis_superseded){
+      .addition = {effect_named("earth_ir_level"), NULL, {0.5}}, .sigma = {0.01}, .bic = 150.0};
+  d->bic_after = 140.0;
+  d->nsuperseded = 1;
+  d->superseded = &w->superseded;
+  d->allowance = true;
+  d->residual = (struct um_missing_heat_residual){
+      .channel = of, .coordinate = what, .p = 1e-4, .chi2_reduced = 7.5, .mean = -2.0};
   unexplained(w);
   d->unexplained = &w->unexplained;
 }
@@ -302,7 +320,7 @@ static void world_end(struct world *w)
 {
   um_core_free(context, w->d.value_before);
   um_core_free(context, w->d.value_after);
-  um_diagnosis_forward_destroy(context, &w->forward);
+  um_sensitivity_forward_destroy(context, &w->forward);
   um_compare_measurements_destroy(context, &w->measurements);
   remove("m.csv");
 }
@@ -335,7 +353,8 @@ static void write_out(struct world *w)
 {
   struct um_core_folder *folder;
   assert_ok(um_core_folder_begin(context, "out", false, &folder));
-  assert_ok(um_diagnosis_write(context, &w->d, "umbra diagnose\nscene m.csv", "9.9", folder));
+  assert_ok(
+      um_diagnosis_report_write(context, &w->d, "umbra diagnose\nscene m.csv", "9.9", folder));
   assert_ok(um_core_folder_commit(context, &folder));
 }
 
@@ -357,7 +376,21 @@ static void test_json(const char *path)
       "\"quantity\": \"temperature\", \"of\": \"bus.interior\", \"unit\": \"K\"",
       "\"unit\": \"mag\", \"residual_unit\": \"flux of magnitude 0\", \"all\": {\"count\": 1",
       "{\"effect\": \"internal_power\", \"target\": \"bus\", \"parameters\": [{",
-      "\"name\": \"power_W\", \"value\": 41.5, \"sigma\": 0.7, \"unit\": \"W\"}]",
+      ("\"name\": \"power_W\", \"value\": 41.5, \"sigma\": 0.7, \"unit\": \"W\", \"whole\": {"
+       "\"what\": \"power inside\", \"value\": 66.5, \"sigma\": 0.7, \"instead_of\": 25, "
+       "\"unit\": \"W\"}}]"),
+      /* 0.1 is what the scenario's effects state, beside nothing of the part */
+      ("\"what\": \"electrical extraction\", \"value\": 0.1875, \"sigma\": 0.01, "
+       "\"instead_of\": 0.1"),
+      "\"standing\": \"one_of_group\"",
+      "\"not_quite_noise\": true",
+      "\"superseded\": [\n    {\"effect\": \"earth_ir_level\", \"target\": null",
+      "\"what\": \"outgoing longwave radiation\", \"value\": 118.5",
+      "\"bic_behind\": 10}",
+      "\"residual\": {\"channel\": \"bus.+y\", \"chi2_red\": 7.5, \"mean_in_sigma\": -2",
+      "\"excluded_by\": \"prior\"",
+      "{\"effect\": \"internal_power:bus\", \"alternative\": \"emittance:grey_white\", \"what\"",
+      "\"alternative\": \"time_tag\", \"what\": null, \"told_apart_by\": \"stars in frames\"}",
       "\"p_value\": 1e-09, \"delta_bic\": -4990, \"held_out\": {\"before\": 5000, \"after\": 130}",
       "\"indistinguishable_from\": [\"emittance:grey_white\"]",
       "\"next_measurement\": {\"what\": \"temperature of bus.+y in the umbra\"",
@@ -384,7 +417,7 @@ static void test_tables(const struct world *w)
   struct um_core_csv *csv;
   double sum[2] = {0.0, 0.0}, value;
   assert_ok(um_core_csv_read(context, "out/fit.csv", &csv));
-  assert_int_equal(um_core_csv_rows(csv), w->forward->nrow);
+  assert_int_equal(um_core_csv_rows(csv), w->forward->nobservation);
   for (size_t i = 0; i < um_core_csv_rows(csv); i++)
     for (size_t k = 0; k < 2; k++) {
       assert_ok(um_core_csv_number(context, csv, i, 7 + k, &value));
@@ -427,7 +460,7 @@ static void test_files(void **state)
 }
 
 /* The text keeps what the user wrote; the changes of the command line and the effects stand in it;
- * the model that it makes says the same of every row. */
+ * the model that it makes says the same of every observation. */
 static void test_improved(void **state)
 {
   (void)state;
@@ -452,16 +485,16 @@ static void test_improved(void **state)
   char *text = read_text("out/improved/scenario.yaml");
   expect_in(text, want, sizeof want / sizeof want[0]);
   um_core_free(context, text);
-  struct um_diagnosis_forward *again;
+  struct um_sensitivity_forward *again;
   assert_ok(
-      um_diagnosis_forward_create(context, "out/improved", NULL, w.measurements, 1.0, &again));
+      um_sensitivity_forward_create(context, "out/improved", NULL, w.measurements, 1.0, &again));
   double *value;
-  assert_ok(um_core_allocate(context, again->nrow, sizeof *value, &value));
-  assert_ok(um_diagnosis_forward_evaluate(context, again, NULL, 0, value));
-  for (size_t i = 0; i < again->nrow; i++) /* effects come in another order: rounding */
+  assert_ok(um_core_allocate(context, again->nobservation, sizeof *value, &value));
+  assert_ok(um_sensitivity_forward_evaluate(context, again, NULL, 0, value));
+  for (size_t i = 0; i < again->nobservation; i++) /* effects come in another order: rounding */
     assert_close(value[i], w.d.value_after[i], 1e-9 * fabs(w.d.value_after[i]));
   um_core_free(context, value);
-  um_diagnosis_forward_destroy(context, &again);
+  um_sensitivity_forward_destroy(context, &again);
   remove_out();
   world_end(&w);
 }
@@ -476,7 +509,7 @@ static void test_failure(void **state)
   assert_int_equal(rename("scene", "gone"), 0);
   assert_ok(um_core_folder_begin(context, "out", false, &folder));
   um_core_message_clear(context);
-  assert_int_equal(um_diagnosis_write(context, &w.d, "c", "v", folder), UM_ERR_IO);
+  assert_int_equal(um_diagnosis_report_write(context, &w.d, "c", "v", folder), UM_ERR_IO);
   assert_string_equal(um_core_message(context), "orbit.tle: No such file or directory");
   um_core_folder_abort(&folder);
   assert_int_equal(access("out", F_OK), -1);
@@ -511,7 +544,7 @@ static void test_requests(void **state)
   assert_string_equal(r.exclude[1], "albedo");
   assert_int_equal(r.nwanted, 2);
   assert_true(r.wanted[0].value[0] == 3.0);
-  assert_true(r.wanted[1].value[0] == effect_named("area")->parameters[0].fallback);
+  assert_true(r.wanted[1].value[0] == effect_named("area")->parameters[0].default_value);
   um_diagnosis_request_release(context, &r);
   static const struct {
     const char *nuisance, *wanted, *says;

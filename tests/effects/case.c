@@ -90,7 +90,8 @@ static enum um_status create(const char *scenario, const char *const *with,
                              const char *const *without, const char *const *set,
                              struct um_model **out)
 {
-  const struct um_model_options options = {.overrides = set,
+  const struct um_model_options options = {.allow_effects = true,
+                                           .overrides = set,
                                            .noverride = length(set),
                                            .with = with,
                                            .nwith = length(with),
@@ -114,8 +115,8 @@ struct case_run case_compute(const char *scenario, const char *const *with,
 {
   struct case_run run = {0};
   need(create(scenario, with, without, set, &run.model));
-  need(um_model_trace_create(context, run.model, &run.trace));
-  need(um_model_run(context, run.model, run.trace, &run.result));
+  need(um_model_precompute(context, run.model, &run.precomputed));
+  need(um_model_run(context, run.model, run.precomputed, &run.result));
   return run;
 }
 
@@ -128,7 +129,7 @@ struct case_run case_with(const char *scenario, const char *with)
 void case_release(struct case_run *run)
 {
   um_model_result_destroy(context, &run->result);
-  um_model_trace_destroy(context, &run->trace);
+  um_model_precomputed_destroy(context, &run->precomputed);
   um_model_destroy(context, &run->model);
 }
 
@@ -136,13 +137,13 @@ void case_refused(const char *scenario, const char *with, const char *part)
 {
   const char *const list[] = {with, NULL};
   struct um_model *model = NULL;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   enum um_status status = create(scenario, list, NULL, NULL, &model);
-  if (status == UM_OK) status = um_model_trace_create(context, model, &trace);
+  if (status == UM_OK) status = um_model_precompute(context, model, &precomputed);
   if (status == UM_OK) fail_msg("%s was accepted", with);
   if (strstr(um_core_message(context), part) == NULL)
     fail_msg("'%s' does not hold '%s'", um_core_message(context), part);
-  um_model_trace_destroy(context, &trace);
+  um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
 }
 

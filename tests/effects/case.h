@@ -7,7 +7,7 @@
 
 struct case_run {
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
 };
 

@@ -21,7 +21,7 @@
 struct heat_run {
   struct um_context *context;
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
 };
 

@@ -16,6 +16,8 @@ struct use {
 /* Half lit: a point of the limb at the height of the Sun's centre, see penumbra_is_half_lit(). */
 #define PENUMBRA  "orbit={fixed: {position_gcrs_km: [-2918, 6375, 0]}}"
 #define TRANSIENT "thermal.start=isothermal"
+/* Cells that are stated to give something can give less. */
+#define CELLS "parts.panel.electrical_extraction=0.1"
 
 /* Steps are so small that the slopes of both sides agree to 5 %: they differ by f'' step/f', which
  * for a power law x^n about 1 is (n - 1) step, for a conductance between temperatures about 2 step
@@ -29,9 +31,9 @@ static const struct use uses[] = {
     {"interior_capacity", ":bus", T | L, 200.0, TRANSIENT},
     {"solar_absorptance", ":grey_panel", T | V | L, 0.005, NULL},
     {"emittance", ":grey_white", T | L, 0.01, NULL},
-    {"panel_extraction", ":panel", T | L, 0.005, NULL},
-    {"panel_extraction", ":panel.front", T | L, 0.005, NULL},
-    {"panel_extraction", ":panel.plate", T | L, 0.005, NULL},
+    {"panel_extraction", ":panel", T | L, 0.005, CELLS},
+    {"panel_extraction", ":panel.front", T | L, 0.005, CELLS},
+    {"panel_extraction", ":panel.plate", T | L, 0.005, CELLS},
     {"through_conductance", ":panel", T | L, 0.01, NULL},
     {"contact_conductance", "", T | L, 0.01, NULL},
     {"contact_conductance", ":bus", T | L, 0.01, NULL},
@@ -75,7 +77,7 @@ static void default_changes_what_it_should(void **state)
   for (size_t i = 0; i < USES; i++) {
     const struct use *use = &uses[i];
     struct heat_run without = heat_compute(LIST(use->override), NONE, NONE);
-    struct heat_run with = compute(use, um_effects_find(use->effect)->parameters[0].fallback);
+    struct heat_run with = compute(use, um_effects_find(use->effect)->parameters[0].default_value);
     int changed = heat_same_temperatures(&without, &with) ? 0 : T;
     if (!heat_same_reflected(&without, &with, "vis")) changed |= V;
     if (!heat_same_band(&without, &with, "lwir")) changed |= L;
@@ -135,8 +137,8 @@ static void penumbra_is_half_lit(void **state)
 {
   (void)state;
   struct heat_run run = heat_compute(LIST(PENUMBRA), NONE, NONE);
-  print_message("  sunlit fraction %.3f\n", run.trace->sunlit[0]);
-  assert_true(run.trace->sunlit[0] > 0.3 && run.trace->sunlit[0] < 0.7);
+  print_message("  sunlit fraction %.3f\n", run.precomputed->sunlit[0]);
+  assert_true(run.precomputed->sunlit[0] > 0.3 && run.precomputed->sunlit[0] < 0.7);
   heat_release(&run);
 }
 
@@ -152,7 +154,10 @@ static void refusals_name_the_part(void **state)
       {"mli_emittance:panel.plate", "'panel.plate' has no MLI"},
       {"mli_emittance:bus,emittance_factor=60", "1.2; accepted: up to 1"},
       {"mli_emittance", "needs a target"},
-      {"panel_extraction:bus.-x,efficiency=0.4", "more than it absorbs; accepted: up to 0.38"},
+      {"panel_extraction:bus.-x,efficiency=0.1", "'bus.-x' is MLI; accepted: a side with cells"},
+      {"panel_extraction:bus,efficiency=0.1", "'bus' is all MLI; accepted: a part with cells"},
+      {"panel_extraction:panel,efficiency=-0.1", "'panel.plate' -0.1; accepted: 0 or more in all"},
+      {"interior_capacity:bus,capacity_J_K=-20001", "-1 J/K; accepted: 0 or more in all"},
       {"through_conductance:bus", "'bus' are one layer"},
       {"through_conductance:bus.+x", "'bus.+x' is one layer"},
       {"albedo_level,albedo_factor=3.5", "accepted: 0 to 3"},
@@ -166,6 +171,9 @@ static void refusals_name_the_part(void **state)
   heat_refused(LIST("thermal.start=isothermal", "thermal.start_temperature_K=150"),
                LIST("stored_heat:bus,delta_K=-200"), message, sizeof message);
   assert_non_null(strstr(message, "node 'bus.interior' begins at -50 K, -200 K off; accepted: "));
+  heat_refused(LIST("parts.panel.electrical_extraction=0.7"),
+               LIST("panel_extraction:panel,efficiency=0.4"), message, sizeof message);
+  assert_non_null(strstr(message, "1.1, more than it absorbs; accepted: up to "));
   heat_refused(LIST("environment.shadow=none"), LIST("shadow_radius"), message, sizeof message);
   assert_non_null(strstr(message, "no shadow"));
   heat_refused(LIST("environment.albedo=0.6"), LIST("albedo_level,albedo_factor=2"), message,

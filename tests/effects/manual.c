@@ -61,7 +61,7 @@ static void page_holds_the_descriptor(void **state)
   assert_non_null(strstr(page, e->reference));
   assert_non_null(strstr(page, e->validity));
   assert_non_null(strstr(page, e->parameters[0].help));
-  assert_non_null(strstr(page, "| `efficiency` | 1 | 0 | 0.18 | 0 to 0.4 | 0.15 |"));
+  assert_non_null(strstr(page, "| `efficiency` | 1 | 0 | 0.18 | -0.4 to 0.4 | 0.15 |"));
   assert_non_null(strstr(page, "--with panel_extraction:PART,efficiency=0.18`"));
   write_to(page, sizeof page, um_effects_find("internal_power"));
   assert_non_null(strstr(page, "| none |"));

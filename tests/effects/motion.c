@@ -9,7 +9,7 @@
 
 static struct um_environment_sample sample(const struct case_run *run, size_t k)
 {
-  return run->trace->sample[k];
+  return run->precomputed->sample[k];
 }
 
 static double distance(struct um_vec3 a, struct um_vec3 b)
@@ -19,7 +19,7 @@ static double distance(struct um_vec3 a, struct um_vec3 b)
 
 static void expect_same_orbit(const struct case_run *a, const struct case_run *b)
 {
-  for (size_t k = 0; k < a->trace->nobs; k++) {
+  for (size_t k = 0; k < a->precomputed->nobs; k++) {
     assert_true(sample(a, k).t_tai == sample(b, k).t_tai);
     assert_true(distance(sample(a, k).r, sample(b, k).r) == 0.0);
     assert_true(distance(sample(a, k).sun, sample(b, k).sun) == 0.0);
@@ -37,7 +37,7 @@ static void attitude_offset_turns_the_body(void **state)
   const struct um_vec3 e = um_vec3(0.6, 0.0, 0.8);
   double c = cos(5.0 * UM_DEG), s = sin(5.0 * UM_DEG);
   expect_same_orbit(&a, &b);
-  for (size_t k = 0; k < a.trace->nobs; k++) {
+  for (size_t k = 0; k < a.precomputed->nobs; k++) {
     struct um_vec3 v = um_quat_apply(sample(&a, k).q, sample(&a, k).sun);
     struct um_vec3 expected = um_vec3_axpy(um_vec3_scale(v, c), s, um_vec3_cross(v, e));
     expected = um_vec3_axpy(expected, um_vec3_dot(e, v) * (1.0 - c), e);
@@ -57,8 +57,8 @@ static void spin_period_keeps_the_phase(void **state)
   struct case_run a = case_with(case_spinner, NULL);
   struct case_run b = case_with(case_spinner, "spin_period,relative=0.02");
   expect_same_orbit(&a, &b);
-  for (size_t k = 0; k < a.trace->nobs; k++) {
-    double t = sample(&a, k).t_tai - a.trace->t_obs[0] - 60.0; /* light time included */
+  for (size_t k = 0; k < a.precomputed->nobs; k++) {
+    double t = sample(&a, k).t_tai - a.precomputed->t_obs[0] - 60.0; /* light time included */
     double more = 2.0 * UM_PI * t * (1.0 / (period * (1.0 + relative)) - 1.0 / period);
     struct um_quat expected = um_quat_then(sample(&a, k).q, um_quat_from_axis(axis, more));
     struct um_vec3 x = um_vec3(1, 0, 0);
@@ -83,9 +83,9 @@ static void time_tag_shows_what_was_before(void **state)
                                     "time.stop_utc=2020-03-20T12:03:52Z", NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
   struct case_run b = case_with(case_spinner, "time_tag,bias_s=8");
-  assert_int_equal(a.trace->nobs, b.trace->nobs);
-  for (size_t k = 0; k < a.trace->nobs; k++)
-    assert_true(b.trace->t_obs[k] == a.trace->t_obs[k] + 8.0);
+  assert_int_equal(a.precomputed->nobs, b.precomputed->nobs);
+  for (size_t k = 0; k < a.precomputed->nobs; k++)
+    assert_true(b.precomputed->t_obs[k] == a.precomputed->t_obs[k] + 8.0);
   expect_same_orbit(&a, &b);
   assert_true(case_same(&a, &b));
   case_release(&a);
@@ -102,25 +102,31 @@ static void along_track_moves_the_satellite(void **state)
                                                                          NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
   struct case_run b = case_compute(case_spinner, with, NULL, set);
-  for (size_t k = 0; k < a.trace->nobs; k++) {
+  for (size_t k = 0; k < a.precomputed->nobs; k++) {
     struct um_environment_sample later;
     assert_int_equal(um_model_sample_at(case_context(), a.model, sample(&a, k).t_tai + 3.0, &later),
                      UM_OK);
     assert_true(distance(sample(&b, k).r, later.r) <= 1e-6); /* [m] */
     assert_true(distance(sample(&b, k).r, sample(&a, k).r) >= 22e3);
-    assert_memory_equal(&a.trace->sample[k].q, &b.trace->sample[k].q, sizeof(struct um_quat));
+    assert_memory_equal(&a.precomputed->sample[k].q, &b.precomputed->sample[k].q,
+                        sizeof(struct um_quat));
   }
   case_release(&a);
   case_release(&b);
 }
 
-/* Exposures add in squares: 60^2 + 80^2 = 100^2, of which the roots are exact. */
+/* Exposures add in squares: 60^2 + 80^2 = 100^2, of which the roots are exact; so they go down, and
+ * none is shorter than 0. */
 static void exposure_adds_in_squares(void **state)
 {
   (void)state;
   static const char *const sixty[] = {"time.exposure_s=60", NULL},
                            *const hundred[] = {"time.exposure_s=100", NULL},
-                           *const with[] = {"exposure,square_s2=6400", NULL};
+                           *const with[] = {"exposure,square_s2=6400", NULL},
+                           *const less[] = {"exposure,square_s2=-6400", NULL};
+  struct case_run e = case_compute(case_spinner, NULL, NULL, sixty);
+  struct case_run f = case_compute(case_spinner, less, NULL, hundred);
+  struct case_run g = case_compute(case_spinner, less, NULL, sixty);
   struct case_run a = case_compute(case_spinner, NULL, NULL, hundred);
   struct case_run b = case_compute(case_spinner, with, NULL, sixty);
   struct case_run c = case_with(case_spinner, "exposure,square_s2=10000");
@@ -128,7 +134,13 @@ static void exposure_adds_in_squares(void **state)
   assert_true(case_same(&a, &b));
   assert_true(case_same(&a, &c));
   assert_false(case_same(&a, &d));
-  assert_int_equal(d.trace->nsub, 1);
+  assert_int_equal(d.precomputed->nsub, 1);
+  assert_true(case_same(&e, &f));
+  for (size_t i = 0; i < g.result->nobs * g.result->nband; i++) /* means of equal instants */
+    case_near("no exposure", g.result->irradiance[i], d.result->irradiance[i], 1e-12);
+  case_release(&e);
+  case_release(&f);
+  case_release(&g);
   case_release(&a);
   case_release(&b);
   case_release(&c);

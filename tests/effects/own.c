@@ -107,20 +107,45 @@ static void hook_can_refuse(void **state)
   (void)state;
   char scenario[4096];
   struct um_model *model = NULL;
-  struct um_model_trace *trace = NULL;
+  struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   const char *const with[] = {"nonlinearity,q_m2_W=-1e15"};
-  const struct um_model_options options = {.with = with, .nwith = 1};
+  const struct um_model_options options = {.with = with, .nwith = 1, .allow_effects = true};
   scenario_with(EXAMPLE, scenario, sizeof scenario);
   case_write("own_refuses.yaml", scenario);
   assert_int_equal(um_model_create(case_context(), "own_refuses.yaml", &options, &model), UM_OK);
-  assert_int_equal(um_model_trace_create(case_context(), model, &trace), UM_OK);
-  assert_int_equal(um_model_run(case_context(), model, trace, &result), UM_ERR_INPUT);
+  assert_int_equal(um_model_precompute(case_context(), model, &precomputed), UM_OK);
+  assert_int_equal(um_model_run(case_context(), model, precomputed, &result), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(case_context()), "accepted: above -0.5"));
-  um_model_trace_destroy(case_context(), &trace);
+  um_model_precomputed_destroy(case_context(), &precomputed);
   um_model_destroy(case_context(), &model);
   remove("own_refuses.yaml");
   um_core_message_clear(case_context());
+}
+
+/* A scenario alone loads nothing, whoever asks: neither without options nor with another file
+ * named.
+ */
+static void scenario_alone_loads_nothing(void **state)
+{
+  (void)state;
+  char scenario[4096];
+  const char *const other[] = {OBJECTS "/pair.so"};
+  const struct um_model_options options[] = {{0}, {.effect_files = other, .neffect_file = 1}};
+  scenario_with(EXAMPLE, scenario, sizeof scenario);
+  case_write("own_alone.yaml", scenario);
+  for (size_t i = 0; i < 3; i++) {
+    struct um_model *model = NULL;
+    um_core_message_clear(case_context());
+    assert_int_equal(
+        um_model_create(case_context(), "own_alone.yaml", i < 2 ? &options[i] : NULL, &model),
+        UM_ERR_INPUT);
+    assert_null(model);
+    assert_non_null(strstr(um_core_message(case_context()), "own_alone.yaml:1: effect_files: "));
+    assert_non_null(strstr(um_core_message(case_context()), "accepted: --allow-effects"));
+  }
+  um_core_message_clear(case_context());
+  remove("own_alone.yaml");
 }
 
 /* A path of the scenario is one beside its file; --effect-file adds to it. */
@@ -174,13 +199,14 @@ static void cut_objects_are_refused(void **state)
 static const struct {
   const char *file, *says;
 } bad[] = {
-    {OBJECTS "/bad_1.so", "ABI version 2"},
+    {OBJECTS "/bad_1.so", "ABI version 3"},
     {OBJECTS "/bad_2.so", "compile it again"},
     {OBJECTS "/bad_3.so", "no effect in it; accepted: a symbol um_effect"},
     {OBJECTS "/bad_4.so", "effect 'zero_point': there is a built-in effect of that name"},
     {OBJECTS "/bad_5.so", "parameter 'strength': default 3; accepted: -1 to 2 1"},
     {OBJECTS "/bad_6.so", "effect 'bad' has no hook"},
     {OBJECTS "/bad_7.so", "effect 'bad': there is already an effect of that name"},
+    {OBJECTS "/bad_8.so", "compiled against other sizes of what its hooks change"},
     {UMBRA_SOURCE_DIR "/README.md", "accepted: a shared object"},
     {OBJECTS, "accepted: a shared object"},
     {OBJECTS "/none.so", "No such file"},
@@ -217,7 +243,7 @@ static void descriptors_are_checked(void **state)
   struct um_effects_registry *registry = registry_of(EXAMPLE);
   const struct um_effect *good = um_effects_registry_find(registry, "nonlinearity");
   assert_int_equal(um_effects_check(context, good), UM_OK);
-  for (int i = 0; i < 15; i++) {
+  for (int i = 0; i < 16; i++) {
     struct um_effect e = *good;
     struct um_effect_parameter p[2] = {good->parameters[0], good->parameters[0]};
     e.parameters = p;
@@ -236,6 +262,10 @@ static void descriptors_are_checked(void **state)
     if (i == 12) p[0].logarithmic = true; /* and reaches below 0 */
     if (i == 13) e.on_by_default = 1;
     if (i == 14) e.validity = NULL;
+    if (i == 15) { /* a switch that is off its null value by default */
+      e.on_by_default = 1;
+      e.switch_off = um_effects_find("albedo")->switch_off;
+    }
     um_core_message_clear(context);
     if (um_effects_check(context, &e) != UM_ERR_INPUT) fail_msg("change %d was accepted", i);
     assert_non_null(strstr(um_core_message(context), "accepted: "));
@@ -251,6 +281,7 @@ int main(void)
       cmocka_unit_test(page_is_written_from_the_object),
       cmocka_unit_test(example_acts),
       cmocka_unit_test(hook_can_refuse),
+      cmocka_unit_test(scenario_alone_loads_nothing),
       cmocka_unit_test(files_are_found),
       cmocka_unit_test(bad_objects_are_refused),
       cmocka_unit_test(cut_objects_are_refused),

@@ -28,7 +28,7 @@ static const char below[] =
     SCENARIO("{station: {latitude_deg: 4, longitude_deg: 47, height_m: 0}}");
 static const char behind[] =
     SCENARIO("{station: {latitude_deg: 4, longitude_deg: -133, height_m: 0}}");
-static const char nowhere[] = SCENARIO("{direction: {unit_gcrs: [-1, -0.8, 0.3], range_km: 1000}}");
+static const char nowhere[] = SCENARIO("{direction: {unit_gcrs: [-1, -0.8, 0.3], range_km: 500}}");
 
 /* Band irradiance [W/m^2] of magnitude 0, flat in wavelength, of a band in two bins: with E = 1 in
  * photons, int lambda d lambda = width * middle, against 3631 Jy c int d lambda / lambda. */
@@ -37,33 +37,39 @@ static double flat_zero(double from_um, double to_um)
   return 3631e-26 * 299792458.0 * log(to_um / from_um) / (0.5 * (from_um + to_um) * 1e-6);
 }
 
-/* Irradiance becomes factor(X) E + offset in the bands of a mask, and the irradiance that the
- * magnitude stands for factor(0) E + offset; all else is the same to the bit. */
+/* Irradiance becomes factor(X) E + offset in the bands of a mask, the irradiance that the magnitude
+ * stands for factor(0) E + offset, and the radiant intensity that is concluded from it R^2 times
+ * that; all else is the same to the bit. */
 static void expect(const char *with, unsigned mask, double k, double factor, double offset)
 {
   struct case_run a = case_with(below, NULL), b = case_with(below, with);
   assert_true(case_same_temperatures(&a, &b));
   assert_true(case_same_intensities(&a, &b));
   for (size_t t = 0; t < a.result->nobs; t++) {
-    double airmass = um_optics_airmass(a.trace->look[t].elevation);
+    double airmass = um_optics_airmass(a.precomputed->look[t].elevation);
     assert_true(airmass > 1.0 && airmass < 3.0);
     for (size_t band = 0; band < 2; band++) {
       double before = a.result->irradiance[2 * t + band],
              after = b.result->irradiance[2 * t + band];
       double m = a.result->magnitude_ab[2 * t + band], m1 = b.result->magnitude_ab[2 * t + band];
+      double intensity = um_model_result_intensity(a.result, t, band, -1);
+      double concluded = b.result->measured_intensity[2 * t + band];
+      double square = a.precomputed->sample[t].range * a.precomputed->sample[t].range; /* [m^2] */
+      assert_true(a.result->measured_intensity[2 * t + band] == intensity);
       assert_true(before > 0.0);
       if ((mask >> band & 1) == 0) {
-        assert_true(after == before && m1 == m);
+        assert_true(after == before && m1 == m && concluded == intensity);
         continue;
       }
       case_near(with, after, factor * pow(10.0, -0.4 * k * airmass) * before + offset, 1e-14);
       if (factor == 1.0 && offset == 0.0) { /* the atmosphere */
-        assert_true(m1 == m);
+        assert_true(m1 == m && concluded == intensity);
         continue;
       }
       double zero = band == 0 ? flat_zero(0.38, 0.78) : flat_zero(8.0, 12.0);
       /* rounding of log10 and of magnitudes near 10 */
       case_near(with, pow(10.0, -0.4 * m1), factor * pow(10.0, -0.4 * m) + offset / zero, 1e-13);
+      case_near(with, concluded, factor * intensity + offset * square, 1e-14);
     }
   }
   case_release(&a);
@@ -113,16 +119,39 @@ static void background_has_a_magnitude_in_the_dark(void **state)
   case_release(&b);
 }
 
-/* Below the horizon there is no measurement, whatever is added to it. */
+/* Below the horizon, and behind the Earth for who looks from elsewhere, there is no measurement,
+ * whatever is added to it; the satellite's own intensity is what it is. */
 static void nothing_is_seen_below_the_horizon(void **state)
 {
   (void)state;
   static const char *const with[] = {"extinction,k_mag=0.25", "background,irradiance_W_m2=1e-11",
                                      "zero_point,factor=0.5", NULL};
+  /* from 7000 km up a ray to the side passes the Earth, one straight through it does not; a camera
+   * 500 km below the satellite is on this side of it */
+  static const struct {
+    const char *observer;
+    bool hidden;
+  } places[] = {{"observer={direction: {unit_gcrs: [-1, -1, 0], range_km: 14000}}", true},
+                {"observer={direction: {unit_gcrs: [-1, -1, 0], range_km: 500}}", false},
+                {"observer={direction: {unit_gcrs: [-1, -0.8, 3], range_km: 14000}}", false},
+                {"observer={direction: {unit_gcrs: [1, 1, 0], range_km: 14000}}", false}};
   struct case_run a = case_compute(behind, with, NULL, NULL);
-  for (size_t i = 0; i < a.result->nobs * a.result->nband; i++)
-    assert_true(isnan(a.result->irradiance[i]));
+  for (size_t i = 0; i < a.result->nobs * a.result->nband; i++) {
+    assert_true(isnan(a.result->irradiance[i]) && isnan(a.result->magnitude_ab[i]));
+    assert_true(um_model_result_intensity(a.result, i / 2, i % 2, -1) > 0.0);
+  }
   case_release(&a);
+  for (size_t p = 0; p < sizeof places / sizeof places[0]; p++) {
+    const char *const set[] = {places[p].observer, NULL};
+    a = case_compute(behind, with, NULL, set);
+    for (size_t i = 0; i < a.result->nobs * a.result->nband; i++) {
+      assert_true(a.precomputed->hidden[i / 2] == places[p].hidden);
+      assert_true(isnan(a.result->irradiance[i]) == places[p].hidden);
+      assert_true(isnan(a.result->magnitude_ab[i]) == places[p].hidden);
+      assert_true(um_model_result_intensity(a.result, i / 2, i % 2, -1) > 0.0);
+    }
+    case_release(&a);
+  }
 }
 
 /* Without a station there is no air. */

@@ -26,10 +26,10 @@ static void names_are_cut_to_size(void **state)
 {
   (void)state;
   char names[4096], few[8];
-  um_effects_names(names, sizeof names);
+  um_effects_registry_names(NULL, names, sizeof names);
   for (size_t i = 0; i < um_effects_count(); i++)
     assert_non_null(strstr(names, um_effects_at(i)->name));
-  um_effects_names(few, sizeof few);
+  um_effects_registry_names(NULL, few, sizeof few);
   assert_true(strlen(few) < sizeof few);
 }
 

@@ -30,8 +30,8 @@ static void keys_hold_switches_off(void **state)
   assert_true(is_off(&keys, "oblateness") && is_off(&keys, "penumbra"));
   assert_true(is_off(&off, "oblateness") && is_off(&off, "penumbra"));
   assert_true(case_same(&keys, &off));
-  assert_true(keys.trace->sunlit[0] == 0.0);
-  assert_true(plain.trace->sunlit[0] > 0.05 && plain.trace->sunlit[0] < 0.95);
+  assert_true(keys.precomputed->sunlit[0] == 0.0);
+  assert_true(plain.precomputed->sunlit[0] > 0.05 && plain.precomputed->sunlit[0] < 0.95);
   case_release(&plain);
   case_release(&keys);
   case_release(&off);
@@ -54,11 +54,30 @@ static void named_switches_turn_on(void **state)
   case_release(&again);
 }
 
+/* A disc without limb darkening is the uniform one. */
+static void penumbra_has_two_discs(void **state)
+{
+  (void)state;
+  static const char *const set[] = {EDGE, POINT, NULL};
+  static const char *const uniform[] = {EDGE, "environment.disc=uniform", NULL};
+  static const char *const with[] = {"penumbra,limb_darkening=0", NULL};
+  static const char *const dark[] = {"penumbra", NULL};
+  struct case_run stated = case_compute(case_spinner, NULL, NULL, uniform);
+  struct case_run named = case_compute(case_spinner, with, NULL, set);
+  struct case_run darkened = case_compute(case_spinner, dark, NULL, set);
+  assert_true(case_same(&named, &stated));
+  assert_false(case_same(&darkened, &stated));
+  case_release(&stated);
+  case_release(&named);
+  case_release(&darkened);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(keys_hold_switches_off),
       cmocka_unit_test(named_switches_turn_on),
+      cmocka_unit_test(penumbra_has_two_discs),
   };
   return cmocka_run_group_tests(tests, case_begin, case_end);
 }

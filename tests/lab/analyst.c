@@ -16,11 +16,12 @@ enum um_status lab_desk_create(struct um_context *context, const struct lab_worl
   out->analyst.options.without = out->analyst.without;
   UM_CHECK(lab_truth_create(context, &own, true, folder, &plain));
   UM_CHECK(lab_truth_measure(context, &plain, &own, &out->measurements));
-  UM_CHECK(um_diagnosis_forward_create(context, out->path, &out->analyst.options, out->measurements,
-                                       UM_DIAGNOSIS_LOOSENED, &out->forward));
-  UM_CHECK(um_diagnosis_candidates_create(context, out->forward, NULL, 0,
-                                          &(struct um_diagnosis_candidates_options){0},
-                                          &out->candidates));
+  UM_CHECK(um_sensitivity_forward_create(context, out->path, &out->analyst.options,
+                                         out->measurements, UM_SENSITIVITY_TOLERANCE_FACTOR,
+                                         &out->forward));
+  UM_CHECK(um_sensitivity_candidates_create(context, out->forward, NULL, 0,
+                                            &(struct um_sensitivity_candidates_options){0},
+                                            &out->candidates));
 done:
   lab_truth_release(context, &plain);
   if (status != UM_OK) lab_desk_release(context, out);
@@ -29,7 +30,7 @@ done:
 
 void lab_desk_release(struct um_context *context, struct lab_desk *desk)
 {
-  um_diagnosis_candidates_destroy(context, &desk->candidates);
-  um_diagnosis_forward_destroy(context, &desk->forward);
+  um_sensitivity_candidates_destroy(context, &desk->candidates);
+  um_sensitivity_forward_destroy(context, &desk->forward);
   um_compare_measurements_destroy(context, &desk->measurements);
 }

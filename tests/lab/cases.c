@@ -53,7 +53,8 @@ static const struct {
   const char *dusk, *dawn;
   struct entry entry;
 } specials[] = {
-    {"dusk-hollow", "dawn-hollow", {"interior_capacity", "bus", "bus", 0, NAN, 3000.0}},
+    {"dusk-hollow", "dawn-hollow", {"interior_capacity", "bus", "bus", 0, -2000.0, 3000.0}},
+    {"dusk-cells", "dawn-cells", {"panel_extraction", "array", "array", 0, -0.08, 0.08}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
 };
 
@@ -100,6 +101,9 @@ static const struct pair {
     {"absorptance-extraction without",
      "dusk",
      {{"panel_extraction", "array", 0, 0.12}, {"solar_absorptance", "cell", 0, -0.08}}},
+    {"cells without",
+     "dusk-cells",
+     {{"panel_extraction", "array", 0, -0.08}, {"solar_absorptance", "cell", 0, 0.05}}},
     {"emittance-capacity without",
      "emittance-capacity with",
      {{"heat_capacity", "array", 0, 1.2}, {"emittance", "cell", 0, 0.85}}},

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/words.h"
 #include "diagnosis/request.h"
 #include "tests/lab/lab.h"
 
@@ -15,12 +16,6 @@ static double now(void)
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-void lab_append(char *list, size_t size, const char *text)
-{
-  size_t n = strlen(list);
-  snprintf(list + n, size - n, "%s%s", n > 0 ? "+" : "", text);
-}
-
 static void append_number(char *list, size_t size, double value)
 {
   char text[32];
@@ -29,13 +24,13 @@ static void append_number(char *list, size_t size, double value)
 }
 
 /* Root of the mean square of a channel's residuals, in sigmas; the worst channel. */
-static double worst_rms(const struct um_diagnosis_forward *f, const double *value)
+static double worst_rms(const struct um_sensitivity_forward *f, const double *value)
 {
   double worst = NAN;
   for (size_t c = 0; c < f->measurements->nchannel; c++) {
     double sum = 0.0;
     size_t n = 0;
-    for (size_t j = 0; j < f->nrow; j++) {
+    for (size_t j = 0; j < f->nobservation; j++) {
       if (f->channel[j] != c) continue;
       double r = (f->measured[j] - value[j]) / f->sigma[j];
       sum += r * r;
@@ -48,18 +43,18 @@ static double worst_rms(const struct um_diagnosis_forward *f, const double *valu
 
 static bool is_hidden(const struct lab_hidden *hidden, const char *effect, const char *target)
 {
-  return strcmp(hidden->effect, effect) == 0 &&
-         strcmp(hidden->target == NULL ? "" : hidden->target, target == NULL ? "" : target) == 0;
+  return strcmp(hidden->effect, effect) == 0 && um_core_words_same(hidden->target, target);
 }
 
-/* The hidden effect as it was fitted: with what stayed, else as a rival of the first step. */
+/* The hidden effect as it was fitted: with what stayed, else as an alternative of the first step.
+ */
 static void describe_fit(const struct um_diagnosis *d, const struct lab_hidden *hidden,
                          struct lab_row *row)
 {
   double value = NAN, sigma = NAN;
-  for (size_t i = 0; d->nstep > 0 && i < d->step[0].nrival; i++) {
-    const struct um_diagnosis_rival *r = &d->step[0].rival[i];
-    const struct um_diagnosis_candidate *c = &d->candidates->candidate[r->candidate];
+  for (size_t i = 0; d->nstep > 0 && i < d->step[0].nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &d->step[0].alternative[i];
+    const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
     if (!r->fitted || !is_hidden(hidden, c->effect->name, c->target)) continue;
     value = r->value[hidden->parameter];
     sigma = r->sigma[hidden->parameter];
@@ -75,15 +70,15 @@ static void describe_fit(const struct um_diagnosis *d, const struct lab_hidden *
 
 static void describe(const struct um_diagnosis *d, const struct lab_case *c, struct lab_row *row)
 {
-  const struct um_diagnosis_candidate *candidate = d->candidates->candidate;
+  const struct um_sensitivity_candidate *candidate = d->candidates->candidate;
   snprintf(row->verdict, sizeof row->verdict, "%s", um_diagnosis_verdict_name(d->verdict));
   row->group[0] = row->found[0] = row->fitted[0] = row->sigma[0] = '\0';
   if (d->nstep > 0) {
     const struct um_diagnosis_step *step = &d->step[0];
     snprintf(row->first, sizeof row->first, "%s", candidate[step->candidate].name);
-    for (size_t i = 0; i < step->nrival; i++)
-      if (i == 0 || step->rival[i].indistinguishable)
-        lab_append(row->group, sizeof row->group, candidate[step->rival[i].candidate].name);
+    for (size_t i = 0; i < step->nalternative; i++)
+      if (i == 0 || step->alternative[i].indistinguishable)
+        lab_append(row->group, sizeof row->group, candidate[step->alternative[i].candidate].name);
     if (step->by_prior) snprintf(row->note, sizeof row->note, "told apart by priors");
   }
   for (size_t s = 0; s < d->nstep; s++)
@@ -100,7 +95,7 @@ static void describe(const struct um_diagnosis *d, const struct lab_case *c, str
 static void describe_pulse(const struct um_diagnosis *d, const struct lab_case *c, double start,
                            struct lab_row *row)
 {
-  const struct um_diagnosis_unexplained *u = d->unexplained;
+  const struct um_missing_heat_unexplained *u = d->unexplained;
   row->found[0] = row->fitted[0] = row->sigma[0] = '\0';
   if (u == NULL || !u->found || u->nheat == 0) return;
   snprintf(row->found, sizeof row->found, "%s", u->heat[0].place);
@@ -120,12 +115,12 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
 {
   enum um_status status;
   struct um_compare_measurements *measurements = NULL;
-  struct um_diagnosis_forward *forward = NULL;
+  struct um_sensitivity_forward *forward = NULL;
   struct um_diagnosis_request request = {0};
   struct um_diagnosis *d = NULL;
   UM_CHECK(lab_truth_measure(context, truth, c, &measurements));
-  UM_CHECK(um_diagnosis_forward_create(context, desk->path, &desk->analyst.options, measurements,
-                                       UM_DIAGNOSIS_LOOSENED, &forward));
+  UM_CHECK(um_sensitivity_forward_create(context, desk->path, &desk->analyst.options, measurements,
+                                         UM_SENSITIVITY_TOLERANCE_FACTOR, &forward));
   UM_CHECK(um_diagnosis_request_make(
       context, forward->model,
       &(struct um_diagnosis_request_texts){.nuisance = &c->world->nuisance,
@@ -136,11 +131,11 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
   options.no_heat = c->pulse == NULL;
   UM_CHECK(um_diagnosis_create(context, forward, desk->candidates, &options, &d));
   describe(d, c, row);
-  if (c->pulse != NULL) describe_pulse(d, c, truth->trace->t_first, row);
+  if (c->pulse != NULL) describe_pulse(d, c, truth->precomputed->t_first, row);
 done:
   um_diagnosis_destroy(context, &d);
   um_diagnosis_request_release(context, &request);
-  um_diagnosis_forward_destroy(context, &forward);
+  um_sensitivity_forward_destroy(context, &forward);
   um_compare_measurements_destroy(context, &measurements);
   return status;
 }

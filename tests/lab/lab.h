@@ -15,6 +15,7 @@
 
 #include "compare/measurements.h"
 #include "diagnosis/diagnose.h"
+#include "diagnosis/report/report.h"
 #include "model/model.h"
 
 #define LAB_TEXT     256
@@ -123,7 +124,7 @@ void lab_world_analyst(const struct lab_world *world, struct lab_analyst *out);
 struct lab_truth {
   const struct lab_world *world;
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
 };
 /* plain: on the mesh of the analyst, without the switch he left out. */
@@ -141,8 +142,8 @@ struct lab_desk {
   struct lab_analyst analyst;
   char path[LAB_TEXT * 4];
   struct um_compare_measurements *measurements;
-  struct um_diagnosis_forward *forward;
-  struct um_diagnosis_candidates *candidates;
+  struct um_sensitivity_forward *forward;
+  struct um_sensitivity_candidates *candidates;
 };
 enum um_status lab_desk_create(struct um_context *context, const struct lab_world *world,
                                const char *folder, struct lab_desk *out);

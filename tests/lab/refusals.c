@@ -62,8 +62,8 @@ static bool ask(struct um_context *context, const struct question *q, const char
   struct lab_truth truth = {0};
   struct lab_analyst analyst;
   struct um_compare_measurements *measurements = NULL;
-  struct um_diagnosis_forward *forward = NULL;
-  struct um_diagnosis_candidates *candidates = NULL;
+  struct um_sensitivity_forward *forward = NULL;
+  struct um_sensitivity_candidates *candidates = NULL;
   struct um_diagnosis_request request = {0};
   struct um_diagnosis *d = NULL;
   char path[LAB_TEXT * 4];
@@ -71,8 +71,8 @@ static bool ask(struct um_context *context, const struct question *q, const char
   lab_world_analyst(&q->world, &analyst);
   UM_CHECK(lab_truth_create(context, &c, q->plain, folder, &truth));
   UM_CHECK(lab_truth_measure(context, &truth, &c, &measurements));
-  UM_CHECK(um_diagnosis_forward_create(context, path, &analyst.options, measurements,
-                                       UM_DIAGNOSIS_LOOSENED, &forward));
+  UM_CHECK(um_sensitivity_forward_create(context, path, &analyst.options, measurements,
+                                         UM_SENSITIVITY_TOLERANCE_FACTOR, &forward));
   UM_CHECK(um_diagnosis_request_make(
       context, forward->model,
       &(struct um_diagnosis_request_texts){.nuisance = q->nuisance, .nnuisance = q->nnuisance},
@@ -83,8 +83,8 @@ static bool ask(struct um_context *context, const struct question *q, const char
                                          .nnuisance = request.nnuisance,
                                          .no_next = true,
                                          .no_heat = true};
-  UM_CHECK(
-      um_diagnosis_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
+  UM_CHECK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates,
+                                            &candidates));
   UM_CHECK(um_diagnosis_create(context, forward, candidates, &options, &d));
   refused = d->verdict == UM_VERDICT_NOT_IDENTIFIABLE;
   snprintf(answer, LAB_TEXT, "%s", d->sentence);
@@ -94,8 +94,8 @@ done:
   um_core_message_clear(context);
   um_diagnosis_destroy(context, &d);
   um_diagnosis_request_release(context, &request);
-  um_diagnosis_candidates_destroy(context, &candidates);
-  um_diagnosis_forward_destroy(context, &forward);
+  um_sensitivity_candidates_destroy(context, &candidates);
+  um_sensitivity_forward_destroy(context, &forward);
   um_compare_measurements_destroy(context, &measurements);
   lab_truth_release(context, &truth);
   return refused;

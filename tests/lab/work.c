@@ -7,6 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/words.h"
 #include "tests/lab/lab.h"
 
 #define CHUNK 25 /* seeds that share one truth */
@@ -26,11 +27,6 @@ static void give(const struct shop *shop)
   if (write(shop->token[1], "t", 1) != 1) _exit(1);
 }
 
-static bool same_text(const char *a, const char *b)
-{
-  return strcmp(a == NULL ? "" : a, b == NULL ? "" : b) == 0;
-}
-
 /* Do two cases of a world have one truth? */
 static bool same_truth(const struct lab_case *a, const struct lab_case *b)
 {
@@ -38,8 +34,8 @@ static bool same_truth(const struct lab_case *a, const struct lab_case *b)
     return false;
   for (size_t i = 0; i < a->nhidden; i++) {
     const struct lab_hidden *x = &a->hidden[i], *y = &b->hidden[i];
-    if (x->parameter != y->parameter || x->value != y->value || !same_text(x->effect, y->effect) ||
-        !same_text(x->target, y->target))
+    if (x->parameter != y->parameter || x->value != y->value ||
+        !um_core_words_same(x->effect, y->effect) || !um_core_words_same(x->target, y->target))
       return false;
   }
   return true;
@@ -116,7 +112,7 @@ static int run_world(const struct shop *shop, const struct lab_case *cases, size
     return 1;
   }
   fprintf(stderr, "world '%s': %zu candidates, %zu rows, %zu models in %.0f s\n",
-          cases[0].world->name, desk.candidates->count, desk.forward->nrow,
+          cases[0].world->name, desk.candidates->count, desk.forward->nobservation,
           desk.forward->evaluations, desk.forward->seconds);
   give(shop);
   for (size_t from = 0; from < count; from += job_length(cases + from, count - from))

@@ -36,6 +36,14 @@ static const struct lab_world worlds[] = {
     {.name = "dusk-hollow", DUSK, .set = {"parts.bus.interior.capacity_J_K=3000"}},
     {.name = "dawn-hollow", DAWN, PLACES, .set = {"parts.bus.interior.capacity_J_K=3000"}},
 
+    /* Cells that are stated to give something may give less. */
+    {.name = "dusk-cells", DUSK, .set = {"parts.array.electrical_extraction=0.18"}},
+    {.name = "dawn-cells", DAWN, PLACES, .set = {"parts.array.electrical_extraction=0.18"}},
+    {.name = "cells without",
+     DUSK,
+     .set = {"parts.array.electrical_extraction=0.18"},
+     .filter = {.channels = "lwir"}},
+
     /* A thermostat is seen by its switching: temperatures as often as light. */
     {.name = "dusk-dense", DUSK, .kelvin = 0.3, .place = {"bus.interior", "bus.-x"}},
     {.name = "dawn-dense",

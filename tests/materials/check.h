@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "tests/materials/sun.h"
 #include "tests/support/cmocka_all.h"
 
 /* |computed - expected| <= tolerance, NaN fails; says what was compared. */

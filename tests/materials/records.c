@@ -15,7 +15,7 @@ static int setup(void **state)
 {
   (void)state;
   if (um_core_context_create(NULL, &context) != UM_OK) return 1;
-  if (um_materials_library_create(context, &library) != UM_OK) return 1;
+  if (library_under_e490(context, &library) != UM_OK) return 1;
   if (um_materials_library_read_folder(context, library, UM_TEST_LIBRARY) == UM_OK) return 0;
   print_error("%s\n", um_core_message(context));
   return 1;

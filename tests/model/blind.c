@@ -41,12 +41,13 @@
 #include "core/csv.h"
 #include "model/model.h"
 #include "orbit/time.h"
+#include "tests/support/reference.h"
 
 struct set {
   struct um_context *context;
   const char *name;
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
   bool failed; /* every channel is reported before the test fails */
 };
@@ -58,15 +59,6 @@ struct set {
 
 /* --- reading --------------------------------------------------------------------------------- */
 
-static struct um_core_csv *read_csv(struct set *set, const char *file)
-{
-  char path[512];
-  struct um_core_csv *csv = NULL;
-  snprintf(path, sizeof path, UMBRA_SHARED_DIR "/blind/%s/%s", set->name, file);
-  OK(set, um_core_csv_read(set->context, path, &csv));
-  return csv;
-}
-
 static double number(struct set *set, const struct um_core_csv *csv, size_t row, size_t column)
 {
   double value;
@@ -74,22 +66,15 @@ static double number(struct set *set, const struct um_core_csv *csv, size_t row,
   return value;
 }
 
-static size_t column_of(struct set *set, const struct um_core_csv *csv, const char *name)
-{
-  size_t column;
-  OK(set, um_core_csv_require(set->context, csv, name, &column));
-  return column;
-}
-
-/* Observation at the time of a row; times of all files are on the scenario's grid. */
+/* Observation at the time of a row; times are on the scenario's grid. */
 static size_t observation_of(struct set *set, const struct um_core_csv *csv, size_t row)
 {
   double t;
-  const struct um_model_trace *trace = set->trace;
+  const struct um_model_precomputed *precomputed = set->precomputed;
   OK(set, um_orbit_time_parse(set->context, um_core_csv_text(csv, row, 0), &t));
   double step = set->model->scenario->time->step_s;
-  size_t k = (size_t)llround((t - trace->t_obs[0]) / step);
-  assert_true(k < trace->nobs && fabs(trace->t_obs[k] - t) < 1e-6);
+  size_t k = (size_t)llround((t - precomputed->t_obs[0]) / step);
+  assert_true(k < precomputed->nobs && fabs(precomputed->t_obs[k] - t) < 1e-6);
   return k;
 }
 
@@ -102,53 +87,56 @@ static void close_channel(struct set *set, struct channel *c, const char *what, 
 
 /* --- channels -------------------------------------------------------------------------------- */
 
-static void compare_geometry(struct set *set)
+static void compare_geometry(struct set *set, const struct um_core_csv *csv)
 {
   static const struct {
     const char *column, *unit;
     double accepted;
-  } kind[] = {{"az_deg", "deg", 1e-4},
-              {"el_deg", "deg", 1e-4},
+  } kind[] = {{"azimuth_deg", "deg", 1e-4},
+              {"elevation_deg", "deg", 1e-4},
               {"range_km", "km", 0.01},
               {"phase_angle_deg", "deg", 1e-3},
               {"sunlit_fraction", "1", 2e-4}};
-  struct um_core_csv *csv = read_csv(set, "geometry.csv");
   for (size_t j = 0; j < sizeof kind / sizeof kind[0]; j++) {
     struct channel c = channel_new(um_core_csv_rows(csv));
-    size_t column = column_of(set, csv, kind[j].column);
+    size_t column = reference_column(set->context, csv, kind[j].column);
     for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
       size_t k = observation_of(set, csv, i);
-      const struct um_orbit_look *look = &set->trace->look[k];
-      const struct um_environment_sample *s = &set->trace->sample[k];
+      const struct um_orbit_look *look = &set->precomputed->look[k];
+      const struct um_environment_sample *s = &set->precomputed->sample[k];
       double phase = atan2(um_vec3_norm(um_vec3_cross(s->sun, s->to_observer)),
                            um_vec3_dot(s->sun, s->to_observer));
       double value[] = {look->azimuth / UM_DEG, look->elevation / UM_DEG, look->range / 1e3,
-                        phase / UM_DEG, set->trace->sunlit[k]};
+                        phase / UM_DEG, set->precomputed->sunlit[k]};
       double expected = number(set, csv, i, column);
       if (j == 0) value[0] = expected + remainder(value[0] - expected, 360.0);
       channel_add(&c, expected, value[j]);
     }
     close_channel(set, &c, kind[j].column, kind[j].unit, (struct accept){kind[j].accepted, 0, 0});
   }
-  um_core_csv_destroy(&csv);
 }
 
-/* Noise-free observations: irradiance of a band at the aperture. */
-static void compare_observations(struct set *set, const char *band)
+/* Irradiance of a band at the aperture; set b goes on below the horizon, where nothing is seen. */
+static void compare_observations(struct set *set, const struct um_core_csv *csv, const char *band)
 {
-  struct um_core_csv *csv = read_csv(set, "baseline.csv");
+  static const char *const part[] = {"vis_sun_W_m2", "vis_earth_W_m2", "lwir_emitted_W_m2",
+                                     "lwir_earth_W_m2", "lwir_sun_W_m2"};
+  bool vis = strcmp(band, "vis") == 0;
   struct channel c = channel_new(um_core_csv_rows(csv));
-  size_t b = um_model_band_find(set->model, band), value = column_of(set, csv, "value");
-  size_t quantity = column_of(set, csv, "quantity"), of = column_of(set, csv, "of");
-  for (size_t i = 0; i < um_core_csv_rows(csv); i++)
-    if (strcmp(um_core_csv_text(csv, i, quantity), "band_irradiance") == 0 &&
-        strcmp(um_core_csv_text(csv, i, of), band) == 0)
-      channel_add(&c, number(set, csv, i, value),
-                  set->result->irradiance[observation_of(set, csv, i) * set->result->nband + b]);
+  size_t b = um_model_band_find(set->model, band);
+  for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
+    double expected = 0.0;
+    for (size_t j = vis ? 0 : 2; j < (vis ? 2 : 5); j++)
+      expected += reference_number(set->context, csv, i, part[j]);
+    double value = set->result->irradiance[observation_of(set, csv, i) * set->result->nband + b];
+    if (reference_number(set->context, csv, i, "elevation_deg") > 0.0)
+      channel_add(&c, expected, value);
+    else
+      assert_true(isnan(value));
+  }
   char what[64];
   snprintf(what, sizeof what, "irradiance %s", band);
   close_channel(set, &c, what, "rel", (struct accept){1e-12, 0.005, 0.0});
-  um_core_csv_destroy(&csv);
 }
 
 /* Place of a face: of a box and its interior "body.NAME", of a plate "plate.NAME", or the part. */
@@ -180,8 +168,8 @@ enum load { DIRECT, ALBEDO, EARTH_IR };
 static double load_of(const struct set *set, size_t k, const char *face, enum load load)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(set->model->geometry);
-  const struct um_thermal_loads *l = set->trace->loads;
-  size_t row = set->trace->load_row[k];
+  const struct um_irradiation_loads *l = set->precomputed->loads;
+  size_t row = set->precomputed->load_row[k];
   double sum = 0.0, area = 0.0;
   for (size_t s = 0; s < l->nsurface; s++) {
     if (!is_on_face(set, s, face)) continue;
@@ -213,15 +201,14 @@ static double largest(struct set *set, const struct um_core_csv *csv, const char
   double peak = 0.0;
   char face[32];
   for (size_t j = 0; j < um_core_csv_columns(csv); j++)
-    if (face_in(um_core_csv_header(csv, j), prefix, "_w_m2", face))
+    if (face_in(um_core_csv_header(csv, j), prefix, "_W_m2", face))
       for (size_t i = 0; i < um_core_csv_rows(csv); i++) peak = fmax(peak, number(set, csv, i, j));
   return peak;
 }
 
 static void compare_faces(struct set *set, const struct um_core_csv *csv)
 {
-  static const char *const prefix[] = {"incident_direct_", "incident_albedo_",
-                                       "incident_earth_ir_"};
+  static const char *const prefix[] = {"direct_", "albedo_", "earth_ir_"};
   char face[32];
   double peak[3];
   for (int load = DIRECT; load <= EARTH_IR; load++) peak[load] = largest(set, csv, prefix[load]);
@@ -229,7 +216,7 @@ static void compare_faces(struct set *set, const struct um_core_csv *csv)
       {0, 0.005, 0.01 * peak[0]}, {0, 0.01, 0.1 * peak[1]}, {0, 0.005, 0.01 * peak[2]}};
   for (size_t j = 0; j < um_core_csv_columns(csv); j++) {
     const char *header = um_core_csv_header(csv, j);
-    if (face_in(header, "temperature_", "_k", face)) {
+    if (face_in(header, "temperature_", "_K", face)) {
       struct channel c = channel_new(um_core_csv_rows(csv));
       const struct um_model_place_history *place = place_of(set, face);
       for (size_t i = 0; i < um_core_csv_rows(csv); i++)
@@ -237,7 +224,7 @@ static void compare_faces(struct set *set, const struct um_core_csv *csv)
       close_channel(set, &c, header, "K", (struct accept){0.1, 0, 0});
     }
     for (int load = DIRECT; load <= EARTH_IR; load++)
-      if (face_in(header, prefix[load], "_w_m2", face)) {
+      if (face_in(header, prefix[load], "_W_m2", face)) {
         struct channel c = channel_new(um_core_csv_rows(csv));
         for (size_t i = 0; i < um_core_csv_rows(csv); i++)
           channel_add(&c, number(set, csv, i, j),
@@ -247,44 +234,36 @@ static void compare_faces(struct set *set, const struct um_core_csv *csv)
   }
 }
 
-/* Irradiance by mechanism [W/m^2]; the reference has sunlight in two parts, and in LWIR no sunlight
- * by way of the Earth (ours: 30 % of its sun_reflected at most, below 1e-3 of the total). */
+/* Irradiance by mechanism [W/m^2]; the reference has in LWIR no sunlight by way of the Earth (ours:
+ * 30 % of its sun_reflected at most, below 1e-3 of the total). */
 static void compare_mechanisms(struct set *set, const struct um_core_csv *csv)
 {
   static const struct {
-    const char *what, *column[2], *band;
+    const char *column, *band;
     enum um_optics_mechanism mechanism;
     double accepted, floor; /* relative; share of the column's peak */
-  } kind[] = {
-      {"vis sun",
-       {"vis_sun_diffuse_w_m2", "vis_sun_specular_w_m2"},
-       "vis",
-       UM_MECHANISM_SUN,
-       0.005,
-       0.0},
-      {"vis earthshine", {"vis_earthshine_w_m2", NULL}, "vis", UM_MECHANISM_EARTH, 0.01, 0.1},
-      {"lwir emitted", {"lwir_emitted_w_m2", NULL}, "lwir", UM_MECHANISM_EMITTED, 0.005, 0.0},
-      {"lwir earth", {"lwir_earth_reflected_w_m2", NULL}, "lwir", UM_MECHANISM_EARTH, 0.005, 0.0},
-      {"lwir sun", {"lwir_sun_reflected_w_m2", NULL}, "lwir", UM_MECHANISM_SUN, 0.005, 0.0}};
+  } kind[] = {{"vis_sun_W_m2", "vis", UM_MECHANISM_SUN, 0.005, 0.0},
+              {"vis_earth_W_m2", "vis", UM_MECHANISM_EARTH, 0.01, 0.1},
+              {"lwir_emitted_W_m2", "lwir", UM_MECHANISM_EMITTED, 0.005, 0.0},
+              {"lwir_earth_W_m2", "lwir", UM_MECHANISM_EARTH, 0.005, 0.0},
+              {"lwir_sun_W_m2", "lwir", UM_MECHANISM_SUN, 0.005, 0.0}};
   const struct um_model_result *r = set->result;
   for (size_t j = 0; j < sizeof kind / sizeof kind[0]; j++) {
     struct channel c = channel_new(um_core_csv_rows(csv));
     double peak = 0.0;
     size_t b = um_model_band_find(set->model, kind[j].band);
-    size_t first = column_of(set, csv, kind[j].column[0]);
-    size_t second = kind[j].column[1] == NULL ? first : column_of(set, csv, kind[j].column[1]);
+    size_t column = reference_column(set->context, csv, kind[j].column);
     for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
       size_t k = observation_of(set, csv, i);
-      double range = set->trace->sample[k].range, value = 0.0;
+      double range = set->precomputed->sample[k].range, value = 0.0;
       for (size_t m = 0; m < r->nmaterial; m++)
         value += r->intensity[((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT +
                               (size_t)kind[j].mechanism];
-      double expected = number(set, csv, i, first);
-      if (second != first) expected += number(set, csv, i, second);
+      double expected = number(set, csv, i, column);
       peak = fmax(peak, expected);
       channel_add(&c, expected, value / (range * range));
     }
-    close_channel(set, &c, kind[j].what, "rel",
+    close_channel(set, &c, kind[j].column, "rel",
                   (struct accept){1e-12, kind[j].accepted, kind[j].floor * peak});
   }
 }
@@ -299,36 +278,30 @@ static double seconds(void)
 static void test_set(void **state)
 {
   struct set set = {.name = *state};
-  char path[512];
-  snprintf(path, sizeof path, UMBRA_SHARED_DIR "/blind/%s/baseline.csv", set.name);
-  FILE *file = fopen(path, "r");
-  if (file == NULL) {
-    print_message("skipped: %s is missing\n", path);
-    skip();
-  }
-  fclose(file);
+  char path[512], name[16];
   snprintf(path, sizeof path, UMBRA_SOURCE_DIR "/scenarios/blind/%s", set.name);
   struct um_model_options options = {0};
   double begin = seconds();
   if (um_core_context_create(NULL, &set.context) != UM_OK) fail_msg("no context");
   OK(&set, um_model_create(set.context, path, &options, &set.model));
-  OK(&set, um_model_trace_create(set.context, set.model, &set.trace));
+  OK(&set, um_model_precompute(set.context, set.model, &set.precomputed));
   double traced = seconds();
-  OK(&set, um_model_run(set.context, set.model, set.trace, &set.result));
+  OK(&set, um_model_run(set.context, set.model, set.precomputed, &set.result));
   double end = seconds();
   print_message("set %s: %zu observations, traced in %.2f s, run in %.2f s, energy audit %.1e, "
                 "drift of the start %.1e K\n",
-                set.name, set.trace->nobs, traced - begin, end - traced, set.result->audit_error,
-                set.result->periodic_drift);
-  struct um_core_csv *detail = read_csv(&set, "baseline_detail.csv");
-  compare_geometry(&set);
-  compare_observations(&set, "vis");
-  compare_observations(&set, "lwir");
+                set.name, set.precomputed->nobs, traced - begin, end - traced,
+                set.result->audit_error, set.result->periodic_drift);
+  snprintf(name, sizeof name, "blind-%s", set.name);
+  struct um_core_csv *detail = reference_open(set.context, name);
+  compare_geometry(&set, detail);
+  compare_observations(&set, detail, "vis");
+  compare_observations(&set, detail, "lwir");
   compare_mechanisms(&set, detail);
   compare_faces(&set, detail);
   um_core_csv_destroy(&detail);
   um_model_result_destroy(set.context, &set.result);
-  um_model_trace_destroy(set.context, &set.trace);
+  um_model_precomputed_destroy(set.context, &set.precomputed);
   um_model_destroy(set.context, &set.model);
   um_core_context_destroy(&set.context);
   assert_false(set.failed);

@@ -18,7 +18,7 @@
 struct pass {
   struct um_context *context;
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
 };
 
@@ -42,8 +42,8 @@ static int compute(void **state)
   const struct um_model_options options = {.overrides = overrides, .noverride = 4};
   need(NULL, um_core_context_create(NULL, &pass.context));
   need(pass.context, um_model_create(pass.context, SCENARIO, &options, &pass.model));
-  need(pass.context, um_model_trace_create(pass.context, pass.model, &pass.trace));
-  need(pass.context, um_model_run(pass.context, pass.model, pass.trace, &pass.result));
+  need(pass.context, um_model_precompute(pass.context, pass.model, &pass.precomputed));
+  need(pass.context, um_model_run(pass.context, pass.model, pass.precomputed, &pass.result));
   *state = &pass;
   return 0;
 }
@@ -52,7 +52,7 @@ static int release(void **state)
 {
   struct pass *pass = *state;
   um_model_result_destroy(pass->context, &pass->result);
-  um_model_trace_destroy(pass->context, &pass->trace);
+  um_model_precomputed_destroy(pass->context, &pass->precomputed);
   um_model_destroy(pass->context, &pass->model);
   um_core_context_destroy(&pass->context);
   return 0;
@@ -120,9 +120,9 @@ static void umbra_is_dark_in_vis_alone(void **state)
   size_t vis = um_model_band_find(pass->model, "vis");
   size_t lwir = um_model_band_find(pass->model, "lwir");
   size_t umbra = 0, lit = 0;
-  for (size_t k = 0; k < pass->trace->nobs; k++) {
+  for (size_t k = 0; k < pass->precomputed->nobs; k++) {
     double sun = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_SUN);
-    if (pass->trace->sunlit[k] > 0.0) {
+    if (pass->precomputed->sunlit[k] > 0.0) {
       lit += sun > 0.0;
     } else {
       assert_true(sun == 0.0);
@@ -178,7 +178,7 @@ static void run_is_consistent(void **state)
   const struct um_model_result *r = pass->result;
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++) {
-      double range = pass->trace->look[k].range;
+      double range = pass->precomputed->look[k].range;
       double expected = um_model_result_intensity(r, k, b, -1) / (range * range);
       assert_true(fabs(r->irradiance[k * r->nband + b] - expected) <= 1e-12 * expected);
     }

@@ -17,8 +17,10 @@ void fixture_create(struct fixture *f)
 {
   memset(f, 0, sizeof *f);
   assert_int_equal(um_core_context_create(NULL, &f->context), UM_OK);
-  FIXTURE_OK(f, um_materials_library_create(f->context, &f->library));
+  struct um_materials_sun sun;
   um_environment_defaults(&f->environment);
+  um_environment_sun_shares(&f->environment, &sun);
+  FIXTURE_OK(f, um_materials_library_create(f->context, &sun, &f->library));
 }
 
 static void scene_free(struct fixture *f)

@@ -59,25 +59,6 @@ static inline void assert_vec_near(struct um_vec3 got, struct um_vec3 want, doub
              got.x, got.y, got.z, want.x, want.y, want.z, distance, tolerance);
 }
 
-/* Whole file of the shared reference data, or NULL with a message when it is missing. */
-static inline char *shared_read(const char *name)
-{
-  char path[1024];
-  snprintf(path, sizeof path, "%s/data/%s", UMBRA_SHARED_DIR, name);
-  FILE *file = fopen(path, "rb");
-  if (!file) {
-    print_message("skipped: reference file %s is not there\n", path);
-    return NULL;
-  }
-  size_t capacity = 1 << 20, length;
-  char *text = malloc(capacity + 1);
-  assert_non_null(text);
-  length = fread(text, 1, capacity, file);
-  text[length] = '\0';
-  fclose(file);
-  return text;
-}
-
 /* A file of the test's own in the working folder; its name is written to path. */
 static inline void scratch_write(const char *name, const char *text, char path[256])
 {

@@ -5,6 +5,7 @@
 #include "orbit_test.h"
 
 #include "orbit/sgp4.h"
+#include "tests/support/reference.h"
 
 struct worst {
   double r, v; /* [km], [km/s] */
@@ -12,39 +13,34 @@ struct worst {
   int satellite, states;
 };
 
-/* Next line of a text into `line` without its end; returns the text behind it. */
-static const char *next_line(const char *text, char *line, size_t size)
+static struct um_vec3 vector_of(struct um_context *context, const struct um_core_csv *csv,
+                                size_t row, const char *const column[3])
 {
-  size_t n = strcspn(text, "\n"), keep = n < size - 1 ? n : size - 1;
-  memcpy(line, text, keep);
-  line[keep] = '\0';
-  line[strcspn(line, "\r")] = '\0';
-  return text + n + (text[n] == '\n');
+  return um_vec3(reference_number(context, csv, row, column[0]),
+                 reference_number(context, csv, row, column[1]),
+                 reference_number(context, csv, row, column[2]));
 }
 
-/* Compare a block of expected states; returns the text behind it and the last time in it. */
-static const char *block_compare(struct um_context *context, struct um_orbit_sgp4 *sgp4, int number,
-                                 const char *expected, bool fails_at_once, struct worst *worst,
-                                 double *last)
+/* Compare the states of one satellite, which stand together; returns the row behind them and the
+ * last time among them [min]. */
+static size_t states_compare(struct um_context *context, struct um_orbit_sgp4 *sgp4, int number,
+                             const struct um_core_csv *states, size_t row, struct worst *worst,
+                             double *last)
 {
-  char line[512];
-  while (*expected) {
-    double t, r[3], v[3];
-    const char *after = next_line(expected, line, sizeof line);
-    if (strstr(line, "xx")) break;
-    expected = after;
-    if (sscanf(line, "%lf %lf %lf %lf %lf %lf %lf", &t, &r[0], &r[1], &r[2], &v[0], &v[1], &v[2]) !=
-        7)
-      continue;
-    *last = t;
-    if (fails_at_once) continue; /* the file repeats the state of the satellite before it */
-    struct um_vec3 r_teme, v_teme;
+  static const char *const r_km[3] = {"x_km", "y_km", "z_km"};
+  static const char *const v_km_s[3] = {"vx_km_s", "vy_km_s", "vz_km_s"};
+  for (; row < um_core_csv_rows(states); row++) {
+    if ((int)reference_number(context, states, row, "catalogue_number") != number) break;
+    double t = reference_number(context, states, row, "t_min");
+    struct um_vec3 r, v, r_expected = vector_of(context, states, row, r_km);
+    struct um_vec3 v_expected = vector_of(context, states, row, v_km_s);
     int error = -1;
-    enum um_status status = um_orbit_sgp4_state(context, sgp4, t, &r_teme, &v_teme, &error);
-    if (status != UM_OK) fail_msg("%d at %g min: %s", number, t, um_core_message(context));
+    *last = t;
+    if (um_orbit_sgp4_state(context, sgp4, t, &r, &v, &error) != UM_OK)
+      fail_msg("%d at %g min: %s", number, t, um_core_message(context));
     assert_int_equal(error, 0);
-    double dr = um_vec3_norm(um_vec3_sub(um_vec3_scale(r_teme, 1e-3), um_vec3(r[0], r[1], r[2])));
-    double dv = um_vec3_norm(um_vec3_sub(um_vec3_scale(v_teme, 1e-3), um_vec3(v[0], v[1], v[2])));
+    double dr = um_vec3_norm(um_vec3_sub(um_vec3_scale(r, 1e-3), r_expected));
+    double dv = um_vec3_norm(um_vec3_sub(um_vec3_scale(v, 1e-3), v_expected));
     if (!(dr <= worst->r)) {
       worst->r = dr;
       worst->satellite = number;
@@ -53,7 +49,7 @@ static const char *block_compare(struct um_context *context, struct um_orbit_sgp
     if (!(dv <= worst->v)) worst->v = dv;
     worst->states++;
   }
-  return expected;
+  return row;
 }
 
 /* The first error met from `start` on in steps, as the file's program ran; 0 when there is none. */
@@ -70,63 +66,56 @@ static int first_error(struct um_context *context, struct um_orbit_sgp4 *sgp4, d
   return 0;
 }
 
-/* Satellites that stop early: codes of AIAA 2006-6753; the minute follows the last row of the
- * satellite in the file of results by one step (33334 fails at the epoch). */
-static const struct {
-  int number, error;
-  double at; /* [min] */
-} failure[] = {{22312, 1, 494.2028672}, {28350, 1, 1560.0}, {28872, 6, 55.0},     {29141, 6, 440.0},
-               {33333, 4, 25.0},        {33334, 3, 0.0},    {20413, 6, 1844345.0}};
+/* One satellite of the set: the code at which its run ends and when, and its states. Returns the
+ * row behind them. */
+static size_t satellite_compare(struct um_context *context, const struct um_core_csv *elements,
+                                size_t k, const struct um_core_csv *states, size_t row,
+                                struct worst *worst)
+{
+  char set[256];
+  double last = NAN, at = NAN, step = reference_number(context, elements, k, "step_min");
+  int expected = (int)reference_number(context, elements, k, "error");
+  struct um_orbit_tle tle;
+  struct um_orbit_sgp4 *sgp4 = NULL;
+  snprintf(set, sizeof set, "%s\n%s", reference_text(context, elements, k, "line_1"),
+           reference_text(context, elements, k, "line_2"));
+  assert_ok(context, um_orbit_tle_parse(context, set, 0, &tle));
+  assert_int_equal(tle.catalogue_number,
+                   (int)reference_number(context, elements, k, "catalogue_number"));
+  assert_ok(context, um_orbit_sgp4_create(context, &tle, &sgp4));
+  int error = first_error(context, sgp4, reference_number(context, elements, k, "start_min"),
+                          reference_number(context, elements, k, "stop_min"), step, &at);
+  um_core_message_clear(context);
+  if (error != expected)
+    fail_msg("satellite %d: error %d at %g min, expected %d", tle.catalogue_number, error, at,
+             expected);
+  size_t after = states_compare(context, sgp4, tle.catalogue_number, states, row, worst, &last);
+  if (error != 0) {
+    print_message("satellite %d: error %d at %g min\n", tle.catalogue_number, error, at);
+    assert_near(at, reference_number(context, elements, k, "failure_min"), 1e-6);
+    if (at > 0.0) assert_near(at, last + step, 1e-6); /* one step after its last state */
+  }
+  assert_true(after > row || (error != 0 && at == 0.0));
+  um_orbit_sgp4_destroy(&sgp4);
+  return after;
+}
 
 static void verification_set(void **state)
 {
   struct um_context *context = *state;
-  char *elements = shared_read("sgp4/SGP4-VER.TLE"), *results = shared_read("sgp4/tcppver.out");
-  if (!elements || !results) skip();
+  struct um_core_csv *elements = reference_open(context, "sgp4-elements");
+  struct um_core_csv *states = reference_open(context, "sgp4-states");
   struct worst worst = {0};
-  int satellites = 0, failures = 0;
-  const char *text = elements, *expected = results;
-  char line[512], first[128] = "", set[256];
-  while (*text) {
-    text = next_line(text, line, sizeof line);
-    if (line[0] == '1') snprintf(first, sizeof first, "%.69s", line);
-    if (line[0] != '2') continue;
-    double start, stop, step, last = NAN, at = NAN;
-    assert_int_equal(sscanf(line + 69, "%lf %lf %lf", &start, &stop, &step), 3);
-    snprintf(set, sizeof set, "%s\n%.69s", first, line);
-    struct um_orbit_tle tle;
-    struct um_orbit_sgp4 *sgp4 = NULL;
-    assert_ok(context, um_orbit_tle_parse(context, set, 0, &tle));
-    assert_ok(context, um_orbit_sgp4_create(context, &tle, &sgp4));
-    int error = first_error(context, sgp4, start, stop, step, &at);
-    um_core_message_clear(context);
-
-    char header[512];
-    expected = next_line(expected, header, sizeof header);
-    assert_int_equal(atoi(header), tle.catalogue_number);
-    expected = block_compare(context, sgp4, tle.catalogue_number, expected, error && at == 0.0,
-                             &worst, &last);
-    if (error) {
-      bool known = false;
-      print_message("satellite %d: error %d at %g min\n", tle.catalogue_number, error, at);
-      for (size_t k = 0; k < sizeof failure / sizeof failure[0]; k++)
-        known = known || (failure[k].number == tle.catalogue_number && failure[k].error == error &&
-                          fabs(failure[k].at - at) < 1e-6);
-      if (!known)
-        fail_msg("satellite %d: unexpected error %d at %g min", tle.catalogue_number, error, at);
-      if (at > 0.0) assert_near(at, last + step, 1e-6);
-      failures++;
-    }
-    um_orbit_sgp4_destroy(&sgp4);
-    satellites++;
-  }
-  free(elements);
-  free(results);
-  print_message(
-      "%d element sets, %d states: largest error %.3g km (satellite %d at %g min), %.3g km/s\n",
-      satellites, worst.states, worst.r, worst.satellite, worst.at, worst.v);
-  assert_int_equal(satellites, 33);
-  assert_int_equal(failures, sizeof failure / sizeof failure[0]);
+  size_t row = 0;
+  assert_int_equal(um_core_csv_rows(elements), 33);
+  for (size_t k = 0; k < 33; k++)
+    row = satellite_compare(context, elements, k, states, row, &worst);
+  assert_int_equal(row, um_core_csv_rows(states));
+  print_message("%d states: largest error %.3g km (satellite %d at %g min), %.3g km/s\n",
+                worst.states, worst.r, worst.satellite, worst.at, worst.v);
+  assert_int_equal(worst.states, 666);
+  um_core_csv_destroy(&states);
+  um_core_csv_destroy(&elements);
   if (!(worst.r <= 2e-7)) fail_msg("position: %.3g km, tolerance 2e-7 km", worst.r);
   if (!(worst.v <= 2e-9)) fail_msg("velocity: %.3g km/s, tolerance 2e-9 km/s", worst.v);
 }
@@ -135,7 +124,7 @@ static const char vanguard[] = /* AIAA 2006-6753, satellite 00005 */
     "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753\n"
     "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667\n";
 
-/* The states that the paper prints, without the data file. Tolerance: their last digit. */
+/* The states that the paper prints. Tolerance: their last digit. */
 static void printed_states(void **state)
 {
   struct um_context *context = *state;

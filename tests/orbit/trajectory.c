@@ -244,6 +244,21 @@ static void table_refusals(void **state)
       context,
       "time_utc,x_km,y_km,z_km\n2016-01-01T00:00:00Z,7000,0,0\n2016-01-41T00:00:00Z,1,1,0\n",
       ":3: column 'time_utc': '2016-01-41T00:00:00Z': that month does not have this day");
+  /* found by the fuzz target orbit_table: a period of 0 s, and positions that overflow */
+  refused_table(context,
+                "time_utc,x_km,y_km,z_km\n2016-01-01T00:00:00Z,0,0,0\n"
+                "2016-01-01T00:01:00Z,7000,1,0\n",
+                ":2: column 'x_km': the position is 0 km from the geocentre; accepted: 6000 to "
+                "1e+09 km");
+  refused_table(context,
+                "time_utc,x_km,y_km,z_km\n2016-01-01T00:00:00Z,7000,0,0\n"
+                "2016-01-01T00:01:00Z,3e9,4e9,0\n",
+                ":3: column 'x_km': the position is 5e+09 km from the geocentre; accepted: 6000 to "
+                "1e+09 km");
+  refused_table(context,
+                "time_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n"
+                "2016-01-01T00:00:00Z,7000,0,0,0,3e5,0\n2016-01-01T00:01:00Z,7000,1,0,0,7,0\n",
+                ":2: column 'vx_km_s': the speed is 300000 km/s; accepted: less than light's");
   struct um_orbit_trajectory *table = NULL;
   char path[256], want[512];
   scratch_write(

@@ -14,13 +14,11 @@
  * 4 sigma T^3 = 10.3 W/K is 0.6 K; 2.6 % of 190 W/m2 on a side face over 8.8 W/K as much.
  *
  * With the three in it, the repeated computation meets all six temperatures to 0.03 K (rms 0.008).
- * S and the albedo coefficient are those of ESATAN's flux files (tests/thermal/loads_esatan.c). */
+ * S and the albedo coefficient are those of ESATAN's flux files (tests/irradiation/loads_esatan.c).
+ */
 #include "tests/scenarios/support.h"
+#include "tests/support/reference.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-#define FOLDER   UMBRA_SHARED_DIR "/data/esatan/"
 #define ROWS     512
 #define ELEMENTS 6
 
@@ -30,29 +28,22 @@ struct reference {
   size_t n;
 };
 
-/* Rows "t,T1,t,T2,..." [s], [deg C]; the last one is there twice. */
-static void reference_read(const char *file, size_t elements, struct reference *out)
+/* Column 0 is the time, those behind it the elements. */
+static void reference_read(const char *name, size_t elements, struct reference *out)
 {
-  char path[1024], line[1024];
-  snprintf(path, sizeof path, "%s%s", FOLDER, file);
-  FILE *f = fopen(path, "r");
-  if (f == NULL) {
-    print_message("skipped: %s is missing\n", path);
-    skip();
+  struct um_context *context = NULL;
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  struct um_core_csv *csv = reference_open(context, name);
+  out->n = um_core_csv_rows(csv);
+  assert_int_equal(out->n, 501);
+  assert_int_equal(um_core_csv_columns(csv), elements + 1);
+  for (size_t k = 0; k < out->n; k++) {
+    out->t[k] = reference_number(context, csv, k, "time_s");
+    for (size_t e = 0; e < elements; e++)
+      out->temperature[k][e] = reference_number(context, csv, k, um_core_csv_header(csv, e + 1));
   }
-  do assert_non_null(fgets(line, sizeof line, f));
-  while (strncmp(line, "Time", 4) != 0);
-  out->n = 0;
-  while (fgets(line, sizeof line, f) != NULL && out->n < ROWS) {
-    char *at = line;
-    for (size_t e = 0; e < elements; e++) {
-      out->t[out->n] = strtod(at, &at);
-      out->temperature[out->n][e] = strtod(at + 1, &at) + 273.15;
-      at += *at == ',';
-    }
-    if (out->n == 0 || out->t[out->n] - out->t[out->n - 1] > 1.0) out->n++;
-  }
-  fclose(f);
+  um_core_csv_destroy(&csv);
+  um_core_context_destroy(&context);
 }
 
 /* Differences of one element: rms and largest [K] within what is allowed. */
@@ -80,7 +71,7 @@ static void cube(void **state)
 {
   (void)state;
   static struct reference reference;
-  reference_read("BetaZero_Z_408km_box_norad_temps.csv", 6, &reference);
+  reference_read("esatan-cube", 6, &reference);
   struct support_run run;
   support_compute(UMBRA_SOURCE_DIR "/scenarios/cube", NULL, 0, &run);
   assert_int_equal(run.result->nobs, reference.n);
@@ -100,7 +91,7 @@ static void plates(void **state)
 {
   (void)state;
   static struct reference reference;
-  reference_read("BetaZero_Z_408km_platesZX_norad_temps.csv", 2, &reference);
+  reference_read("esatan-two-plates", 2, &reference);
   struct support_run run;
   support_compute(UMBRA_SOURCE_DIR "/tests/scenarios/data/plates.yaml", NULL, 0, &run);
   assert_int_equal(run.result->nobs, reference.n);

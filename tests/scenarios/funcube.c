@@ -7,15 +7,12 @@
  * Each withheld effect must cost at least 3 K, more than the model is off in all: 4.5 K (power) to
  * 14.7 K (Earth infrared) are measured. What is withheld and added again as an effect must give the
  * complete model back to 1 mK, the integrator's tolerance. */
-#include <stdlib.h>
-#include <string.h>
-
 #include "compare/compare.h"
+#include "core/csv.h"
 #include "tests/scenarios/support.h"
 
-#define SCENARIO  UMBRA_SOURCE_DIR "/scenarios/funcube-1"
-#define TELEMETRY UMBRA_SHARED_DIR "/data/funcube1/wod_2016-02-04_00-14h.csv"
-#define MEASURED  "funcube_measured.csv"
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"
+#define MEASURED SCENARIO "/measured.csv"
 
 #define ACCEPTED_RMS 2.0  /* [K] */
 #define COST         3.0  /* of an effect withheld [K] */
@@ -55,15 +52,15 @@ static struct um_compare_metrics compute(const char *const *overrides, const cha
   need(context, um_compare_measurements_read(context, MEASURED, &measured));
   need(context, um_model_create(context, SCENARIO, &options, &run.model));
   need(context, um_compare_plan_create(context, run.model, measured, &plan));
-  need(context, um_compare_plan_trace(context, run.model, plan, &run.trace));
-  need(context, um_model_run(context, run.model, run.trace, &run.result));
-  const struct um_compare_run compared = {run.model, plan, run.trace, run.result};
+  need(context, um_compare_plan_trace(context, run.model, plan, &run.precomputed));
+  need(context, um_model_run(context, run.model, run.precomputed, &run.result));
+  const struct um_compare_run compared = {run.model, plan, run.precomputed, run.result};
   need(context, um_compare_create(context, &compared, 0.0, &comparison));
   assert_int_equal(comparison->nchannel, 1);
   struct um_compare_metrics metrics = comparison->channel[0].all;
   um_compare_destroy(context, &comparison);
   um_model_result_destroy(context, &run.result);
-  um_model_trace_destroy(context, &run.trace);
+  um_model_precomputed_destroy(context, &run.precomputed);
   um_compare_plan_destroy(context, &plan);
   um_model_destroy(context, &run.model);
   um_compare_measurements_destroy(context, &measured);
@@ -71,22 +68,47 @@ static struct um_compare_metrics compute(const char *const *overrides, const cha
   return metrics;
 }
 
-static double complete_rms; /* [K], NaN until the complete model was computed */
+static double complete_rms = NAN; /* [K], NaN until the complete model was computed */
 
-static void need_telemetry(void)
+static double panel(struct um_context *context, const struct um_core_csv *csv, size_t row,
+                    const char *name)
 {
-  FILE *file = fopen(MEASURED, "r");
-  if (file == NULL) {
-    print_message("skipped: " TELEMETRY " or python3 is missing\n");
-    skip();
+  size_t column = 0;
+  double value = NAN;
+  need(context, um_core_csv_require(context, csv, name, &column));
+  need(context, um_core_csv_number(context, csv, row, column, &value));
+  return value;
+}
+
+/* What is compared is the telemetry: the mean of the four panels of every frame. */
+static void measurements_are_the_telemetry(void **state)
+{
+  (void)state;
+  struct um_context *context = NULL;
+  struct um_core_csv *telemetry = NULL, *measured = NULL;
+  need(NULL, um_core_context_create(NULL, &context));
+  need(context, um_core_csv_read(context, SCENARIO "/telemetry.csv", &telemetry));
+  need(context, um_core_csv_read(context, MEASURED, &measured));
+  assert_int_equal(um_core_csv_rows(telemetry), 714);
+  assert_int_equal(um_core_csv_rows(measured), 714);
+  for (size_t i = 0; i < 714; i++) {
+    double mean = 0.25 * (panel(context, telemetry, i, "panel_x_plus_C") +
+                          panel(context, telemetry, i, "panel_x_minus_C") +
+                          panel(context, telemetry, i, "panel_y_plus_C") +
+                          panel(context, telemetry, i, "panel_y_minus_C"));
+    assert_string_equal(um_core_csv_text(measured, i, 0), um_core_csv_text(telemetry, i, 0));
+    support_close("mean of the panels [K]", panel(context, measured, i, "value"), mean + 273.15,
+                  6e-4);
+    support_close("sigma [K]", panel(context, measured, i, "sigma"), 1.0, 0.0);
   }
-  fclose(file);
+  um_core_csv_destroy(&measured);
+  um_core_csv_destroy(&telemetry);
+  um_core_context_destroy(&context);
 }
 
 static void catalogue_properties_meet_the_panels(void **state)
 {
   (void)state;
-  need_telemetry();
   struct um_compare_metrics all = compute(NONE, NONE, NONE);
   complete_rms = all.rms;
   print_message("%zu frames: bias %+.2f, standard deviation %.2f, rms %.2f K\n", all.count,
@@ -106,7 +128,6 @@ static void each_effect_is_missed_and_comes_back(void **state)
       {"internal power", "parts.body.interior.power_W=0", NULL, "internal_power:body,power_W=1.29"},
       {"interior's capacity", "parts.body.interior.capacity_J_K=1", NULL,
        "interior_capacity:body,capacity_J_K=306"}};
-  need_telemetry();
   for (size_t i = 0; i < sizeof effects / sizeof effects[0]; i++) {
     const char *const *overrides = LIST(effects[i].override);
     struct um_compare_metrics less = compute(overrides, NONE, LIST(effects[i].without));
@@ -119,28 +140,10 @@ static void each_effect_is_missed_and_comes_back(void **state)
   }
 }
 
-/* Without the shared data, or python3, there is no file and the tests say so. */
-static int convert(void **state)
-{
-  (void)state;
-  complete_rms = NAN;
-  remove(MEASURED);
-  FILE *file = fopen(TELEMETRY, "r");
-  if (file == NULL || system("python3 --version") != 0) return file == NULL ? 0 : fclose(file);
-  fclose(file);
-  return system("python3 " SCENARIO "/convert.py " TELEMETRY " " MEASURED);
-}
-
-static int clean(void **state)
-{
-  (void)state;
-  remove(MEASURED);
-  return 0;
-}
-
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(catalogue_properties_meet_the_panels),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(measurements_are_the_telemetry),
+                                     cmocka_unit_test(catalogue_properties_meet_the_panels),
                                      cmocka_unit_test(each_effect_is_missed_and_comes_back)};
-  return cmocka_run_group_tests(tests, convert, clean);
+  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,18 +9,42 @@
  *   sum ((model - fine) / sigma)^2 <= 0.01 rows,
  *
  * a tenth of what the sum of as many noise terms wanders by (sqrt(2 rows), 242 rows). */
-#include "tests/scenarios/support.h"
+#include <string.h>
 
 #include "core/constants.h"
 #include "tests/lab/lab.h"
+#include "tests/scenarios/support.h"
 
-static void is_seen_whole(const struct support_run *run)
+/* What README.md says of a pass, the row of its table that begins with the name. */
+struct page {
+  size_t lit, penumbra, dark;
+  double low, high, cost; /* [deg], [deg], chi-square a row */
+};
+
+static struct page page_of(const char *name)
+{
+  struct page page;
+  char line[512], head[64];
+  bool found = false;
+  FILE *file = fopen(UMBRA_SOURCE_DIR "/scenarios/hidden-effect/README.md", "rb");
+  assert_non_null(file);
+  snprintf(head, sizeof head, "| `%s` |", name);
+  while (!found && fgets(line, sizeof line, file) != NULL)
+    found = strncmp(line, head, strlen(head)) == 0 &&
+            sscanf(line + strlen(head), " %zu, %zu, %zu | %lf to %lf | %lf |", &page.lit,
+                   &page.penumbra, &page.dark, &page.low, &page.high, &page.cost) == 6;
+  fclose(file);
+  if (!found) fail_msg("README.md has no figures of %s", name);
+  return page;
+}
+
+static void is_seen_whole(const struct support_run *run, const struct page *page)
 {
   size_t lit = 0, penumbra = 0, dark = 0;
   double high = 0.0, low = 90.0;
   for (size_t k = 0; k < run->result->nobs; k++) {
-    double sunlit = run->trace->sunlit[k];
-    double elevation = run->trace->look[k * run->trace->nsub].elevation / UM_DEG;
+    double sunlit = run->precomputed->sunlit[k];
+    double elevation = run->precomputed->look[k * run->precomputed->nsub].elevation / UM_DEG;
     *(sunlit == 1.0 ? &lit : sunlit == 0.0 ? &dark : &penumbra) += 1;
     high = fmax(high, elevation);
     low = fmin(low, elevation);
@@ -32,6 +56,11 @@ static void is_seen_whole(const struct support_run *run)
                 penumbra, dark, low, high);
   assert_true(lit >= 20 && penumbra >= 1 && dark >= 20);
   assert_true(low < 15.0 && high > 45.0);
+  assert_int_equal(lit, page->lit);
+  assert_int_equal(penumbra, page->penumbra);
+  assert_int_equal(dark, page->dark);
+  support_close("lowest elevation of README.md [deg]", low, page->low, 0.05);
+  support_close("highest elevation of README.md [deg]", high, page->high, 0.05);
 }
 
 static double difference(const struct support_run *run, const struct support_run *fine)
@@ -59,12 +88,13 @@ static void holds(const char *name)
   struct support_run run, fine;
   lab_world_path(lab_world_find(name), path);
   support_compute(path, NULL, 0, &run);
-  is_seen_whole(&run);
+  struct page page = page_of(name);
+  is_seen_whole(&run, &page);
   support_compute(path, lab_fine, LAB_FINE, &fine);
   assert_int_equal(run.result->nobs, fine.result->nobs);
-  support_close("chi-square of the discretisation per row",
-                difference(&run, &fine) / (double)(run.result->nobs * run.result->nband), 0.0,
-                0.01);
+  double cost = difference(&run, &fine) / (double)(run.result->nobs * run.result->nband);
+  support_close("chi-square of the discretisation per row", cost, 0.0, 0.01);
+  support_close("the same in README.md", cost, page.cost, 1e-4); /* two of its last digits */
   support_release(&fine);
   support_release(&run);
 }

@@ -11,7 +11,7 @@
 struct support_run {
   struct um_context *context;
   struct um_model *model;
-  struct um_model_trace *trace;
+  struct um_model_precomputed *precomputed;
   struct um_model_result *result;
 };
 

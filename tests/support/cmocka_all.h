@@ -1,4 +1,5 @@
-/* CMocka, which wants these headers before its own, and a comparison of numbers. */
+/* CMocka, which wants these headers before its own, a comparison of numbers, and programs that tell
+ * CTest of skipped tests. */
 #ifndef UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
 #define UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
 
@@ -17,5 +18,25 @@
     if (!(fabs(assert_v_ - assert_e_) <= assert_t_))                                               \
       fail_msg("%s = %.17g, expected %.17g within %g", #value, assert_v_, assert_e_, assert_t_);   \
   } while (0)
+
+/* A group of tests returns 0, UM_TEST_SKIPPED when a test called skip() and none failed, and
+ * otherwise the number of those that failed: CMocka alone returns 0 for tests that were skipped.
+ * um_test() of CMake names the same code to CTest. */
+#define UM_TEST_SKIPPED 77
+
+void um_test_skip_note(void);
+int um_test_result(int failures);
+
+#undef skip
+#define skip()                                                                                     \
+  do {                                                                                             \
+    um_test_skip_note();                                                                           \
+    _skip(__FILE__, __LINE__);                                                                     \
+  } while (0)
+
+#undef cmocka_run_group_tests
+#define cmocka_run_group_tests(tests, setup, teardown)                                             \
+  um_test_result(                                                                                  \
+      _cmocka_run_group_tests(#tests, tests, sizeof(tests) / sizeof((tests)[0]), setup, teardown))
 
 #endif

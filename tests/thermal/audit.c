@@ -10,7 +10,7 @@
 /* Solar heat [J] of nodes from the table: every interval is a product of linear functions of time,
  * at most cubic, so Simpson's rule is exact. */
 static double solar_exact(const struct um_thermal_network *network,
-                          const struct um_thermal_loads *loads)
+                          const struct um_irradiation_loads *loads)
 {
   double sum = 0.0;
   size_t surfaces = um_thermal_network_surfaces(network);
@@ -43,7 +43,7 @@ static void test_energy(void **state)
   for (int c = 0; c < 2; c++) {
     uint32_t interior;
     struct um_thermal_network *network = box_network(3, skin[c], &interior);
-    struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+    struct um_irradiation_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
     struct um_thermal_solve_options options;
     um_thermal_solve_defaults(&options);
     struct um_thermal_history *history = NULL;
@@ -56,7 +56,7 @@ static void test_energy(void **state)
     if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
     NEAR("solar heat", history->audit.solar / sun, 1.0, 6e-5);
     um_thermal_history_destroy(help_context, &history);
-    um_thermal_loads_destroy(help_context, &loads);
+    um_irradiation_loads_destroy(help_context, &loads);
     um_thermal_network_destroy(&network);
   }
 }
@@ -69,7 +69,7 @@ static void test_heat_of_nodes(void **state)
   (void)state;
   uint32_t interior;
   struct um_thermal_network *network = box_network(3, 77.39, &interior);
-  struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+  struct um_irradiation_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
   struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
   const double times[3] = {1001.5, 1002.0, 1002.5};
   struct um_thermal_history *history = NULL;
@@ -94,7 +94,7 @@ static void test_heat_of_nodes(void **state)
   NEAR("exchanged sum", exchanged, 0.0, 1e-12 * gross);
   free(heat);
   um_thermal_history_destroy(help_context, &history);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 
@@ -103,7 +103,7 @@ static void test_threads(void **state)
   (void)state;
   uint32_t interior;
   struct um_thermal_network *network = box_network(3, 77.39, &interior);
-  struct um_thermal_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
+  struct um_irradiation_loads *loads = box_loads(3, ROWS, PERIOD, PERIOD / 213.0);
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   struct um_thermal_history *history[2] = {NULL, NULL};
@@ -117,13 +117,13 @@ static void test_threads(void **state)
                       ROWS * history[0]->nnode * sizeof(double));
   assert_memory_equal(&history[0]->audit, &history[1]->audit, sizeof history[0]->audit);
   for (int k = 0; k < 2; k++) um_thermal_history_destroy(help_context, &history[k]);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 
 /* Last temperatures and audit of one run over the table from its first row. */
 static struct um_thermal_history *whole_run(const struct um_thermal_network *network,
-                                            const struct um_thermal_loads *loads,
+                                            const struct um_irradiation_loads *loads,
                                             const struct um_thermal_solve_options *options)
 {
   struct um_thermal_history *history = NULL;
@@ -139,7 +139,7 @@ static void test_switches(void **state)
   uint32_t interior;
   struct um_thermal_network *network = box_network(2, 77.39, &interior);
   for (int c = 0; c < 2; c++) {
-    struct um_thermal_loads *loads = box_loads(2, 301, PERIOD, 5.0);
+    struct um_irradiation_loads *loads = box_loads(2, 301, PERIOD, 5.0);
     struct um_thermal_solve_options options;
     um_thermal_solve_defaults(&options);
     struct um_thermal_history *with = whole_run(network, loads, &options);
@@ -155,7 +155,7 @@ static void test_switches(void **state)
     um_thermal_history_destroy(help_context, &with);
     um_thermal_history_destroy(help_context, &off);
     um_thermal_history_destroy(help_context, &none);
-    um_thermal_loads_destroy(help_context, &loads);
+    um_irradiation_loads_destroy(help_context, &loads);
   }
   um_thermal_network_destroy(&network);
 }
@@ -168,7 +168,7 @@ static void test_origin_of_time(void **state)
   (void)state;
   uint32_t interior;
   struct um_thermal_network *network = box_network(2, 77.39, &interior);
-  struct um_thermal_loads *loads = box_loads(2, 301, PERIOD, 5.0);
+  struct um_irradiation_loads *loads = box_loads(2, 301, PERIOD, 5.0);
   struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
   struct um_thermal_history *here = whole_run(network, loads, &options);
   for (size_t k = 0; k < loads->ntime; k++) loads->t[k] += 5.3e8;
@@ -178,7 +178,7 @@ static void test_origin_of_time(void **state)
     NEAR("at 5.3e8 s", there->temperature[i], here->temperature[i], 2e-5);
   um_thermal_history_destroy(help_context, &here);
   um_thermal_history_destroy(help_context, &there);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 
@@ -189,7 +189,7 @@ static void test_incommensurate_spin(void **state)
   (void)state;
   uint32_t interior;
   struct um_thermal_network *network = box_network(2, 77.39, &interior);
-  struct um_thermal_loads *loads = box_loads(2, 601, PERIOD, PERIOD / 213.0);
+  struct um_irradiation_loads *loads = box_loads(2, 601, PERIOD, PERIOD / 213.0);
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   size_t n = um_thermal_network_nodes(network);
@@ -215,12 +215,12 @@ static void test_incommensurate_spin(void **state)
                                temperature + n, &largest));
   for (size_t i = 0; i < n; i++) NEAR("from 200 K", temperature[n + i], temperature[i], 0.02);
   free(temperature);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 
 /* Every refusal is one line that names what is wrong. */
-static void expect_refused(struct um_thermal_network *network, struct um_thermal_loads *loads,
+static void expect_refused(struct um_thermal_network *network, struct um_irradiation_loads *loads,
                            double from, double to, const char *words)
 {
   struct um_thermal_solve_options options;
@@ -239,7 +239,7 @@ static void test_refused(void **state)
   (void)state;
   uint32_t interior;
   struct um_thermal_network *network = box_network(2, 77.39, &interior);
-  struct um_thermal_loads *loads = box_loads(2, 61, PERIOD, 3.0);
+  struct um_irradiation_loads *loads = box_loads(2, 61, PERIOD, 3.0);
   loads->sun[40 * 3 + 3] = NAN;
   expect_refused(network, loads, 0.0, 1000.0, "sun on surface 3 at row 3");
   loads->sun[40 * 3 + 3] = 0.0f;
@@ -257,7 +257,7 @@ static void test_refused(void **state)
   loads->nsurface = 30;
   expect_refused(network, loads, 0.0, 1000.0, "30 surfaces");
   loads->nsurface = 40;
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 

@@ -53,8 +53,8 @@ static void mli_case(enum um_thermal_part_kind kind, bool interior, double e, do
   help_build(&s, NULL, 0);
   help_hold(&s, interior ? "bus.interior" : "bus.wall", 293.0);
   size_t nsurface = um_geometry_mesh(s.geometry)->nsurface;
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_create(help_context, 1, nsurface, 0, &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_create(help_context, 1, nsurface, 0, &loads));
   loads->irradiance[0] = 1361.0;
   for (size_t i = 0; i < nsurface; i++) loads->sun[i] = 1.0f;
   for (int lit = 0; lit < 2; lit++) {
@@ -65,7 +65,7 @@ static void mli_case(enum um_thermal_part_kind kind, bool interior, double e, do
     NEAR("MLI leak", leak, lit ? leak_in : -leak_out, 1e-4);
     free(t);
   }
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   help_end(&s);
 }
 

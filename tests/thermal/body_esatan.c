@@ -9,33 +9,28 @@
  * radiates 4 sigma T^3 = 6.4 W/m2/K, 6 / (4 + 6.4) = 0.6 K; and its step of 22 s over the edge of
  * the shadow, 7.7 s wide in its tables: up to 3 s misplaced are 3 s * 1.41 K/s = 4.2 K on a face
  * that the Sun leaves or meets at full strength, for a few rows. */
+#include "irradiation/loads.h"
+#include "tests/support/reference.h"
 #include "tests/thermal/body_help.h"
-#include "thermal/loads.h"
 
-#define FILE_NAME UMBRA_SHARED_DIR "/data/esatan/BetaZero_Z_408km_box_norad_temps.csv"
-#define ROWS      512
-#define SAMPLES   109
+#define ROWS    512
+#define SAMPLES 109
 
-/* Rows of time and six temperatures [K]; false without the file. */
-static bool read_rows(double *t, double (*temperature)[6], size_t *n)
+/* Rows of time [s] and six temperatures [K]. */
+static size_t read_rows(double *t, double (*temperature)[6])
 {
-  char line[1024];
-  FILE *f = fopen(FILE_NAME, "r");
-  if (f == NULL) return false;
-  do assert_non_null(fgets(line, sizeof line, f));
-  while (strncmp(line, "Time", 4) != 0);
-  *n = 0;
-  while (fgets(line, sizeof line, f) != NULL && *n < ROWS) {
-    char *at = line;
-    for (int e = 0; e < 6; e++) {
-      t[*n] = strtod(at, &at);
-      temperature[*n][e] = strtod(at + 1, &at) + 273.15;
-      at += *at == ',';
-    }
-    if (*n == 0 || t[*n] - t[*n - 1] > 1e-3) (*n)++; /* the last row is there twice */
+  static const char *const column[6] = {"velocity_K", "y_minus_K", "zenith_K",
+                                        "y_plus_K",   "nadir_K",   "wake_K"};
+  struct um_core_csv *csv = reference_open(help_context, "esatan-cube");
+  size_t n = um_core_csv_rows(csv);
+  assert_int_equal(n, 501);
+  for (size_t k = 0; k < n; k++) {
+    t[k] = reference_number(help_context, csv, k, "time_s");
+    for (int e = 0; e < 6; e++)
+      temperature[k][e] = reference_number(help_context, csv, k, column[e]);
   }
-  fclose(f);
-  return true;
+  um_core_csv_destroy(&csv);
+  return n;
 }
 
 static int ascending(const void *a, const void *b)
@@ -46,7 +41,7 @@ static int ascending(const void *a, const void *b)
 
 /* ESATAN's own sampling: 50 steps an orbit, and 3.862 s before and after the edges of the cylinder
  * shadow (as in its flux files); loads are linear in between. */
-static struct um_thermal_loads *trace(const struct help_satellite *s, double period, double end)
+static struct um_irradiation_loads *trace(const struct help_satellite *s, double period, double end)
 {
   static struct um_environment_sample sample[SAMPLES];
   static double t[SAMPLES];
@@ -80,9 +75,9 @@ static struct um_thermal_loads *trace(const struct help_satellite *s, double per
     sample[k].sunlit_fraction = um_environment_sunlit_fraction(
         &environment, sample[k].r, sample[k].sun, UM_AU, sample[k].pole);
   }
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_trace(help_context, s->geometry, &environment, sample, n, edge, 4, 16,
-                            &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_trace(help_context, s->geometry, &environment, sample, n, edge, 4, 16,
+                                &loads));
   return loads;
 }
 
@@ -90,11 +85,7 @@ static void test_cube(void **state)
 {
   (void)state;
   static double t[ROWS], reference[ROWS][6];
-  size_t n = 0;
-  if (!read_rows(t, reference, &n)) {
-    print_message("skipped: %s is missing\n", FILE_NAME);
-    skip();
-  }
+  size_t n = read_rows(t, reference);
   static const char *face[6] = {"cube.+x", "cube.-y", "cube.-z", "cube.+y", "cube.+z", "cube.-x"};
   struct help_satellite s = {0};
   help_part(&s, "cube", UM_SHAPE_BOX, NULL);
@@ -109,7 +100,7 @@ static void test_cube(void **state)
         contact[ncontact++] = (struct um_thermal_contact){face[i], face[j], 1.0};
   assert_int_equal(ncontact, 12);
   help_build(&s, contact, ncontact);
-  struct um_thermal_loads *loads = trace(&s, 5560.988495051516, t[n - 1]);
+  struct um_irradiation_loads *loads = trace(&s, 5560.988495051516, t[n - 1]);
   struct um_thermal_solve_options options = help_options(1e-7, 1e-6, 0.0);
   struct um_thermal_history *history = NULL;
   OK(um_thermal_solve(help_context, s.body->network, loads, &options, 0.0, t, n, &history));
@@ -129,7 +120,7 @@ static void test_cube(void **state)
     NEAR(face[e], worst, 0.0, 4.2);
   }
   um_thermal_history_destroy(help_context, &history);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   help_end(&s);
 }
 

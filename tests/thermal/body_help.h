@@ -134,8 +134,8 @@ static inline void help_hold_at_x(struct help_satellite *s, double x, double tem
 }
 
 /* Steady state; the caller frees. */
-static inline double *help_steady(struct help_satellite *s, const struct um_thermal_loads *loads,
-                                  double space)
+static inline double *help_steady(struct help_satellite *s,
+                                  const struct um_irradiation_loads *loads, double space)
 {
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, space);
   double *temperature = calloc(um_thermal_network_nodes(s->body->network), sizeof *temperature);

@@ -1,8 +1,8 @@
 /* Every allocation of a body and of its loads fails once: the answer is "out of memory", nothing is
  * left behind, and the next try works. */
+#include "irradiation/loads.h"
 #include "tests/support/allocator.h"
 #include "tests/thermal/body_help.h"
-#include "thermal/loads.h"
 
 static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
 {
@@ -81,13 +81,13 @@ static void test_loads(void **state)
                                            .q = {1, 0, 0, 0}};
     long live = memory.alive, tries = 0;
     enum um_status status = UM_ERR_MEMORY;
-    struct um_thermal_loads *loads = NULL;
+    struct um_irradiation_loads *loads = NULL;
     while (status != UM_OK) {
       memory.calls = 0;
       memory.fail_call = ++tries;
       um_core_message_clear(help_context);
-      status = um_thermal_loads_trace(help_context, s.geometry, &environment, &sample, 1, NULL, 0,
-                                      4, &loads);
+      status = um_irradiation_loads_trace(help_context, s.geometry, &environment, &sample, 1, NULL,
+                                          0, 4, &loads);
       if (status == UM_OK) break;
       assert_int_equal(status, UM_ERR_MEMORY);
       assert_null(loads);
@@ -95,7 +95,7 @@ static void test_loads(void **state)
     }
     print_message("loads: %ld allocations failed one by one\n", tries - 1);
     assert_true(tries > 15);
-    um_thermal_loads_destroy(help_context, &loads);
+    um_irradiation_loads_destroy(help_context, &loads);
     help_end(&s);
     um_core_context_destroy(&help_context);
     assert_int_equal(memory.alive, 0);

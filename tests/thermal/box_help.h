@@ -58,14 +58,14 @@ static inline struct um_thermal_network *box_network(uint32_t m, double skin_cap
 
 /* One period from 0 in ntime - 1 intervals; spins [1] turns per period, need not be whole. Penumbra
  * of two intervals at both ends of the shadow, edges given. */
-static inline struct um_thermal_loads *box_loads(uint32_t m, size_t ntime, double period,
-                                                 double spins)
+static inline struct um_irradiation_loads *box_loads(uint32_t m, size_t ntime, double period,
+                                                     double spins)
 {
   const double normal[6] = {0.0, 90.0, 180.0, 270.0, 85.0, 95.0}; /* azimuth of faces [deg] */
-  struct um_thermal_loads *loads = NULL;
+  struct um_irradiation_loads *loads = NULL;
   size_t per_face = (size_t)m * m, nsurface = 10 * per_face;
   double step = period / (double)(ntime - 1);
-  OK(um_thermal_loads_create(help_context, ntime, nsurface, 4, &loads));
+  OK(um_irradiation_loads_create(help_context, ntime, nsurface, 4, &loads));
   const double edge[4] = {0.35 * period, 0.35 * period + 2.0 * step, 0.65 * period,
                           0.65 * period + 2.0 * step};
   memcpy(loads->edge, edge, sizeof edge);

@@ -69,8 +69,8 @@ static double nafems_t3(size_t n)
   OK(um_thermal_network_conductor_add(network, driven, help_boundary(network, origin), stiff));
   help_surface(network, 0, driven, 1.0, 1.0, 0.0);
   const size_t ntime = 1601;
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_create(help_context, ntime, 1, 0, &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_create(help_context, ntime, 1, 0, &loads));
   for (size_t k = 0; k < ntime; k++) {
     loads->t[k] = 0.02 * (double)k;
     loads->irradiance[k] = stiff * 100.0 * sin(UM_PI * loads->t[k] / 40.0);
@@ -83,7 +83,7 @@ static double nafems_t3(size_t n)
   OK(um_thermal_solve(help_context, network, loads, &options, 0.0, &t, 1, &history));
   double temperature = history->temperature[first + n * 8 / 10] - origin;
   um_thermal_history_destroy(help_context, &history);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
   return temperature;
 }

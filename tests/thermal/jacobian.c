@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "tests/thermal/box_help.h"
+#include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
 static void compare(double skin_capacity)
@@ -21,7 +22,7 @@ static void compare(double skin_capacity)
   OK(um_thermal_network_radiator_add(network, far, 9, 0.4));
   OK(um_thermal_network_radiator_add(network, far, UM_THERMAL_SPACE, 0.3));
   OK(um_thermal_network_radiator_add(network, far, help_boundary(network, 290.0), 0.2));
-  struct um_thermal_loads *loads = box_loads(2, 61, 6000.0, 3.0);
+  struct um_irradiation_loads *loads = box_loads(2, 61, 6000.0, 3.0);
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   struct um_thermal_system *system = NULL;
@@ -56,7 +57,7 @@ static void compare(double skin_capacity)
   NEAR("Jacobian", worst, 0.0, 1e-6);
   free(y);
   um_thermal_system_destroy(&system);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "tests/thermal/network_help.h"
+#include "thermal/network_impl.h"
 
 /* C = 1,2,3,4,1000 J/K, T0 = 20,30,40,50,0 degC, G01 10, G12 1, G13 5, G34 2 W/K, 5 W into node 0.
  * Exact at 10 s by the matrix exponential, printed to 1e-6 K. (The ESATAN-TMS run of the same case
@@ -112,7 +113,7 @@ static void test_refused(void **state)
   struct um_thermal_history *history = NULL;
   double t = 1.0;
   REFUSED(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history), "node 2");
-  um_thermal_network_capacity_add(network, 2, 1.0);
+  network->node[2].capacity = 1.0;
   help_arithmetic(network, 300.0);
   REFUSED(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history), "node 3");
   options.relative_tolerance = NAN;

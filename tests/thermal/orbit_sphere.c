@@ -4,8 +4,8 @@
  * PHYSICS C.2, for a load code with the albedo of the visible cap: T_max 299.527 K, T_min 230.836 K
  * at the exit from shadow. The facets' projected area differs from that of the sphere by up to
  * 0.1 % with direction (Cauchy: none on average), which is 0.02 to 0.03 K here; 0.05 K allowed. */
+#include "irradiation/loads.h"
 #include "tests/thermal/body_help.h"
-#include "thermal/loads.h"
 
 #define SAMPLES 720
 
@@ -60,9 +60,9 @@ static void test_sphere(void **state)
   s.spec[0].start_temperature = 280.0;
   s.group[0].absorptance_front = s.group[0].emittance_front = 0.8;
   help_build(&s, NULL, 0);
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_trace(help_context, s.geometry, &environment, sample, n, edge, 2, 16,
-                            &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_trace(help_context, s.geometry, &environment, sample, n, edge, 2, 16,
+                                &loads));
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
   double start = 0.0, drift = NAN, low = INFINITY, high = 0.0, low_at = 0.0, high_at = 0.0;
   OK(um_thermal_solve_periodic(help_context, s.body->network, loads, &options, 0.0, period, 1e-4,
@@ -88,7 +88,7 @@ static void test_sphere(void **state)
   NEAR("smallest", low, 230.836, 0.05);
   NEAR("smallest at the exit", low_at, 0.5 + half, 1e-4);
   um_thermal_history_destroy(help_context, &history);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   help_end(&s);
 }
 

@@ -19,12 +19,12 @@ static double orbit_period(void)
 }
 
 /* Loads of `orbits` orbits on `nsurface` surfaces, all as on the sphere. */
-static struct um_thermal_loads *sphere_loads(size_t orbits, size_t nsurface)
+static struct um_irradiation_loads *sphere_loads(size_t orbits, size_t nsurface)
 {
   const double factor = 0.2748766, half = 63.24049 * UM_DEG, period = orbit_period();
-  struct um_thermal_loads *loads = NULL;
+  struct um_irradiation_loads *loads = NULL;
   size_t ntime = orbits * (GRID + 4) + 1, k = 0, edges = 0;
-  OK(um_thermal_loads_create(help_context, ntime, nsurface, 2 * orbits, &loads));
+  OK(um_irradiation_loads_create(help_context, ntime, nsurface, 2 * orbits, &loads));
   const double edge[2] = {(UM_PI - half) / (2.0 * UM_PI), (UM_PI + half) / (2.0 * UM_PI)};
   for (size_t orbit = 0; orbit < orbits; orbit++) {
     double sunlit = 1.0;
@@ -70,7 +70,7 @@ static void test_waiting(void **state)
 {
   (void)state;
   const double expected[3] = {289.4761, 289.5773, 289.5784};
-  struct um_thermal_loads *loads = sphere_loads(3, 1);
+  struct um_irradiation_loads *loads = sphere_loads(3, 1);
   struct um_thermal_network *network = sphere(4860.0, 0.8, 0.8);
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
@@ -88,7 +88,7 @@ static void test_waiting(void **state)
   if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
   um_thermal_history_destroy(help_context, &history);
   um_thermal_network_destroy(&network);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
 }
 
 /* The periodic orbit: extremes and mean. */
@@ -100,7 +100,7 @@ static void test_sphere(void **state)
   } rows[3] = {{4860.0, 0.8, 0.8, 299.6970, 230.8374, 271.5632, 0.17324},
                {77.39, 0.38, 0.78, 266.3944, 184.1063, 0.0, 0.0},
                {4860.0, 0.2, 0.8, 226.8721, 206.8098, 0.0, 0.0}};
-  struct um_thermal_loads *loads = sphere_loads(1, 1);
+  struct um_irradiation_loads *loads = sphere_loads(1, 1);
   double period = orbit_period();
   for (int c = 0; c < 3; c++) {
     struct um_thermal_network *network =
@@ -144,7 +144,7 @@ static void test_sphere(void **state)
     um_thermal_history_destroy(help_context, &check);
     um_thermal_network_destroy(&network);
   }
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
 }
 
 /* An interior behind MLI: tau = C / (4 e* sigma A T^3) of some 300 orbits. The periodic state is
@@ -162,8 +162,9 @@ static struct um_thermal_network *wrapped(double effective_emittance, double sta
   return network;
 }
 /* Orbit-mean heat [W] from the interior through the blanket, one orbit from `start`. */
-static double mean_leak(struct um_thermal_network *network, const struct um_thermal_loads *loads,
-                        double effective_emittance, const double *start)
+static double mean_leak(struct um_thermal_network *network,
+                        const struct um_irradiation_loads *loads, double effective_emittance,
+                        const double *start)
 {
   struct um_thermal_solve_options options = help_options(1e-8, 1e-6, UM_SPACE_TEMPERATURE);
   struct um_thermal_history *history = NULL;
@@ -183,7 +184,7 @@ static double mean_leak(struct um_thermal_network *network, const struct um_ther
 static void test_wrapped_interior(void **state)
 {
   (void)state;
-  struct um_thermal_loads *loads = sphere_loads(1, 1);
+  struct um_irradiation_loads *loads = sphere_loads(1, 1);
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   const double emittance[2] = {0.005, 0.05}, starts[3] = {293.0, 150.0, 230.0};
@@ -208,7 +209,7 @@ static void test_wrapped_interior(void **state)
     NEAR("independent of the start", found[1], found[0], 2e-2);
     NEAR("independent of the start", found[2], found[0], 2e-2);
   }
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
 }
 
 int main(void)

@@ -145,7 +145,7 @@ static void test_order(void **state)
 /* A box of walls under the Sun and the shadow's edge, MLI skins of 12 s, a massless fitting, an
  * interior. Node order: 6 walls, 6 skins, interior, fitting, boundary. */
 enum { WALLS = 6, INTERIOR = 12, FITTING, ROOM, NODES };
-static struct um_thermal_network *box(struct um_thermal_loads **loads)
+static struct um_thermal_network *box(struct um_irradiation_loads **loads)
 {
   struct um_thermal_network *network = help_network();
   uint32_t index;
@@ -165,7 +165,7 @@ static struct um_thermal_network *box(struct um_thermal_loads **loads)
   OK(um_thermal_network_conductor_add(network, FITTING, 2, 1.0));
   OK(um_thermal_network_radiator_add(network, FITTING, UM_THERMAL_SPACE, 0.01));
   OK(um_thermal_network_radiator_add(network, FITTING, ROOM, 0.005));
-  OK(um_thermal_loads_create(help_context, 6, WALLS, 1, loads));
+  OK(um_irradiation_loads_create(help_context, 6, WALLS, 1, loads));
   const double t[6] = {0, 400, 400, 500, 900, 1500}, lit[6] = {1, 1, 0, 0, 0, 0};
   (*loads)->edge[0] = START + 400.0;
   for (size_t k = 0; k < 6; k++) {
@@ -194,7 +194,7 @@ static void test_against_runs(void **state)
                 {{FITTING, 0}, {1.0, 0.0}, 390, 450}, {{3, FITTING}, {0.6, 0.4}, 0, 1000},
                 {{8, 8}, {0.5, 0.5}, 420, 480},       {{4, 0}, {1.0, 0.0}, 700, 730}};
   enum { PULSES = sizeof pulses / sizeof pulses[0], TIMES = 101 };
-  struct um_thermal_loads *loads = NULL;
+  struct um_irradiation_loads *loads = NULL;
   struct um_thermal_network *network = box(&loads);
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 2.7);
   struct um_thermal_response_source source[PULSES];
@@ -210,7 +210,7 @@ static void test_against_runs(void **state)
   for (size_t p = 0; p < PULSES; p++) {
     struct um_thermal_history *history[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
-      struct um_thermal_loads *own = NULL;
+      struct um_irradiation_loads *own = NULL;
       struct um_thermal_network *heated = box(&own);
       const double t[2] = {source[p].t_from, source[p].t_to};
       const double power[2] = {side == 0 ? -1.0 : 1.0, side == 0 ? -1.0 : 1.0};
@@ -220,7 +220,7 @@ static void test_against_runs(void **state)
       OK(um_thermal_solve(help_context, heated, own, &options, START, times, TIMES,
                           &history[side]));
       um_thermal_network_destroy(&heated);
-      um_thermal_loads_destroy(help_context, &own);
+      um_irradiation_loads_destroy(help_context, &own);
     }
     double largest = 0.0, worst = 0.0;
     for (size_t k = 0; k < TIMES; k++)
@@ -237,7 +237,7 @@ static void test_against_runs(void **state)
   }
   kept_free(&kept);
   um_thermal_network_destroy(&network);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
 }
 
 static enum um_status stop(void *user, size_t k, const double *temperature, const double *response)

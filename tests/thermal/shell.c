@@ -1,6 +1,6 @@
 /* Thin walls by linear triangles: patch test, fin, two-sided panel, capacity. */
 #include "tests/thermal/body_help.h"
-#include "thermal/body_impl.h"
+#include "thermal/shell_impl.h"
 
 /* Patch test: nine vertices of a unit square, the inner one moved off the centre, eight triangles.
  *
@@ -127,8 +127,8 @@ static void solar_array(double u, double extraction, double front, double back)
   s.group[p].emittance_front = s.group[p].emittance_back = 0.85;
   help_build(&s, NULL, 0);
   const struct um_geometry_mesh *mesh = um_geometry_mesh(s.geometry);
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_create(help_context, 1, mesh->nsurface, 0, &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_create(help_context, 1, mesh->nsurface, 0, &loads));
   loads->sunlit[0] = 1.0;
   loads->irradiance[0] = 1361.0;
   for (size_t i = 0; i < mesh->nsurface; i++) loads->sun[i] = mesh->surface[i].back ? 0.0f : 1.0f;
@@ -138,7 +138,7 @@ static void solar_array(double u, double extraction, double front, double back)
   print_message("array U %g extraction %g: front %.4f (%.4f), back %.4f (%.4f) K\n", u, extraction,
                 help_mean(&s, "array.front", t), front, help_mean(&s, "array.back", t), back);
   free(t);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   help_end(&s);
 }
 

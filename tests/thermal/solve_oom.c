@@ -7,7 +7,7 @@
 struct subject {
   struct um_context *context;
   const struct um_thermal_network *network;
-  const struct um_thermal_loads *loads;
+  const struct um_irradiation_loads *loads;
   const char *nodes, *links; /* paths */
 };
 typedef enum um_status (*deed)(const struct subject *s);
@@ -122,7 +122,7 @@ static void test_every_allocation(void **state)
   }
   uint32_t interior;
   struct um_thermal_network *network = box_network(1, 0.0, &interior); /* massless skins */
-  struct um_thermal_loads *loads = box_loads(1, 61, 6000.0, 1.0);
+  struct um_irradiation_loads *loads = box_loads(1, 61, 6000.0, 1.0);
   struct subject s = {NULL, network, loads, path[0], path[1]};
   fail_everywhere(run, s);
   fail_everywhere(periodic, s);
@@ -134,7 +134,7 @@ static void test_every_allocation(void **state)
   fail_everywhere(run, s);
   fail_everywhere(periodic, s);
   fail_everywhere(steady, s);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
   for (int k = 0; k < 2; k++) remove(path[k]);
 }

@@ -21,8 +21,8 @@ static const struct {
 static void test_filter(void **state)
 {
   (void)state;
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_create(help_context, ROWS, 1, 0, &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_create(help_context, ROWS, 1, 0, &loads));
   for (size_t k = 0; k < ROWS; k++) {
     loads->t[k] = TURN * (double)k / (ROWS - 1);
     loads->irradiance[k] = 400.0 + 200.0 * cos(2.0 * UM_PI * (double)k / (ROWS - 1));
@@ -63,7 +63,7 @@ static void test_filter(void **state)
     um_thermal_history_destroy(help_context, &history);
     um_thermal_network_destroy(&network);
   }
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
 }
 
 int main(void)

@@ -1,18 +1,18 @@
 /* Steady states against closed balances. */
 #include "tests/thermal/network_help.h"
 
-static void steady(const struct um_thermal_network *network, const struct um_thermal_loads *loads,
-                   double space, double *temperature)
+static void steady(const struct um_thermal_network *network,
+                   const struct um_irradiation_loads *loads, double space, double *temperature)
 {
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, space);
   OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, temperature));
 }
 
 /* One time, loads as given on every surface. */
-static struct um_thermal_loads *constant(size_t nsurface, double sun, double planet)
+static struct um_irradiation_loads *constant(size_t nsurface, double sun, double planet)
 {
-  struct um_thermal_loads *loads = NULL;
-  OK(um_thermal_loads_create(help_context, 1, nsurface, 0, &loads));
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_create(help_context, 1, nsurface, 0, &loads));
   loads->irradiance[0] = sun;
   loads->sunlit[0] = 1.0;
   for (size_t s = 0; s < nsurface; s++) {
@@ -34,8 +34,8 @@ static void test_mli(void **state)
               {0.01, 328.4540, 2.4204, 98.2790, 4.1262, 241.1584},
               {0.03, 327.7079, 7.0819, 128.5366, 12.0729, 242.8947},
               {0.05, 326.9929, 11.5187, 145.1579, 19.6367, 244.5134}};
-  struct um_thermal_loads *loads[3] = {constant(1, 1361.0, 0.0), constant(1, 0.0, 0.0),
-                                       constant(1, 0.0, 237.0 * 0.797)};
+  struct um_irradiation_loads *loads[3] = {constant(1, 1361.0, 0.0), constant(1, 0.0, 0.0),
+                                           constant(1, 0.0, 237.0 * 0.797)};
   for (size_t c = 0; c < 4; c++)
     for (int massless = 0; massless < 2; massless++) {
       struct um_thermal_network *network = help_network();
@@ -55,7 +55,7 @@ static void test_mli(void **state)
       }
       um_thermal_network_destroy(&network);
     }
-  for (int l = 0; l < 3; l++) um_thermal_loads_destroy(help_context, &loads[l]);
+  for (int l = 0; l < 3; l++) um_irradiation_loads_destroy(help_context, &loads[l]);
 }
 
 /* Solar array facing the Sun, eps 0.85 on both sides, alpha 0.92, extraction 0.18 (of the incident
@@ -74,9 +74,9 @@ static void array(double through, double extraction, double *temperature)
   OK(um_thermal_network_surface_attach(network, 0, &surface));
   OK(um_thermal_network_radiator_add(network, back, UM_THERMAL_SPACE, 0.85));
   if (back != front) OK(um_thermal_network_conductor_add(network, front, back, through));
-  struct um_thermal_loads *loads = constant(1, 1361.0, 0.0);
+  struct um_irradiation_loads *loads = constant(1, 1361.0, 0.0);
   steady(network, loads, 0.0, temperature);
-  um_thermal_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
 }
 static void test_solar_array(void **state)

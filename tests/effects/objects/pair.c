@@ -1,5 +1,5 @@
 /* Two effects in one shared object. */
-#include "core/effect.h"
+#include "effects/effect.h"
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
                                   struct um_effect_observation *o)
@@ -12,9 +12,9 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 
 #define EFFECT(name_)                                                                              \
   {                                                                                                \
-    .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect), .name = name_,  \
-    .summary = "Twice as bright", .reference = "none", .validity = "in tests",                     \
-    .targets = UM_TARGET_GLOBAL, .hooks = {.observation = observation},                            \
+    UM_EFFECT_ABI, .name = name_, .summary = "Twice as bright", .reference = "none",               \
+                   .validity = "in tests", .targets = UM_TARGET_GLOBAL,                            \
+                   .hooks = {.observation = observation},                                          \
   }
 
 static const struct um_effect one = EFFECT("twice"), other = EFFECT("twice_more");

@@ -1,0 +1,183 @@
+/* umbra completion: a script for bash, or for zsh by its bashcompinit, written from the tables of
+ * verbs and options, the registry of effects, the material records and the scenario's schema. */
+#include <string.h>
+
+#include "app/app.h"
+#include "effects/effects.h"
+#include "model/scenario.h"
+
+/* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
+static const char *offer(enum um_app_offers offers)
+{
+  switch (offers) {
+  case UM_APP_NOTHING:
+    return ":";
+  case UM_APP_FILES:
+    return "_umbra_files ''";
+  case UM_APP_FOLDERS:
+    return "_umbra_files /";
+  case UM_APP_SCENARIOS:
+    return "_umbra_files .yaml";
+  case UM_APP_TABLES:
+    return "_umbra_files .csv";
+  case UM_APP_EFFECTS:
+    return "_umbra_words \"$effects\"";
+  case UM_APP_MATERIALS:
+    return "_umbra_words \"$materials\"";
+  case UM_APP_SECTIONS:
+    return "_umbra_words \"$sections\"";
+  case UM_APP_SHELLS:
+    return "_umbra_words \"bash zsh\"";
+  case UM_APP_VERBS:
+    return "_umbra_words \"$verbs\"";
+  }
+  return ":";
+}
+
+static void put_names(FILE *file, const struct um_materials_library *library)
+{
+  fputs("  local verbs=\"", file);
+  for (size_t i = 0; i < um_app_verb_count(); i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_app_verb_at(i)->name);
+  fputs("\"\n  local effects=\"", file);
+  for (size_t i = 0; i < um_effects_count(); i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_effects_at(i)->name);
+  fputs("\"\n  local materials=\"", file);
+  for (size_t i = 0; i < um_materials_library_count(library); i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_materials_name(um_materials_library_at(library, i)));
+  fputs("\"\n  local sections=\"", file);
+  um_document_schema_write_paths(file, &um_model_scenario_schema); /* parted by line ends */
+  fputs("\"\n", file);
+}
+
+static void put_list(FILE *file, const char *list)
+{
+  const struct um_app_option *o;
+  while ((o = um_app_option_next(&list)) != NULL) {
+    fprintf(file, " --%s", o->name);
+    if (o->letter != 0) fprintf(file, " -%c", o->letter);
+  }
+}
+
+/* A value follows such an option, for instance "run:--out|run:-o)". */
+static void put_values(FILE *file, const struct um_app_verb *verb, const char *list)
+{
+  const struct um_app_option *o;
+  while ((o = um_app_option_next(&list)) != NULL) {
+    if (o->argument == NULL) continue;
+    fprintf(file, "    %s:--%s", verb->name, o->name);
+    if (o->letter != 0) fprintf(file, "|%s:-%c", verb->name, o->letter);
+    fprintf(file, ") %s; return ;;\n", offer(o->offers));
+  }
+}
+
+static void put_verb(FILE *file, const struct um_app_verb *verb)
+{
+  const char *list = verb->arguments;
+  char name[32];
+  bool optional;
+  fprintf(file, "    %s) options=\"", verb->name);
+  put_list(file, verb->needs);
+  put_list(file, verb->accepts);
+  put_list(file, "threads help");
+  fputs("\"; kinds=(", file);
+  while (um_app_argument_next(&list, name, &optional))
+    fprintf(file, " '%s'", offer(um_app_argument_offers(name)));
+  fputs(" ) ;;\n", file);
+}
+
+static const char helpers[] =
+    "_umbra_words() { COMPREPLY=($(compgen -W \"$1\" -- \"$word\")); }\n"
+    "# Files that end in $1, and folders; $1 = /: folders alone. A name a line, blanks kept.\n"
+    "_umbra_files() {\n"
+    "  local name\n"
+    "  COMPREPLY=()\n"
+    "  while IFS= read -r name; do\n"
+    "    if [ -d \"$name\" ]; then COMPREPLY+=(\"$name/\")\n"
+    "    elif [ \"$1\" != / ] && [ \"${name%\"$1\"}$1\" = \"$name\" ]; then "
+    "COMPREPLY+=(\"$name\"); fi\n"
+    "  done < <(compgen -f -- \"$word\")\n"
+    "  [ ${#COMPREPLY[@]} -ne 1 ] || [ \"${COMPREPLY[0]%/}\" = \"${COMPREPLY[0]}\" ] || "
+    "compopt -o nospace 2>/dev/null || :\n"
+    "}\n"
+    "# Is the option $1 followed by a value?\n";
+
+static const char body[] =
+    "  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
+    "  local verb=\"${COMP_WORDS[1]}\" options=\"\" place=0 i\n"
+    "  local -a kinds=()\n"
+    "  COMPREPLY=()\n"
+    "  # --option=value comes as three words\n"
+    "  if [ \"$word\" = = ]; then word=\"\"\n"
+    "  elif [ \"$before\" = = ]; then before=\"${COMP_WORDS[COMP_CWORD-2]}\"; fi\n"
+    "  if [ \"$COMP_CWORD\" -eq 1 ]; then _umbra_words \"$verbs --help --version\"; return; fi\n"
+    "  case \"$verb:$before\" in\n";
+
+static const char tail[] =
+    "  if [ \"${word#-}\" != \"$word\" ]; then _umbra_words \"$options\"; return; fi\n"
+    "  for ((i = 2; i < COMP_CWORD; i++)); do\n"
+    "    case \"${COMP_WORDS[i]}\" in\n"
+    "      -*) if _umbra_takes_value \"${COMP_WORDS[i]}\"; then i=$((i + 1)); fi ;;\n"
+    "      *) place=$((place + 1)) ;;\n"
+    "    esac\n"
+    "  done\n"
+    "  if [ $place -lt ${#kinds[@]} ]; then eval \"${kinds[@]:$place:1}\"; fi\n"
+    "}\n";
+
+static void put_takes_value(FILE *file)
+{
+  const struct um_app_option *o;
+  fputs("_umbra_takes_value() {\n  case \"$1\" in\n    -o", file);
+  for (size_t i = 0; (o = um_app_option_at(i)) != NULL; i++)
+    if (o->argument != NULL) fprintf(file, "|--%s", o->name);
+  fputs(") return 0 ;;\n  esac\n  return 1\n}\n", file);
+}
+
+static void put_script(FILE *file, const struct um_materials_library *library)
+{
+  fputs(helpers, file);
+  put_takes_value(file);
+  fputs("_umbra() {\n", file);
+  put_names(file, library);
+  fputs(body, file);
+  for (size_t i = 0; i < um_app_verb_count(); i++) {
+    put_values(file, um_app_verb_at(i), um_app_verb_at(i)->needs);
+    put_values(file, um_app_verb_at(i), um_app_verb_at(i)->accepts);
+  }
+  fputs("    *:--threads) return ;;\n  esac\n  case \"$verb\" in\n", file);
+  for (size_t i = 0; i < um_app_verb_count(); i++) put_verb(file, um_app_verb_at(i));
+  fputs("  esac\n", file);
+  fputs(tail, file);
+}
+
+int um_app_completion(struct um_context *context, const struct um_app_options *options)
+{
+  const char *shell = options->positional[0];
+  bool zsh = strcmp(shell, "zsh") == 0;
+  enum um_status status;
+  char *folder = NULL;
+  struct um_materials_library *library = NULL;
+  struct um_environment environment;
+  struct um_materials_sun sun;
+  if (!zsh && strcmp(shell, "bash") != 0) {
+    fprintf(stderr, "umbra: no completion for '%.60s'; accepted: bash, zsh\n", shell);
+    return UM_APP_MISUSE;
+  }
+  um_environment_defaults(&environment);
+  um_environment_sun_shares(&environment, &sun);
+  UM_CHECK(um_materials_library_create(context, &sun, &library));
+  UM_CHECK(um_materials_library_folder(context, &folder));
+  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", stdout);
+  fputs("# Completion of umbra " UM_APP_VERSION ", written by: umbra completion\n", stdout);
+  put_script(stdout, library);
+  /* zsh loads the file when it is first wanted: that time it has to answer too */
+  fputs(zsh ? "complete -o nospace -F _umbra umbra\n"
+              "if (( ${+compstate} )); then _bash_complete -o nospace -F _umbra; fi\n"
+            : "complete -F _umbra umbra\n",
+        stdout);
+done:
+  um_core_free(context, folder);
+  um_materials_library_destroy(&library);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,138 @@
+/* The options of the command line, once: parsing, usage, help, man page and completion follow. */
+#include <stddef.h>
+#include <string.h>
+
+#include "app/app.h"
+
+#define TEXT_(x) #x
+#define TEXT(x)  TEXT_(x)
+#define AT(f)    .at = offsetof(struct um_app_options, f)
+#define LIST(f)  .takes = UM_APP_LIST, AT(f), .count = offsetof(struct um_app_options, n##f)
+
+static const struct um_app_option table[] = {
+    {"out", "out", "DIR", 'o', UM_APP_TEXT, AT(out), .offers = UM_APP_FOLDERS,
+     .default_value = "out/ and the scenario's name; of period out/period",
+     .example = "--out out/cold", .help = "Folder of the results. It appears whole or not at all."},
+    {"file", "out", "FILE", 'o', UM_APP_TEXT, AT(out), .offers = UM_APP_FILES,
+     .example = "-o measured.csv", .help = "The file to write."},
+    {"set", "set", "KEY=VALUE", LIST(set), .example = "--set parts.bus.interior.power_W=50",
+     .help = "Change a key of the scenario; names stand where lists have names. A list takes "
+             "LIST.+=VALUE at its end. See umbra schema."},
+    {"with", "with", "EFFECT[:TARGET][,NAME=VALUE]...", LIST(with), .offers = UM_APP_EFFECTS,
+     .example = "--with internal_power:bus,power_W=20",
+     .help = "Switch an effect on, or change its parameters. See umbra effects."},
+    {"without", "without", "EFFECT[:TARGET]", LIST(without), .offers = UM_APP_EFFECTS,
+     .example = "--without albedo", .help = "Switch an effect off."},
+    {"effect-file", "effect-file", "FILE", LIST(effect_file), .offers = UM_APP_FILES,
+     .example = "--effect-file ./mine.so",
+     .help =
+         "Load effects of your own from a shared object, which runs with the program's rights."},
+    {"allow-effects", "allow-effects", .takes = UM_APP_FLAG, AT(allow_effects),
+     .help = "Load the shared objects that the scenario's effect_files name, which run with the "
+             "program's rights. Without it such a scenario is refused."},
+    {"time", "time", "UTC", .takes = UM_APP_TEXT, AT(time_utc),
+     .example = "--time 2016-09-21T20:36:40Z", .help = "The instant of the picture."},
+    {"band", "band", "B", .takes = UM_APP_TEXT, AT(band), .example = "--band lwir",
+     .help = "The band, as the scenario or the measurements call it."},
+    {"width", "width", "N", .takes = UM_APP_NUMBER, AT(width), .most = 8192,
+     .default_value = TEXT(UM_APP_RENDER_WIDTH), .example = "--width 2048",
+     .help = "Pixels of a line, up to 8192."},
+    {"samples", "samples", "N", .takes = UM_APP_NUMBER, AT(samples), .most = 65536,
+     .default_value = TEXT(UM_APP_RENDER_SAMPLES), .example = "--samples 256",
+     .help = "Rays of a pixel, up to 65536."},
+    {"noise", "noise", "REL[,FLOOR]", .takes = UM_APP_TEXT, AT(noise),
+     .default_value = "FLOOR " TEXT(UM_APP_FLOOR), .example = "--noise 0.02,0.005",
+     .help = "Noise of light: sigma^2 = (REL x truth)^2 + (FLOOR x peak of the band)^2."},
+    {"track-noise", "noise", "REL[,FLOOR]", .takes = UM_APP_TEXT, AT(noise),
+     .default_value = "sigma stays empty; FLOOR 0", .example = "--noise 0.02,0.05",
+     .help = "Noise of the magnitudes: REL of the flux, and FLOOR in magnitudes."},
+    {"seed", "seed", "N", .takes = UM_APP_TEXT, AT(seed), .example = "--seed 1",
+     .help = "Of the noise, a whole number: the same seed gives the same noise."},
+    {"temperatures", "temperatures", "PLACE,...", .takes = UM_APP_TEXT, AT(temperatures),
+     .default_value = "none", .example = "--temperatures bus.+x,array.front",
+     .help = "Places whose temperatures are measured too, as temperatures.csv calls them."},
+    {"temperature-sigma", "temperature-sigma", "K", .takes = UM_APP_TEXT, AT(temperature_sigma),
+     .default_value = TEXT(UM_APP_TEMPERATURE_SIGMA), .example = "--temperature-sigma 0.2",
+     .help = "Noise of temperatures [K]."},
+    {"only", "only", "EFFECT[:TARGET]", LIST(only), .offers = UM_APP_EFFECTS,
+     .default_value = "every effect on every target", .example = "--only albedo_level",
+     .help = "Test these candidates alone."},
+    {"exclude", "exclude", "EFFECT[:TARGET]", LIST(exclude), .offers = UM_APP_EFFECTS,
+     .default_value = "none", .example = "--exclude attitude_offset",
+     .help = "Leave these candidates out."},
+    {"nuisance", "nuisance", "EFFECT[:TARGET][,sigma=S]", LIST(nuisance), .offers = UM_APP_EFFECTS,
+     .default_value = "those of the scenario", .example = "--nuisance zero_point:lwir,sigma=0.05",
+     .help = "What is uncertain anyway: fitted along and never named. S is how far it may be from "
+             "the scenario's value, or free; without it the width of the effect's prior."},
+    {"add", "add", "EFFECT[:TARGET][,NAME=START]...", LIST(add), .offers = UM_APP_EFFECTS,
+     .example = "--add emittance:mli", .help = "An effect to fit, from START where it is given."},
+    {"level", "level", "P", .takes = UM_APP_SHARE, AT(level), .default_value = "0.01",
+     .example = "--level 0.001",
+     .help = "Probability of accusing a scenario that lacks nothing, over all candidates."},
+    {"steps", "steps", "N", .takes = UM_APP_NUMBER, AT(steps), .most = 20, .default_value = "4",
+     .example = "--steps 2", .help = "Effects added at most, up to 20."},
+    {"force", "force", .takes = UM_APP_FLAG, AT(force),
+     .help = "Replace what stands there, even if Umbra did not write it."},
+    {"no-plots", "no-plots", .takes = UM_APP_FLAG, AT(no_plots), .help = "Draw no pictures."},
+    {"json", "json", .takes = UM_APP_FLAG, AT(json),
+     .help = "Print JSON, for another program to read."},
+    {"thermal", "thermal", .takes = UM_APP_FLAG, AT(thermal), .help = "Only the cases of heat."},
+    {"optics", "optics", .takes = UM_APP_FLAG, AT(optics), .help = "Only the cases of light."},
+    {"threads", "threads", "N", .takes = UM_APP_THREADS, .most = 4096,
+     .default_value = "one per processor", .example = "--threads 4",
+     .help = "Worker threads; results do not depend on it."},
+    {"help", "help", .letter = 'h', .takes = UM_APP_HELP, .help = "Print this page."},
+};
+
+const struct um_app_option *um_app_option_find(const char *id)
+{
+  for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+    if (strcmp(table[i].id, id) == 0) return &table[i];
+  return NULL;
+}
+
+const struct um_app_option *um_app_option_at(size_t index)
+{
+  return index < sizeof table / sizeof table[0] ? &table[index] : NULL;
+}
+
+const struct um_app_option *um_app_option_next(const char **list)
+{
+  char id[32];
+  size_t n;
+  if (*list == NULL) return NULL;
+  *list += strspn(*list, " ");
+  n = strcspn(*list, " ");
+  if (n == 0 || n >= sizeof id) return NULL;
+  memcpy(id, *list, n);
+  id[n] = '\0';
+  *list += n;
+  return um_app_option_find(id);
+}
+
+bool um_app_argument_next(const char **list, char name[32], bool *optional)
+{
+  *list += strspn(*list, " ");
+  *optional = **list == '[';
+  if (*optional) (*list)++;
+  size_t n = strcspn(*list, " ]");
+  if (n == 0 || n >= 32) return false;
+  memcpy(name, *list, n);
+  name[n] = '\0';
+  *list += n + (*optional ? 1 : 0);
+  return true;
+}
+
+enum um_app_offers um_app_argument_offers(const char *name)
+{
+  static const struct {
+    const char *name;
+    enum um_app_offers offers;
+  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},
+               {"TRACK.txt", UM_APP_FILES},    {"EFFECT", UM_APP_EFFECTS},
+               {"MATERIAL", UM_APP_MATERIALS}, {"PATH", UM_APP_SECTIONS},
+               {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+  for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
+    if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
+  return UM_APP_NOTHING;
+}

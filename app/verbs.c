@@ -1,0 +1,106 @@
+/* The verbs of the command: what each takes, says and does. */
+#include <string.h>
+
+#include "app/app.h"
+#include "core/words.h"
+
+#define CHANGES "set with without effect-file allow-effects"
+#define RESULTS "force no-plots json"
+
+static const struct um_app_verb verbs[] = {
+    {"run", "SCENARIO", "light curves and temperatures of a scenario",
+     .accepts = "out " CHANGES " " RESULTS,
+     .about = "Computes the geometry, the heat and the light of every instant and writes tables, "
+              "netCDF and pictures.",
+     .examples = "umbra run scenarios/envisat-graz-2016\n"
+                 "umbra run scenarios/envisat-graz-2016 --without albedo --out out/dark-earth\n",
+     .run = um_app_run},
+    {"check", "SCENARIO", "read a scenario and report what was understood",
+     .accepts = CHANGES " json",
+     .about = "Parts, areas, watertightness, materials and nodes; nothing is computed or written.",
+     .examples = "umbra check scenarios/cube\n", .run = um_app_check},
+    {"passes", "SCENARIO", "when the satellite rises over the station, and what is sunlit",
+     .accepts = "set effect-file allow-effects json",
+     .about =
+         "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
+     .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes},
+    {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR", .needs = "time band file",
+     .accepts = CHANGES " width samples force",
+     .about = "The channels are spectral radiance, and a preview in red, green and blue.",
+     .examples =
+         "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir -o "
+         "envisat.exr\n",
+     .run = um_app_render},
+    {"compare", "SCENARIO MEASURED",
+     "a scenario beside measurements: how far off, when, and what the residual goes with",
+     .accepts = "out " CHANGES " " RESULTS,
+     .about = "Metrics per channel and segment, residuals, the worst intervals and pictures. "
+              "docs/files.md lists the columns of the measurement file.",
+     .examples = "umbra compare scenarios/hidden-effect/dawn measured.csv\n",
+     .run = um_app_compare},
+    {"diagnose", "SCENARIO MEASURED",
+     "which physical effect the scenario lacks, or that the measurements cannot tell",
+     .accepts = "out " CHANGES " only exclude nuisance level steps " RESULTS,
+     .about =
+         "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
+         "be and what to measure next.",
+     .examples = "umbra diagnose scenarios/hidden-effect/dawn measured.csv --nuisance "
+                 "zero_point:lwir,sigma=0.05\n",
+     .run = um_app_diagnose},
+    {"fit", "SCENARIO MEASURED", "parameters of chosen effects, fitted to measurements",
+     .needs = "add", .accepts = "out " CHANGES " nuisance " RESULTS,
+     .about = "Values with their uncertainty, and a scenario with them in improved/.",
+     .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
+     .run = um_app_fit},
+    {"synth", "SCENARIO", "measurements made from a scenario, with noise",
+     .needs = "noise seed file", .accepts = "temperatures temperature-sigma " CHANGES " force",
+     .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,albedo_factor=1.2 "
+                 "--noise 0.02 --seed 1 -o measured.csv\n",
+     .run = um_app_synth},
+    {"period", "MEASURED",
+     "the period of measured light curves by Lomb-Scargle, and the curves folded at it",
+     .accepts = "band out " RESULTS, .examples = "umbra period measured.csv --band vis\n",
+     .run = um_app_period},
+    {"import", "TRACK.txt", "tracks of Mini-MegaTORTORA as a measurement file", .needs = "file",
+     .accepts = "track-noise force",
+     .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import},
+    {"materials", "[MATERIAL]", "materials with their integrated properties", .accepts = "json",
+     .examples = "umbra materials mli_kapton\n", .run = um_app_materials},
+    {"effects", "[EFFECT]", "physical effects and their parameters", .accepts = "effect-file json",
+     .examples = "umbra effects panel_extraction\n", .run = um_app_effects},
+    {"schema", "[PATH]", "reference of scenario.yaml, or its JSON Schema; of a section alone",
+     .accepts = "json",
+     .about =
+         "PATH is that of a key as --set takes it, without names and numbers of elements or with.",
+     .examples = "umbra schema parts.shell\numbra schema orbit.circular.altitude_km\n",
+     .run = um_app_schema},
+    {"validate", "", "analytic and published cases, expected and computed",
+     .accepts = "thermal optics json", .about = "Exit status 1 where a case misses its tolerance.",
+     .examples = "umbra validate --thermal\n", .run = um_app_validate},
+    {"completion", "SHELL", "completion of commands, options and names for bash or zsh",
+     .examples = "umbra completion bash > ~/.local/share/bash-completion/completions/umbra\n"
+                 "source <(umbra completion bash)\n",
+     .run = um_app_completion},
+    {"help", "[COMMAND]", "this list, or a command's options", .examples = "umbra help run\n",
+     .run = um_app_help_command},
+};
+
+size_t um_app_verb_count(void) { return sizeof verbs / sizeof verbs[0]; }
+
+const struct um_app_verb *um_app_verb_at(size_t index) { return &verbs[index]; }
+
+const struct um_app_verb *um_app_verb_find(const char *name)
+{
+  for (size_t i = 0; i < um_app_verb_count(); i++)
+    if (strcmp(verbs[i].name, name) == 0) return &verbs[i];
+  return NULL;
+}
+
+void um_app_verb_unknown(const char *name, char out[UM_APP_UNKNOWN])
+{
+  char hint[UM_CORE_WORDS_HINT];
+  struct um_core_words_guess guess = {.written = name};
+  for (size_t i = 0; i < um_app_verb_count(); i++) um_core_words_consider(&guess, verbs[i].name);
+  snprintf(out, UM_APP_UNKNOWN, "unknown command '%.60s'%s", name,
+           um_core_words_hint(&guess, hint));
+}

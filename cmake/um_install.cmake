@@ -1,0 +1,38 @@
+# What `cmake --install` puts in place, beside the headers (effects/) and the material records
+# (materials/): the program, scenarios, documents, man page, completions. The tree may be moved: the
+# program finds its files from its own folder (core/data.h).
+include(GNUInstallDirs)
+
+install(TARGETS umbra RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(DIRECTORY scenarios/ DESTINATION "${CMAKE_INSTALL_DATADIR}/umbra/scenarios"
+  PATTERN "__pycache__" EXCLUDE)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# Completions and the man page are written by the program that was built. help2man is optional: without
+# it there is no page.
+set(umbra_env ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0) # in a build with sanitizers
+set(umbra_pages ${CMAKE_BINARY_DIR}/pages)
+set(umbra_completions ${umbra_pages}/umbra.bash ${umbra_pages}/_umbra)
+add_custom_command(OUTPUT ${umbra_completions} DEPENDS umbra
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${umbra_pages}
+  COMMAND ${umbra_env} $<TARGET_FILE:umbra> completion bash > ${umbra_pages}/umbra.bash
+  COMMAND ${umbra_env} $<TARGET_FILE:umbra> completion zsh > ${umbra_pages}/_umbra
+  COMMENT "Completions for bash and zsh" VERBATIM)
+find_program(HELP2MAN help2man)
+if(HELP2MAN)
+  add_custom_command(OUTPUT ${umbra_pages}/umbra.1 DEPENDS umbra
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${umbra_pages}
+    COMMAND ${umbra_env} ${HELP2MAN} --no-info --section=1 "--help-option=help all" "--version-option=--version"
+            "--name=light curves of satellites in the visible and the thermal infrared"
+            --output=${umbra_pages}/umbra.1 $<TARGET_FILE:umbra>
+    COMMENT "Man page" VERBATIM)
+  set(umbra_man ${umbra_pages}/umbra.1)
+  install(FILES ${umbra_man} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+else()
+  message(STATUS "help2man is not there: no man page")
+endif()
+add_custom_target(umbra_pages ALL DEPENDS ${umbra_completions} ${umbra_man})
+install(FILES ${umbra_pages}/umbra.bash RENAME umbra
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+install(FILES ${umbra_pages}/_umbra DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")

@@ -1,0 +1,239 @@
+/* More samples where the model's own error is too large beside that of the measurement.
+ *
+ * With s the share of the model in the variance, v/(sigma^2 + v), and v ~ 1/n (the stated error is
+ * that of independent points; evenly spread ones do better), the share falls to the limit at
+ *   n' = n (s / (1 - s)) / (limit / (1 - limit)),
+ * taken to the next power of two. A mean of shares near 1 hides how far off it is: the step is at
+ * least two and at most 64. What is stated is then held against a run with four times the samples.
+ */
+#include "compare/refine.h"
+
+#include <math.h>
+
+#include "compare/series.h"
+
+#define STEP_MAX 64.0
+#define CHECK    4    /* times the samples */
+#define FINE     1024 /* samples that need no check: what slips between them is 1e-3 of a facet */
+
+enum um_status um_compare_share(struct um_context *context, const struct um_compare_measurements *m,
+                                const double *sigma, const double *model_sigma, double *share)
+{
+  double *sum = NULL;
+  size_t *count = NULL;
+  enum um_status status;
+  *share = NAN;
+  UM_CHECK(um_core_allocate(context, m->nchannel, sizeof *sum, &sum));
+  UM_CHECK(um_core_allocate(context, m->nchannel, sizeof *count, &count));
+  for (size_t i = 0; i < m->count; i++) {
+    if (isnan(sigma[i]) || isnan(model_sigma[i])) continue;
+    double part = model_sigma[i] / hypot(sigma[i], model_sigma[i]);
+    sum[m->row[i].channel] += part * part;
+    count[m->row[i].channel]++;
+  }
+  for (size_t c = 0; c < m->nchannel; c++)
+    if (count[c] > 0) *share = fmax(*share, sum[c] / (double)count[c]); /* not NaN, if one is */
+done:
+  um_core_free(context, sum);
+  um_core_free(context, count);
+  return status;
+}
+
+/* Model values of all rows in linear flux, and sigma of the measurements where it is wanted. */
+static enum um_status linear_values(struct um_context *context,
+                                    const struct um_compare_share_user *u,
+                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_result *result, double *value,
+                                    double *sigma)
+{
+  const struct um_compare_measurements *m = u->plan->measurements;
+  double unused;
+  UM_TRY(um_compare_predict(context, u->plan, precomputed, result, value));
+  if (sigma != NULL) UM_TRY(um_compare_noise_sigmas(context, u->model->scenario, m, value, sigma));
+  for (size_t i = 0; i < m->count; i++) {
+    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
+    if (sigma != NULL) um_compare_linear(quantity, m->row[i].value, sigma[i], &unused, &sigma[i]);
+    um_compare_linear(quantity, value[i], NAN, &value[i], &unused);
+  }
+  return UM_OK;
+}
+
+enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
+                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_result *result,
+                                        const struct um_model_result *finer, double *share)
+{
+  const struct um_compare_share_user *u = user;
+  const struct um_compare_measurements *m = u->plan->measurements;
+  double *value = NULL;
+  enum um_status status;
+  UM_TRY(um_core_allocate(context, 3 * m->count, sizeof *value, &value));
+  double *sigma = value + m->count, *model_sigma = sigma + m->count;
+  UM_CHECK(linear_values(context, u, precomputed, result, value, sigma));
+  if (finer == NULL) {
+    um_compare_predict_error(u->plan, result, model_sigma);
+  } else {
+    UM_CHECK(linear_values(context, u, precomputed, finer, model_sigma, NULL));
+    for (size_t i = 0; i < m->count; i++) model_sigma[i] = fabs(model_sigma[i] - value[i]);
+  }
+  UM_CHECK(um_compare_share(context, m, sigma, model_sigma, share));
+done:
+  um_core_free(context, value);
+  return status;
+}
+
+/* The next number of samples, a power of two above n; n itself where the bound is reached. */
+static int next_number(int n, double share, double limit, double most)
+{
+  double rest = fmax(1.0 - share, 1e-6);
+  double factor = share / rest / (limit / (1.0 - limit));
+  double wanted = n * fmin(STEP_MAX, fmax(2.0, factor)), power = 1.0;
+  while (power < wanted) power *= 2.0;
+  while (power > most) power *= 0.5;
+  return power > n ? (int)power : n;
+}
+
+static void report(struct um_context *context, const struct um_compare_refinement *r, double limit)
+{
+  if (r->samples != r->samples_before)
+    um_core_log(context, UM_LOG_INFO,
+                "optics.samples raised from %d to %d: the model's own sampling error was %.2g of "
+                "the variance of a channel, it is %.2g now",
+                r->samples_before, r->samples, r->share_before, r->share);
+  if (r->share > limit)
+    um_core_log(context, UM_LOG_WARNING,
+                "the model's own sampling error is %.2g of the variance of a channel at "
+                "optics.samples %d, more than the %.2g that comparisons take as small; it stands "
+                "in sigma, but neighbouring observations share it",
+                r->share, r->samples, limit);
+}
+
+/* A refinement in progress. */
+struct job {
+  struct um_model *model;
+  struct um_model_precomputed *precomputed;
+  const struct um_model_thermal_solution *heat;
+  um_compare_share_of *share_of;
+  void *user;
+  double limit, most; /* most: optics.samples */
+};
+
+/* Look again and run; the result takes the place of the one before. */
+static enum um_status look_again(struct um_context *context, const struct job *job, int samples,
+                                 int rays, struct um_model_result **result)
+{
+  struct um_model_result *finer = NULL;
+  UM_TRY(um_model_precomputed_resample(context, job->model, job->precomputed, samples, rays));
+  UM_TRY(um_model_run_with(context, job->model, job->precomputed, job->heat, &finer));
+  um_model_result_destroy(context, result);
+  *result = finer;
+  return UM_OK;
+}
+
+/* Raise until the stated share is small. */
+static enum um_status raise(struct um_context *context, const struct job *job,
+                            struct um_compare_refinement *r, struct um_model_result **result)
+{
+  while (r->share > job->limit) {
+    int samples = next_number(r->samples, r->share, job->limit, job->most);
+    int rays = r->interreflection == 0 ? 0
+                                       : next_number(r->interreflection, r->share, job->limit,
+                                                     UM_COMPARE_INTERREFLECTION_MAX);
+    if (samples == r->samples && rays == r->interreflection) return UM_OK;
+    UM_TRY(look_again(context, job, samples, rays, result));
+    UM_TRY(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
+    r->samples = samples;
+    r->interreflection = rays;
+  }
+  return UM_OK;
+}
+
+/* Does what was stated hold? With CHECK times the samples the values must stay; else the finer run
+ * is the one to go on with. A surface whose few points are all seen states no error: this is where
+ * a shadow that slips between them is found. */
+static enum um_status check(struct um_context *context, const struct job *job,
+                            struct um_compare_refinement *r, struct um_model_result **result,
+                            bool *holds)
+{
+  enum um_status status;
+  struct um_model_result *coarse = *result;
+  int samples = (int)fmin(CHECK * (double)r->samples, job->most);
+  int rays = (int)fmin(CHECK * (double)r->interreflection, UM_COMPARE_INTERREFLECTION_MAX);
+  double moved = NAN;
+  *holds = true;
+  if (r->samples >= FINE) return UM_OK;
+  if (samples <= r->samples && rays <= r->interreflection) return UM_OK;
+  *result = NULL;
+  UM_CHECK(look_again(context, job, samples, rays, result));
+  UM_CHECK(job->share_of(context, job->user, job->precomputed, coarse, *result, &moved));
+  *holds = !(moved > job->limit);
+  if (*holds) {
+    um_model_result_destroy(context, result);
+    *result = coarse;
+    coarse = NULL;
+    UM_CHECK(um_model_precomputed_resample(context, job->model, job->precomputed, r->samples,
+                                           r->interreflection));
+    status = UM_OK;
+    goto done;
+  }
+  r->share_before = fmax(r->share_before, moved);
+  r->samples = samples;
+  r->interreflection = rays;
+  UM_CHECK(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
+done:
+  um_model_result_destroy(context, &coarse);
+  return status;
+}
+
+enum um_status um_compare_refine_with(struct um_context *context, struct um_model *model,
+                                      struct um_model_precomputed *precomputed,
+                                      const struct um_model_thermal_solution *heat, double limit,
+                                      um_compare_share_of *share_of, void *user,
+                                      struct um_model_result **out,
+                                      struct um_compare_refinement *refinement)
+{
+  const struct um_scenario_optics *optics = model->scenario->optics;
+  struct um_compare_refinement r = {.share = NAN};
+  struct um_model_result *result = NULL;
+  struct job job = {model, precomputed, heat, share_of, user, limit, UM_COMPARE_SAMPLES_MAX};
+  bool holds = false;
+  enum um_status status;
+  *out = NULL;
+  r.samples = r.samples_before = optics->samples;
+  r.interreflection = r.interreflection_before = optics->interreflection_samples;
+  UM_CHECK(um_model_run_with(context, model, precomputed, heat, &result));
+  UM_CHECK(share_of(context, user, precomputed, result, NULL, &r.share));
+  r.share_before = r.share;
+  if (precomputed->view != NULL) {
+    double points =
+        (double)(precomputed->nobs * precomputed->nsub) * (double)precomputed->view->nsurface;
+    job.most = fmin(job.most, UM_COMPARE_POINTS_MAX / points);
+    while (!holds && !isnan(r.share)) {
+      UM_CHECK(raise(context, &job, &r, &result));
+      UM_CHECK(check(context, &job, &r, &result, &holds));
+    }
+  }
+  report(context, &r, limit);
+  if (refinement != NULL) *refinement = r;
+  *out = result;
+  result = NULL;
+  status = UM_OK;
+done:
+  um_model_result_destroy(context, &result);
+  return status;
+}
+
+enum um_status um_compare_refine(struct um_context *context, struct um_model *model,
+                                 struct um_model_precomputed *precomputed, double limit,
+                                 um_compare_share_of *share_of, void *user,
+                                 struct um_model_result **out,
+                                 struct um_compare_refinement *refinement)
+{
+  struct um_model_thermal_solution *heat = NULL;
+  *out = NULL;
+  UM_TRY(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
+  enum um_status status = um_compare_refine_with(context, model, precomputed, heat, limit, share_of,
+                                                 user, out, refinement);
+  um_model_thermal_solution_destroy(context, &heat);
+  return status;
+}

@@ -1,0 +1,171 @@
+/* Several effects, each judged beside the others that stayed: what happens without it, and who
+ * could take its place. */
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/alternatives_impl.h"
+#include "diagnosis/leave_one_out_impl.h"
+#include "diagnosis/rank_impl.h"
+#include "diagnosis/select_impl.h"
+#include "diagnosis/state_impl.h"
+
+#define PASSES 3   /* replacements at most */
+#define BETTER 2.0 /* in BIC, for an alternative to take over */
+
+/* The effect itself leads the alternatives of its step, with the fit that is known. */
+static void put_first(const struct um_diagnosis_state *state, size_t b, double held_out,
+                      struct um_diagnosis_step *step)
+{
+  size_t at = 0;
+  while (at < step->nalternative && step->alternative[at].candidate != state->block[b].candidate)
+    at++;
+  if (at == step->nalternative) return;
+  struct um_diagnosis_alternative own = step->alternative[at];
+  memmove(step->alternative + 1, step->alternative, at * sizeof own);
+  own.fitted = true;
+  own.chi2 = state->fit->chi2;
+  own.bic = state->fit->bic;
+  own.chi2_prior = state->fit->chi2_prior;
+  own.held_out = held_out;
+  memcpy(own.value, state->block[b].addition.value, sizeof own.value);
+  um_diagnosis_state_sigma(state, b, own.sigma);
+  step->alternative[0] = own;
+}
+
+/* The block as the last one, so that a step can be filled from it. */
+static enum um_status with_last(struct um_context *context, const struct um_diagnosis_work *work,
+                                const struct um_diagnosis_state *without,
+                                const struct um_diagnosis_state *state, size_t b,
+                                struct um_diagnosis_state *out)
+{
+  UM_TRY(um_diagnosis_state_copy(context, without, without->nblock, out));
+  enum um_status status = um_diagnosis_state_append(context, out, &state->block[b]);
+  for (size_t i = 0, k = 0; i < state->nblock && status == UM_OK; i++)
+    if (i != b) out->block[k++] = state->block[i];
+  if (status == UM_OK) status = um_diagnosis_state_fit(context, work, out, state->fit->value, NULL);
+  if (status != UM_OK) um_diagnosis_state_release(context, out);
+  return status;
+}
+
+/* One effect; *replaced: an alternative betters it and stands in its place in the state. */
+static enum um_status judge(struct um_context *context, const struct um_diagnosis_work *work,
+                            struct um_diagnosis_state *state, size_t b, bool last_pass,
+                            struct um_diagnosis_step *step, double *chi2_without, bool *replaced)
+{
+  enum um_status status;
+  struct um_diagnosis_state without = {0}, best = {0}, own = {0};
+  double held_out = NAN;
+  UM_CHECK(um_diagnosis_without(context, work, state, b, &without));
+  *chi2_without = without.fit->chi2;
+  UM_CHECK(um_core_allocate(context, work->candidates->count, sizeof *step->alternative,
+                            &step->alternative));
+  UM_CHECK(um_diagnosis_rank(context, work, &without, step->alternative, &step->nalternative));
+  UM_CHECK(um_diagnosis_state_held_out(context, work, state, &held_out));
+  put_first(state, b, held_out, step);
+  UM_CHECK(um_diagnosis_fit_alternatives(context, work, &without, step, &best));
+  if (!last_pass && best.fit != NULL && best.fit->bic < state->fit->bic - BETTER) {
+    um_diagnosis_state_release(context, state);
+    *state = best;
+    best = (struct um_diagnosis_state){0};
+    *replaced = true;
+    goto done;
+  }
+  UM_CHECK(with_last(context, work, &without, state, b, &own));
+  UM_CHECK(um_diagnosis_step_fill(context, work, &without, &own, step));
+done:
+  um_diagnosis_state_release(context, &own);
+  um_diagnosis_state_release(context, &best);
+  um_diagnosis_state_release(context, &without);
+  return status;
+}
+
+void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
+{
+  for (size_t s = 0; s < d->nstep; s++) {
+    um_core_free(context, d->step[s].alternative);
+    um_core_free(context, d->step[s].value);
+  }
+  d->nstep = 0;
+}
+
+/* The effect whose absence costs most comes first. */
+static void sort_steps(struct um_diagnosis *d, double *cost)
+{
+  for (size_t i = 1; i < d->nstep; i++)
+    for (size_t j = i; j > 0 && cost[j] > cost[j - 1]; j--) {
+      struct um_diagnosis_step step = d->step[j];
+      double c = cost[j];
+      d->step[j] = d->step[j - 1];
+      d->step[j - 1] = step;
+      cost[j] = cost[j - 1];
+      cost[j - 1] = c;
+    }
+}
+
+/* Values and chi-square as the effects are added in that order. */
+static enum um_status fill_series(struct um_context *context, const struct um_diagnosis_work *work,
+                                  const struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  enum um_status status = UM_OK;
+  size_t n = work->forward->nobservation;
+  struct um_diagnosis_state now = {0};
+  for (size_t s = 0; s < d->nstep; s++) {
+    struct um_diagnosis_step *step = &d->step[s];
+    const struct um_inference_fit *fit = state->fit;
+    if (s + 1 < d->nstep) {
+      um_diagnosis_state_release(context, &now);
+      now.nnuisance = state->nnuisance;
+      for (size_t b = 0; b < state->nblock; b++) {
+        bool in = b < state->nnuisance;
+        for (size_t i = 0; i <= s; i++)
+          in = in || d->step[i].candidate == state->block[b].candidate;
+        if (in) UM_CHECK(um_diagnosis_state_append(context, &now, &state->block[b]));
+      }
+      UM_CHECK(um_diagnosis_state_fit(context, work, &now, NULL, NULL));
+      fit = now.fit;
+    }
+    step->chi2 = fit->chi2;
+    step->dof = (double)n - (double)fit->nparameter;
+    step->chi2_reduced = step->chi2 / step->dof;
+    UM_CHECK(um_core_allocate(context, n, sizeof *step->value, &step->value));
+    memcpy(step->value, fit->value, n * sizeof *step->value);
+  }
+done:
+  um_diagnosis_state_release(context, &now);
+  return status;
+}
+
+static enum um_status judge_all(struct um_context *context, const struct um_diagnosis_work *work,
+                                struct um_diagnosis_state *state, bool last_pass,
+                                struct um_diagnosis *d, double *cost, bool *replaced)
+{
+  um_diagnosis_steps_clear(context, d);
+  for (size_t b = state->nnuisance; b < state->nblock && !*replaced; b++) {
+    struct um_diagnosis_step *step = &d->step[d->nstep++];
+    *step = (struct um_diagnosis_step){0};
+    UM_TRY(judge(context, work, state, b, last_pass, step, &cost[d->nstep - 1], replaced));
+  }
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_leave_one_out(struct um_context *context,
+                                          const struct um_diagnosis_work *work,
+                                          struct um_diagnosis_state *state, struct um_diagnosis *d)
+{
+  double *cost = NULL;
+  size_t effects = state->nblock - state->nnuisance;
+  if (effects < 2) return UM_OK;
+  UM_TRY(um_core_allocate(context, effects, sizeof *cost, &cost));
+  enum um_status status = UM_OK;
+  for (int pass = 0; pass < PASSES; pass++) {
+    bool replaced = false;
+    status = judge_all(context, work, state, pass + 1 == PASSES, d, cost, &replaced);
+    if (status != UM_OK || !replaced) break;
+  }
+  if (status == UM_OK) {
+    sort_steps(d, cost);
+    status = fill_series(context, work, state, d);
+  }
+  um_core_free(context, cost);
+  return status;
+}

@@ -1,0 +1,208 @@
+/* Two effects in place of two. The best single candidate may be neither of two hidden effects but
+ * one that resembles their sum, and forward selection then goes on to mend it. So after each step
+ * all pairs are ranked by what they explain together in straight lines,
+ *
+ *   S_ij = |projection of r on [D_i D_j]|^2,     with the priors as pseudo-observations,
+ *
+ * beside the effects that stay, and the best of them are fitted in earnest. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "diagnosis/alternatives_impl.h"
+#include "diagnosis/directions_impl.h"
+#include "diagnosis/pair_swap_impl.h"
+#include "inference/algebra.h"
+#include "inference/projection.h"
+
+#define PAIRS   4   /* pairs that are fitted */
+#define BETTER  2.0 /* in BIC, for a pair to take over */
+#define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
+
+struct pair {
+  size_t candidate[2];
+  double worth;
+};
+
+/* Columns of all candidates after the projection. */
+struct left {
+  size_t n;         /* observations */
+  double *column;   /* one after another */
+  size_t *at;       /* [count] first column of a candidate */
+  double *residual; /* [n] */
+};
+
+static void left_release(struct um_context *context, struct left *left)
+{
+  um_core_free(context, left->column);
+  um_core_free(context, left->at);
+  um_core_free(context, left->residual);
+}
+
+static enum um_status left_make(struct um_context *context, const struct um_diagnosis_work *work,
+                                const struct um_diagnosis_state *state,
+                                const struct um_diagnosis_directions *d, struct left *left)
+{
+  enum um_status status;
+  size_t rows = work->forward->nobservation, count = work->candidates->count, columns = 0;
+  struct um_inference_projection projection = {0};
+  double *residual = NULL;
+  UM_CHECK(um_core_allocate(context, count, sizeof *left->at, &left->at));
+  for (size_t i = 0; i < count; i++) {
+    left->at[i] = columns;
+    columns += d->direction[i].ncolumn;
+  }
+  UM_CHECK(um_core_allocate(context, rows, sizeof *residual, &residual));
+  um_diagnosis_residual_at_means(state, rows, residual);
+  UM_CHECK(um_inference_projection_create(context, rows, &d->nuisance, &projection));
+  left->n = projection.nleft;
+  UM_CHECK(um_core_allocate(context, columns * left->n, sizeof *left->column, &left->column));
+  UM_CHECK(um_core_allocate(context, left->n, sizeof *left->residual, &left->residual));
+  um_inference_projection_apply(&projection, residual, left->residual);
+  for (size_t i = 0; i < count; i++) {
+    double kept;
+    um_inference_projection_direction(&projection, &d->direction[i],
+                                      left->column + left->at[i] * left->n, &kept);
+  }
+done:
+  um_core_free(context, residual);
+  um_inference_projection_destroy(context, &projection);
+  return status;
+}
+
+/* Chi-square that two candidates explain together; -1 where the best values are on the wrong side
+ * of a bound at null. matrix: [COLUMNS][n + COLUMNS], rotated: [n + COLUMNS]. */
+static enum um_status explained(struct um_context *context, const struct left *left,
+                                const struct um_inference_direction *direction,
+                                const struct pair *pair, double *matrix, double *rotated,
+                                double *out)
+{
+  struct um_inference_qr *qr = NULL;
+  const struct um_inference_direction *d[2] = {&direction[pair->candidate[0]],
+                                               &direction[pair->candidate[1]]};
+  size_t columns = d[0]->ncolumn + d[1]->ncolumn, rows = left->n + columns, c = 0;
+  double x[COLUMNS];
+  for (int i = 0; i < 2; i++)
+    for (size_t k = 0; k < d[i]->ncolumn; k++, c++) {
+      double *column = matrix + c * rows;
+      memcpy(column, left->column + (left->at[pair->candidate[i]] + k) * left->n,
+             left->n * sizeof *column);
+      for (size_t j = left->n; j < rows; j++) column[j] = 0.0;
+      column[left->n + c] = 1.0 / d[i]->prior_sigma[k];
+    }
+  UM_TRY(um_inference_qr_create(context, rows, columns, matrix, UM_INFERENCE_RANK_TOLERANCE, &qr));
+  memcpy(rotated, left->residual, left->n * sizeof *rotated);
+  for (size_t j = left->n; j < rows; j++) rotated[j] = 0.0;
+  um_inference_qr_rotate(qr, rotated);
+  um_inference_qr_solve(qr, rotated, x);
+  *out = um_inference_dot(um_inference_qr_rank(qr), rotated, rotated);
+  um_inference_qr_destroy(context, &qr);
+  c = 0;
+  for (int i = 0; i < 2; i++)
+    for (size_t k = 0; k < d[i]->ncolumn; k++, c++)
+      if ((d[i]->minimum_step[k] == 0.0 && x[c] < 0.0) ||
+          (d[i]->maximum_step[k] == 0.0 && x[c] > 0.0))
+        *out = -1.0;
+  return UM_OK;
+}
+
+/* Keep the best, falling. */
+static void offer(struct pair *best, size_t *count, struct pair pair)
+{
+  size_t at = *count < PAIRS ? (*count)++ : PAIRS;
+  for (; at > 0 && (at == PAIRS || best[at - 1].worth < pair.worth); at--) {
+    if (at == PAIRS && !(best[at - 1].worth < pair.worth)) return;
+    if (at < PAIRS) best[at] = best[at - 1];
+  }
+  if (at < PAIRS) best[at] = pair;
+}
+
+static bool is_open(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
+                    size_t i)
+{
+  const struct um_sensitivity_candidate *c = &work->candidates->candidate[i];
+  /* parameters unidentified under the null want a scan, which pairs are too many for */
+  return !c->insensitive && c->nunidentified == 0 && !um_diagnosis_is_taken(state, c);
+}
+
+static enum um_status find_pairs(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state, struct pair *best,
+                                 size_t *count)
+{
+  enum um_status status;
+  struct um_diagnosis_directions d = {0};
+  struct left left = {0};
+  double *matrix = NULL, *rotated = NULL, penalty = log((double)work->forward->nobservation);
+  *count = 0;
+  UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
+  UM_CHECK(left_make(context, work, state, &d, &left));
+  UM_CHECK(um_core_allocate(context, COLUMNS * (left.n + COLUMNS), sizeof *matrix, &matrix));
+  UM_CHECK(um_core_allocate(context, left.n + COLUMNS, sizeof *rotated, &rotated));
+  for (size_t i = 0; i < work->candidates->count; i++) {
+    if (!is_open(work, state, i)) continue;
+    for (size_t j = i + 1; j < work->candidates->count; j++) {
+      if (!is_open(work, state, j)) continue;
+      struct pair pair = {{i, j}, 0.0};
+      double columns = (double)(d.direction[i].ncolumn + d.direction[j].ncolumn);
+      UM_CHECK(explained(context, &left, d.direction, &pair, matrix, rotated, &pair.worth));
+      if (pair.worth < 0.0) continue;
+      pair.worth -= columns * penalty;
+      offer(best, count, pair);
+    }
+  }
+done:
+  um_core_free(context, rotated);
+  um_core_free(context, matrix);
+  left_release(context, &left);
+  um_diagnosis_directions_release(context, &d);
+  return status;
+}
+
+/* Pairs in place of the last block and block b. */
+static enum um_status exchange_with(struct um_context *context,
+                                    const struct um_diagnosis_work *work, size_t b,
+                                    struct um_diagnosis_state *state, bool *better)
+{
+  enum um_status status;
+  struct um_diagnosis_state less = {0}, without = {0}, trial = {0};
+  struct pair best[PAIRS];
+  size_t count = 0, now[2] = {state->block[b].candidate, state->block[state->nblock - 1].candidate};
+  UM_CHECK(um_diagnosis_without(context, work, state, state->nblock - 1, &less));
+  UM_CHECK(um_diagnosis_without(context, work, &less, b, &without));
+  UM_CHECK(find_pairs(context, work, &without, best, &count));
+  for (size_t i = 0; i < count; i++) {
+    const size_t *c = best[i].candidate;
+    if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
+    status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - BETTER, &trial);
+    if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
+      um_core_message_clear(context);
+      status = UM_OK;
+      continue;
+    }
+    UM_CHECK(status);
+    if (trial.fit->bic < state->fit->bic - BETTER) {
+      struct um_diagnosis_state other = *state;
+      *state = trial;
+      trial = other;
+      *better = true;
+    }
+    um_diagnosis_state_release(context, &trial);
+  }
+done:
+  um_diagnosis_state_release(context, &trial);
+  um_diagnosis_state_release(context, &without);
+  um_diagnosis_state_release(context, &less);
+  return status;
+}
+
+enum um_status um_diagnosis_pair_swap(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      struct um_diagnosis_state *state)
+{
+  for (size_t b = state->nnuisance; b + 1 < state->nblock; b++) {
+    bool better = false;
+    UM_TRY(exchange_with(context, work, b, state, &better));
+    if (better) break; /* blocks have moved; the next step looks again */
+  }
+  return UM_OK;
+}

@@ -1,0 +1,32 @@
+/* diagnosis.json in pieces. Private to diagnosis/report/. */
+#ifndef UMBRA_DIAGNOSIS_REPORT_JSON_IMPL_H
+#define UMBRA_DIAGNOSIS_REPORT_JSON_IMPL_H
+
+#include <stdio.h>
+
+#include "diagnosis/diagnose.h"
+
+/* before, "key": value; a text NULL or a time that is not finite is null. */
+void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
+                                   const char *text);
+void um_diagnosis_report_json_time(FILE *file, const char *before, const char *key, double t_tai);
+void um_diagnosis_report_json_bool(FILE *file, const char *before, const char *key, bool value);
+/* "effect": ..., "target": ... */
+void um_diagnosis_report_json_use(FILE *file, const struct um_effect *effect, const char *target);
+/* An object of one value that is left open. */
+void um_diagnosis_report_json_parameter(FILE *file, const struct um_effect_parameter *parameter,
+                                        double value, double sigma);
+/* , "parameters": [...], each with the whole that the scenario states, where it states something.
+ */
+void um_diagnosis_report_json_parameters(FILE *file, const struct um_diagnosis *d,
+                                         const struct um_effect *effect, const char *target,
+                                         const double *value, const double *sigma);
+
+/* Members of the whole object, each with its comma before. */
+void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d);
+void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
+void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
+void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
+void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);
+
+#endif

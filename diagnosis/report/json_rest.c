@@ -1,0 +1,142 @@
+/* The end of diagnosis.json: what others replaced, what the residual looks like, what to measure
+ * next, missing heat, cost. */
+#include <math.h>
+
+#include "compare/figures.h"
+#include "core/json.h"
+#include "diagnosis/report/json_impl.h"
+#include "diagnosis/report/report_impl.h"
+
+/* The fields of an observation that tells two explanations apart. */
+static void json_next_fields(FILE *file, const struct um_diagnosis_next *next)
+{
+  um_diagnosis_report_json_text(file, "", "what", next->what);
+  if (next->what != NULL) {
+    um_diagnosis_report_json_text(file, ", ", "quantity", um_compare_quantity_name(next->quantity));
+    um_diagnosis_report_json_text(file, ", ", "of", next->of);
+    um_diagnosis_report_json_text(file, ", ", "segment", um_compare_segment_name(next->segment));
+    um_core_json_field(file, ", ", "airmass_above", next->airmass);
+    um_core_json_field(file, ", ", "sigma", next->sigma);
+    um_diagnosis_report_json_text(file, ", ", "unit", um_compare_quantity_unit(next->quantity));
+    um_core_json_field(file, ", ", "chi2_difference_per_observation", next->chi2_difference);
+    um_diagnosis_report_json_time(file, ", ", "from_utc", next->from);
+    um_diagnosis_report_json_time(file, ", ", "to_utc", next->to);
+  }
+  um_diagnosis_report_json_text(file, ", ", "told_apart_by", next->told_apart_by);
+}
+
+/* For the alternative that is hardest to tell, then for each of them. */
+void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d)
+{
+  fputs(",\n  \"next_measurement\": ", file);
+  if (d->next == NULL) {
+    fputs("null", file);
+  } else {
+    fputc('{', file);
+    json_next_fields(file, d->next);
+    fputc('}', file);
+  }
+  fputs(",\n  \"next_measurements\": [", file);
+  for (size_t i = 0; i < d->nnext; i++) {
+    const struct um_diagnosis_next *next = &d->next_of[i];
+    const char *winner = d->candidates->candidate[d->step[next->step].candidate].name;
+    um_diagnosis_report_json_text(file, i > 0 ? ",\n    {" : "\n    {", "effect", winner);
+    um_diagnosis_report_json_text(file, ", ", "alternative",
+                                  d->candidates->candidate[next->candidate].name);
+    fputs(", ", file);
+    json_next_fields(file, next);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
+/* What the residual of the baseline looks like. */
+void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r)
+{
+  fputs(",\n  \"residual\": ", file);
+  if (r->channel == NULL) {
+    fputs("null", file);
+    return;
+  }
+  um_diagnosis_report_json_text(file, "{", "channel", r->channel);
+  um_core_json_field(file, ", ", "chi2_red", r->chi2_reduced);
+  um_core_json_field(file, ", ", "mean_in_sigma", r->mean);
+  um_diagnosis_report_json_text(file, ", ", "coordinate", r->coordinate);
+  um_core_json_field(file, ", ", "p", r->p);
+  fputc('}', file);
+}
+
+void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d)
+{
+  fputs(",\n  \"superseded\": [", file);
+  for (size_t i = 0; i < d->nsuperseded; i++) {
+    const struct um_diagnosis_superseded *s = &d->superseded[i];
+    fputs(i > 0 ? ",\n    {" : "\n    {", file);
+    um_diagnosis_report_json_use(file, s->addition.effect, s->addition.target);
+    um_diagnosis_report_json_parameters(file, d, s->addition.effect, s->addition.target,
+                                        s->addition.value, s->sigma);
+    um_diagnosis_report_json_bool(file, ", ", "alone", s->alone);
+    um_core_json_field(file, ", ", "chi2", s->chi2);
+    um_core_json_field(file, ", ", "bic", s->bic);
+    um_core_json_field(file, ", ", "bic_behind", s->bic - d->bic_after);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
+static void json_heat(FILE *file, const struct um_missing_heat *heat)
+{
+  um_diagnosis_report_json_text(file, "", "part", heat->place);
+  um_diagnosis_report_json_time(file, ", ", "start_utc", heat->start);
+  um_core_json_field(file, ", ", "start_sigma_s", heat->start_sigma);
+  um_diagnosis_report_json_time(file, ", ", "stop_utc", heat->stop);
+  um_core_json_field(file, ", ", "power_W", heat->power);
+  um_core_json_field(file, ", ", "energy_J", heat->energy);
+  um_core_json_field(file, ", ", "energy_sigma_J", heat->energy_sigma);
+  um_core_json_field(file, ", ", "chi2_explained", heat->chi2_explained);
+  fputs(",\n      \"history\": [", file);
+  for (size_t i = 0; i < heat->nbin; i++) {
+    um_diagnosis_report_json_time(file, i > 0 ? ",\n        {" : "\n        {", "from_utc",
+                                  heat->t[i]);
+    um_diagnosis_report_json_time(file, ", ", "to_utc", heat->t[i + 1]);
+    um_core_json_field(file, ", ", "heat_W", heat->heat[i]);
+    um_core_json_field(file, ", ", "sigma_W", heat->sigma[i]);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
+/* The best place stands in the object itself, the others behind it. */
+void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u)
+{
+  fputs(",\n  \"unexplained\": ", file);
+  if (u == NULL) {
+    fputs("null", file);
+    return;
+  }
+  um_diagnosis_report_json_text(file, "{", "coordinate", u->coordinate);
+  um_core_json_field(file, ", ", "p", u->p);
+  um_diagnosis_report_json_text(file, ", ", "channel", u->channel);
+  um_diagnosis_report_json_bool(file, ", ", "found", u->found);
+  um_core_json_field(file, ", ", "chi2_before", u->chi2_before);
+  um_core_json_field(file, ", ", "chi2_after", u->chi2_after);
+  for (size_t i = 0; i < u->nheat; i++) {
+    fputs(i == 0 ? ",\n      " : i == 1 ? ",\n    \"others\": [\n     {" : "},\n     {", file);
+    json_heat(file, &u->heat[i]);
+  }
+  fputs(u->nheat > 1 ? "}]}" : "}", file);
+}
+
+void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d)
+{
+  const struct um_sensitivity_forward *f = d->forward;
+  size_t alive = 0;
+  size_t count = d->candidates == NULL ? 0 : d->candidates->count;
+  for (size_t i = 0; i < count; i++) alive += !d->candidates->candidate[i].insensitive;
+  fprintf(file, ",\n  \"cost\": {\"candidates\": %zu, \"alive\": %zu, \"evaluations\": %zu", count,
+          alive, f->evaluations);
+  um_core_json_field(file, ", ", "seconds", f->seconds);
+  um_core_json_field(file, ", ", "seconds_forward_run", f->seconds_first);
+  um_core_json_field(file, ", ", "forward_runs", f->seconds / f->seconds_first);
+  fputc('}', file);
+}

@@ -1,0 +1,22 @@
+/* What the pictures of a diagnosis share: size, axis of time, shadow. Private to diagnosis/report/.
+ */
+#ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
+#define UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
+
+#include "diagnosis/diagnose.h"
+#include "plot/plot.h"
+
+/* Pixels. */
+#define UM_DIAGNOSIS_PLOT_WIDTH 1000
+#define UM_DIAGNOSIS_PLOT_LEFT  100
+#define UM_DIAGNOSIS_PLOT_RIGHT 980
+
+/* The axis of time from t_tai `first` to `last`. */
+struct um_plot_time um_diagnosis_report_plot_time(double first, double last);
+/* The Earth's shadow behind what is drawn from here on. */
+enum um_status um_diagnosis_report_plot_shade(struct um_context *context,
+                                              const struct um_diagnosis *diagnosis,
+                                              const struct um_plot_time *time,
+                                              struct um_plot *plot);
+
+#endif

@@ -1,0 +1,18 @@
+/* The ranking and the missing heat in pictures. Private to diagnosis/report/. */
+#ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
+#define UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
+
+#include "diagnosis/diagnose.h"
+#include "plot/plot.h"
+
+/* ranking.png: chi-square that the best candidates explain of the baseline, by a fit or by a
+ * straight line; there is a ranking. */
+enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
+                                                const struct um_diagnosis *diagnosis,
+                                                struct um_plot *plot);
+/* heat.png: history of the missing heat at the best place; there is one. */
+enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
+                                             const struct um_diagnosis *diagnosis,
+                                             struct um_plot *plot);
+
+#endif

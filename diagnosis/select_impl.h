@@ -1,0 +1,19 @@
+/* One step of forward selection. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_SELECT_IMPL_H
+#define UMBRA_DIAGNOSIS_SELECT_IMPL_H
+
+#include "diagnosis/state_impl.h"
+
+/* Figures of a step from the state before it to the best one after, and the winner's group. */
+enum um_status um_diagnosis_step_fill(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      const struct um_diagnosis_state *state,
+                                      const struct um_diagnosis_state *best,
+                                      struct um_diagnosis_step *step);
+/* One step of forward selection: rank, fit alternatives, add the winner to the state. *added: false
+ * when nothing is significant or nothing helps. */
+enum um_status um_diagnosis_select(struct um_context *context, const struct um_diagnosis_work *work,
+                                   struct um_diagnosis_state *state, struct um_diagnosis_step *step,
+                                   bool *added);
+
+#endif

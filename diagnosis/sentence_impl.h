@@ -1,0 +1,10 @@
+/* The verdict in words. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
+#define UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
+
+#include "diagnosis/diagnose.h"
+
+enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
+                                     char **out);
+
+#endif

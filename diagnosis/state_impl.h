@@ -1,0 +1,85 @@
+/* What is fitted together, and the work it is part of. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_STATE_IMPL_H
+#define UMBRA_DIAGNOSIS_STATE_IMPL_H
+
+#include "diagnosis/diagnose.h"
+#include "inference/fit.h"
+
+/* An effect whose parameters are fitted: a nuisance, an accepted effect or an alternative. */
+struct um_diagnosis_block {
+  struct um_model_addition addition; /* parameters that are not free stay as they are here */
+  size_t candidate;                  /* of the candidates; UM_COMPARE_NOWHERE: a nuisance */
+  size_t nfree;                      /* 0 for a switch */
+  size_t parameter[UM_EFFECT_PARAMETERS_MAX];   /* [nfree] of the effect's */
+  double prior_mean[UM_EFFECT_PARAMETERS_MAX];  /* [nfree] transformed, as are the next two */
+  double prior_sigma[UM_EFFECT_PARAMETERS_MAX]; /* [nfree] */
+  double step[UM_EFFECT_PARAMETERS_MAX];        /* [nfree] */
+  double minimum[UM_EFFECT_PARAMETERS_MAX],
+      maximum[UM_EFFECT_PARAMETERS_MAX]; /* [nfree] physical */
+};
+
+/* What is fitted together, and its fit: nuisances first, then effects in the order they came. */
+struct um_diagnosis_state {
+  size_t nblock, nnuisance; /* blocks of which the first are nuisances */
+  struct um_diagnosis_block *block;
+  size_t nparameter;
+  double prune_above; /* BIC that its next fit has to come below to be of use; 0: any is */
+  struct um_inference_fit *fit;
+};
+
+/* The whole work, passed around. */
+struct um_diagnosis_work {
+  struct um_sensitivity_forward *forward;
+  const struct um_sensitivity_candidates *candidates;
+  const struct um_diagnosis_options *options;
+  double level;
+  size_t steps_max, alternatives;
+  size_t *fold; /* [nobservation] blocks of time that are held out in turn */
+  size_t nfold;
+};
+
+/* A block of a candidate at its null values. */
+struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
+                                                size_t candidate);
+/* Append a copy; the fit of the state is no longer its own (the caller makes one). */
+enum um_status um_diagnosis_state_append(struct um_context *context,
+                                         struct um_diagnosis_state *state,
+                                         const struct um_diagnosis_block *block);
+/* A copy of the blocks without number `omit` (nblock or more: all), without a fit. */
+enum um_status um_diagnosis_state_copy(struct um_context *context,
+                                       const struct um_diagnosis_state *state, size_t omit,
+                                       struct um_diagnosis_state *out);
+void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_state *state);
+/* Fit all free parameters of the state from the values in its blocks, which take the result. value
+ * [nobservation] and jacobian [nparameter][nobservation] (by transformed parameters) at the start,
+ * or NULL. Replaces state->fit.
+ */
+enum um_status um_diagnosis_state_fit(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      struct um_diagnosis_state *state, const double *value,
+                                      const double *jacobian);
+/* Additions of all blocks; out: [nblock]. */
+void um_diagnosis_state_additions(const struct um_diagnosis_state *state,
+                                  struct um_model_addition *out);
+/* Sigma of the parameters of a block after the fit, by the effect's parameters; NaN for those that
+ * were not free. */
+void um_diagnosis_state_sigma(const struct um_diagnosis_state *state, size_t block, double *sigma);
+/* Chi-square of held-out observations. */
+enum um_status um_diagnosis_state_held_out(struct um_context *context,
+                                           const struct um_diagnosis_work *work,
+                                           const struct um_diagnosis_state *state, double *out);
+
+/* Parameters that have no prior. */
+double um_diagnosis_free_parameters(const struct um_diagnosis_state *state);
+/* Whether the residual of the fit is white noise. */
+enum um_status um_diagnosis_state_whiteness(struct um_context *context,
+                                            const struct um_diagnosis_work *work,
+                                            const struct um_diagnosis_state *state,
+                                            struct um_inference_whiteness *out);
+/* The state without a block, fitted. */
+enum um_status um_diagnosis_without(struct um_context *context,
+                                    const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, size_t b,
+                                    struct um_diagnosis_state *out);
+
+#endif

@@ -1,0 +1,245 @@
+/* A physical effect: one const descriptor in one file of effects/, or in a user's shared object.
+ * The manual, `umbra effects`, scenario validation, ablation and diagnosis are made from it. */
+#ifndef UMBRA_EFFECTS_EFFECT_H
+#define UMBRA_EFFECTS_EFFECT_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "core/context.h"
+#include "core/vec.h"
+#include "environment/environment.h"
+#include "geometry/geometry.h"
+#include "materials/materials.h"
+#include "orbit/attitude.h"
+#include "thermal/body.h"
+
+#define UM_EFFECT_ABI_VERSION 2
+
+enum um_effect_target {
+  UM_TARGET_GLOBAL = 1,
+  UM_TARGET_PART = 2,
+  UM_TARGET_PART_SIDE = 4,
+  UM_TARGET_MATERIAL = 8,
+  UM_TARGET_BAND = 16,
+  UM_TARGET_SENSOR = 32
+};
+
+/* What a scenario states that a parameter changes. A diagnosis says the whole beside the change,
+ * and keeps the whole within what is physical. */
+enum um_effect_stated {
+  UM_STATED_NOTHING,
+  UM_STATED_SOLAR_IRRADIANCE,
+  UM_STATED_ALBEDO,
+  UM_STATED_EARTHSHINE, /* albedo as light */
+  UM_STATED_LONGWAVE,
+  UM_STATED_EARTH_BRIGHTNESS,
+  UM_STATED_SHADOW_RADIUS,
+  UM_STATED_ABSORPTANCE, /* of a material, as the next five */
+  UM_STATED_EMITTANCE,
+  UM_STATED_BAND_EMISSIVITY,
+  UM_STATED_DIFFUSE_REFLECTANCE,
+  UM_STATED_SPECULAR_REFLECTANCE,
+  UM_STATED_ROUGHNESS,
+  UM_STATED_EXTRACTION, /* of a part or side, as the next six */
+  UM_STATED_INTERIOR_POWER,
+  UM_STATED_INTERIOR_CAPACITY,
+  UM_STATED_AREA,
+  UM_STATED_MLI_EMITTANCE,
+  UM_STATED_HEAT_CAPACITY,
+  UM_STATED_THROUGH_CONDUCTANCE,
+  UM_STATED_CONTACT_CONDUCTANCE,
+  UM_STATED_EXPOSURE_SQUARE,
+  UM_STATED_SPIN_PERIOD
+};
+enum um_effect_change { UM_CHANGE_ADDS, UM_CHANGE_SCALES, UM_CHANGE_STRETCHES /* by 1 + value */ };
+
+struct um_effect_parameter {
+  const char *name; /* with unit: "power_W" */
+  const char *unit; /* "W", "1" */
+  const char *help;
+  double null_value;    /* the effect vanishes here */
+  double default_value; /* when the scenario does not say */
+  double minimum, maximum;
+  /* Width of a weak prior about null_value; INFINITY: none. Of a logarithmic parameter (a positive
+   * factor that may be off either way): of ln(value / null_value). */
+  double prior_sigma;
+  bool logarithmic;
+  /* A temperature of the target [K] that matters only while another parameter is off its null
+   * value: a diagnosis starts from one that the target has. */
+  bool is_temperature;
+  const char *prior; /* where the width comes from, a few words; NULL: not said */
+  enum um_effect_stated stated;
+  enum um_effect_change change; /* how it changes what is stated */
+};
+
+/* How many prior widths a value stands from its null value; 0 without a prior. Its derivative with
+ * respect to the value is the second. */
+static inline double um_effect_prior_deviation(const struct um_effect_parameter *p, double value)
+{
+  if (isinf(p->prior_sigma)) return 0.0;
+  return (p->logarithmic ? log(value / p->null_value) : value - p->null_value) / p->prior_sigma;
+}
+static inline double um_effect_prior_slope(const struct um_effect_parameter *p, double value)
+{
+  if (isinf(p->prior_sigma)) return 0.0;
+  return 1.0 / (p->logarithmic ? value * p->prior_sigma : p->prior_sigma);
+}
+
+/* Parameters are fitted, and their priors stand, in the unit of their prior: the logarithm of a
+ * logarithmic one, else the value itself. */
+static inline double um_effect_transformed(const struct um_effect_parameter *parameter,
+                                           double value)
+{
+  return parameter->logarithmic ? log(value) : value;
+}
+static inline double um_effect_physical(const struct um_effect_parameter *parameter,
+                                        double transformed)
+{
+  return parameter->logarithmic ? exp(transformed) : transformed;
+}
+/* d(value) / d(transformed) */
+static inline double um_effect_transformed_slope(const struct um_effect_parameter *parameter,
+                                                 double value)
+{
+  return parameter->logarithmic ? value : 1.0;
+}
+
+/* The values of one use of an effect in a scenario. */
+struct um_effect_use {
+  const struct um_effect *effect;
+  const char *target;  /* NULL: everything it can act on */
+  const double *value; /* [nparameter] */
+};
+
+/* True when the use acts on the thing of that name: a part, a material, a band. */
+static inline bool um_effect_acts_on(const struct um_effect_use *use, const char *name)
+{
+  return use->target == NULL || strcmp(use->target, name) == 0;
+}
+/* True when the use acts on a group of a part: target "part", "part.group" or none. */
+static inline bool um_effect_acts_on_group(const struct um_effect_use *use, const char *part,
+                                           const char *group)
+{
+  size_t n = strlen(part);
+  if (use->target == NULL || strcmp(use->target, part) == 0) return true;
+  return strncmp(use->target, part, n) == 0 && use->target[n] == '.' &&
+         strcmp(use->target + n + 1, group) == 0;
+}
+
+/* One observation while it is transformed: once as it comes to the aperture, and once as it would
+ * be without an atmosphere, which magnitudes are made of. A hook that stands for the atmosphere
+ * leaves the latter alone; one that stands for the instrument or its reduction does the same to
+ * both. */
+struct um_effect_observation {
+  double t_tai;     /* [s] mid-exposure, as tagged */
+  double elevation; /* [rad], NaN without a station */
+  double airmass;   /* [1], NaN without a station or below the horizon */
+  const char *band;
+  double value;         /* band irradiance [W/m^2]; the hook changes it */
+  bool exo_atmospheric; /* value is the one without an atmosphere */
+};
+
+/* Each hook may be NULL. A hook adds to or scales what is there, never sets it, and does nothing at
+ * null values. Those that may be called for things the use does not act on test the target first.
+ */
+struct um_effect_hooks {
+  enum um_status (*environment)(struct um_context *, const struct um_effect_use *,
+                                struct um_environment *);
+  enum um_status (*material)(struct um_context *, const struct um_effect_use *,
+                             const char *material, struct um_materials_adjustment *);
+  enum um_status (*geometry)(struct um_context *, const struct um_effect_use *,
+                             struct um_geometry_part_spec *);
+  enum um_status (*part)(struct um_context *, const struct um_effect_use *, const char *part,
+                         struct um_thermal_part_spec *);
+  /* wall and mli: of this group, to be changed; NULL where there is none. */
+  enum um_status (*group)(struct um_context *, const struct um_effect_use *, const char *part,
+                          const char *group, struct um_thermal_group_spec *,
+                          struct um_thermal_shell *wall, struct um_thermal_mli *mli);
+  enum um_status (*contact)(struct um_context *, const struct um_effect_use *,
+                            struct um_thermal_contact *);
+  /* From the time tag of an observation to its true time [s]. */
+  double (*time)(const struct um_effect_use *, double t_tai);
+  /* The exposure as it is, from what scenario or measurement say [s], not negative. */
+  double (*exposure)(const struct um_effect_use *, double exposure);
+  /* The satellite is where the orbit has it this much later [s]. */
+  double (*along_track)(const struct um_effect_use *);
+  /* One attitude law of the scenario, before it is used. */
+  enum um_status (*law)(struct um_context *, const struct um_effect_use *,
+                        struct um_orbit_attitude_law *);
+  /* Attitude as it is, from what the law says; GCRS to body. */
+  struct um_quat (*attitude)(const struct um_effect_use *, double t_tai, struct um_quat q);
+  enum um_status (*observation)(struct um_context *, const struct um_effect_use *,
+                                struct um_effect_observation *);
+};
+
+/* Sizes of everything that hooks read and change, mixed (Fowler-Noll-Vo): an object that was
+ * compiled against other ones is refused. Fields that change places without a change of size need
+ * another UM_EFFECT_ABI_VERSION. */
+#define UM_EFFECT_MIX(hash, type) (((hash) ^ (uint64_t)sizeof(type)) * 1099511628211ULL)
+#define UM_EFFECT_LAYOUT                                                                           \
+  UM_EFFECT_MIX(                                                                                   \
+      UM_EFFECT_MIX(                                                                               \
+          UM_EFFECT_MIX(                                                                           \
+              UM_EFFECT_MIX(                                                                       \
+                  UM_EFFECT_MIX(                                                                   \
+                      UM_EFFECT_MIX(                                                               \
+                          UM_EFFECT_MIX(                                                           \
+                              UM_EFFECT_MIX(                                                       \
+                                  UM_EFFECT_MIX(                                                   \
+                                      UM_EFFECT_MIX(                                               \
+                                          UM_EFFECT_MIX(                                           \
+                                              UM_EFFECT_MIX(                                       \
+                                                  UM_EFFECT_MIX(                                   \
+                                                      UM_EFFECT_MIX(14695981039346656037ULL,       \
+                                                                    struct um_effect_hooks),       \
+                                                      struct um_effect_use),                       \
+                                                  struct um_effect_parameter),                     \
+                                              struct um_effect_observation),                       \
+                                          struct um_environment),                                  \
+                                      struct um_materials_adjustment),                             \
+                                  struct um_geometry_part_spec),                                   \
+                              struct um_thermal_part_spec),                                        \
+                          struct um_thermal_group_spec),                                           \
+                      struct um_thermal_shell),                                                    \
+                  struct um_thermal_mli),                                                          \
+              struct um_thermal_contact),                                                          \
+          struct um_orbit_attitude_law),                                                           \
+      struct um_quat)
+/* The first members of every descriptor. */
+#define UM_EFFECT_ABI                                                                              \
+  .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \
+  .layout = UM_EFFECT_LAYOUT
+
+/* Most parameters one effect may have. */
+#define UM_EFFECT_PARAMETERS_MAX 8
+
+struct um_effect {
+  uint32_t abi_version; /* UM_EFFECT_ABI_VERSION */
+  uint32_t struct_size; /* sizeof(struct um_effect) */
+  uint64_t layout;      /* UM_EFFECT_LAYOUT */
+  const char *name;
+  const char *summary;
+  const char *reference;
+  const char *validity;
+  /* Reads behind "told apart from": its rivals, a colon, the measurement that does it; NULL: not
+   * said. */
+  const char *separated_by;
+  uint32_t targets;  /* or-ed um_effect_target */
+  int on_by_default; /* a core switch: present unless a scenario turns it off */
+  const struct um_effect_parameter *parameters;
+  size_t nparameter;
+  struct um_effect_hooks hooks;
+  /* For a core switch: called when the scenario turns it off. */
+  enum um_status (*switch_off)(struct um_context *, struct um_environment *);
+  /* For a core switch that keys of `environment` may hold off (shadow: sphere): whether they do,
+   * and what turns it on all the same; it does nothing where it is on. NULL: only `effects` and
+   * the command line turn it off. */
+  bool (*is_off)(const struct um_environment *);
+  enum um_status (*switch_on)(struct um_context *, struct um_environment *);
+};
+
+#endif

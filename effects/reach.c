@@ -1,0 +1,19 @@
+/* What an effect reaches, from its hooks: the one place that says what must be computed again when
+ * its values change. */
+#include "effects/effects.h"
+
+uint32_t um_effects_reach(const struct um_effect *effect)
+{
+  const struct um_effect_hooks *h = &effect->hooks;
+  uint32_t reach = 0;
+  if (h->geometry != NULL) reach |= UM_REACH_PRECOMPUTED | UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->time != NULL || h->exposure != NULL || h->along_track != NULL || h->law != NULL ||
+      h->attitude != NULL)
+    reach |= UM_REACH_PRECOMPUTED | UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->environment != NULL || effect->on_by_default)
+    reach |= UM_REACH_LIGHT | UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->material != NULL) reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->part != NULL || h->group != NULL || h->contact != NULL) reach |= UM_REACH_THERMAL;
+  if (h->observation != NULL) reach |= UM_REACH_OBSERVATION;
+  return reach;
+}

@@ -1,0 +1,158 @@
+/* Nonlinear least squares with priors and bounds: chi-square of the observations plus that of the
+ * priors is lowered by the iteration of descent.c; here what is asked of a problem and what its
+ * result says: with J whitened at the solution and W the priors' widths, over the parameters that
+ * are free,
+ *
+ *   covariance = (J'J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nrow
+ *
+ * (Schwarz 1978, Ann. Stat. 6:461). */
+#include "inference/fit.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "inference/algebra.h"
+#include "inference/descent_impl.h"
+
+#define RANK_TOLERANCE 1e-8
+
+static enum um_status check_parameter(struct um_context *context,
+                                      const struct um_inference_fit_parameter *p, size_t j)
+{
+  if (!isfinite(p->start) || !(p->start >= p->minimum && p->start <= p->maximum))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "parameter %zu of a fit starts at %g, outside its range %g .. %g", j + 1,
+                        p->start, p->minimum, p->maximum);
+  if (!(p->step > 0.0) || isinf(p->step))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "parameter %zu of a fit has the step %g; above 0 is needed", j + 1,
+                        p->step);
+  if (!(p->prior_sigma > 0.0) || (!isinf(p->prior_sigma) && !isfinite(p->prior_mean)))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "parameter %zu of a fit has the prior %g +- %g; a finite mean and a width "
+                        "above 0 are needed",
+                        j + 1, p->prior_mean, p->prior_sigma);
+  return UM_OK;
+}
+
+static enum um_status check(struct um_context *context,
+                            const struct um_inference_fit_problem *problem)
+{
+  size_t nfree = 0;
+  for (size_t j = 0; j < problem->nparameter; j++) {
+    UM_TRY(check_parameter(context, &problem->parameter[j], j));
+    if (isinf(problem->parameter[j].prior_sigma)) nfree++;
+  }
+  for (size_t i = 0; i < problem->nobservation; i++)
+    if (!(problem->sigma[i] > 0.0))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "row %zu of a fit has the sigma %g; above 0 is needed", i + 1,
+                          problem->sigma[i]);
+  if (problem->nobservation == 0 || nfree > problem->nobservation)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%zu parameters without prior cannot be fitted to %zu measurements", nfree,
+                        problem->nobservation);
+  return UM_OK;
+}
+
+static enum um_status reserve(struct um_context *context, struct um_inference_fit *fit)
+{
+  size_t n = fit->nparameter;
+  UM_TRY(um_core_allocate(context, n, sizeof *fit->x, &fit->x));
+  UM_TRY(um_core_allocate(context, n, sizeof *fit->sigma, &fit->sigma));
+  UM_TRY(um_core_allocate(context, n * n, sizeof *fit->covariance, &fit->covariance));
+  UM_TRY(um_core_allocate(context, n, sizeof *fit->at_bound, &fit->at_bound));
+  UM_TRY(um_core_allocate(context, fit->nobservation, sizeof *fit->value, &fit->value));
+  UM_TRY(um_core_allocate(context, fit->nobservation, sizeof *fit->residual, &fit->residual));
+  return um_core_allocate(context, n * fit->nobservation, sizeof *fit->jacobian, &fit->jacobian);
+}
+
+static void take(struct um_inference_fit *fit, const struct um_inference_descent *d)
+{
+  memcpy(fit->x, d->x, fit->nparameter * sizeof *fit->x);
+  memcpy(fit->value, d->value, fit->nobservation * sizeof *fit->value);
+  memcpy(fit->residual, d->r, fit->nobservation * sizeof *fit->residual);
+  memcpy(fit->jacobian, d->jacobian, fit->nparameter * fit->nobservation * sizeof *fit->jacobian);
+  fit->iterations = d->iterations;
+  fit->evaluations = d->evaluations;
+  fit->converged = d->converged;
+  fit->chi2 = d->chi2;
+  fit->chi2_prior = d->chi2_prior;
+  fit->bic = fit->chi2 + fit->chi2_prior + (double)fit->nparameter * log((double)fit->nobservation);
+  for (size_t j = 0; j < fit->nparameter; j++) {
+    const struct um_inference_fit_parameter *p = &d->problem->parameter[j];
+    fit->at_bound[j] = fit->x[j] <= p->minimum || fit->x[j] >= p->maximum;
+  }
+}
+
+/* Covariance of the free parameters, those at a bound held there; columns over their steps. */
+static enum um_status find_covariance(struct um_context *context,
+                                      const struct um_inference_fit_problem *problem,
+                                      struct um_inference_fit *fit)
+{
+  enum um_status status;
+  struct um_inference_qr *qr = NULL;
+  double *column = NULL, *work = NULL;
+  bool *determined = NULL;
+  size_t n = fit->nparameter, total = fit->nobservation + n;
+  UM_CHECK(um_core_allocate(context, n * total, sizeof *column, &column));
+  UM_CHECK(um_core_allocate(context, n * n, sizeof *work, &work));
+  UM_CHECK(um_core_allocate(context, n, sizeof *determined, &determined));
+  for (size_t j = 0; j < n; j++) {
+    if (fit->at_bound[j]) continue; /* a column of 0 is beyond the rank */
+    memcpy(column + j * total, fit->jacobian + j * fit->nobservation,
+           fit->nobservation * sizeof *column);
+    column[j * total + fit->nobservation + j] = 1.0 / problem->parameter[j].prior_sigma;
+  }
+  UM_CHECK(um_inference_qr_create(context, total, n, column, RANK_TOLERANCE, &qr));
+  um_inference_qr_covariance(qr, work, fit->covariance, determined);
+  for (size_t j = 0; j < n; j++) {
+    fit->sigma[j] = determined[j] ? sqrt(fit->covariance[j * n + j]) : INFINITY;
+    if (fit->at_bound[j]) fit->sigma[j] = NAN;
+  }
+done:
+  um_core_free(context, column);
+  um_core_free(context, work);
+  um_core_free(context, determined);
+  um_inference_qr_destroy(context, &qr);
+  return status;
+}
+
+enum um_status um_inference_fit_create(struct um_context *context,
+                                       const struct um_inference_fit_problem *problem,
+                                       struct um_inference_fit **out)
+{
+  enum um_status status;
+  struct um_inference_descent descent = {0};
+  struct um_inference_fit *fit = NULL;
+  *out = NULL;
+  UM_CHECK(check(context, problem));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *fit, &fit));
+  fit->nobservation = problem->nobservation;
+  fit->nparameter = problem->nparameter;
+  UM_CHECK(reserve(context, fit));
+  UM_CHECK(um_inference_descent_begin(context, problem, &descent));
+  UM_CHECK(um_inference_descent_run(context, &descent));
+  take(fit, &descent);
+  UM_CHECK(find_covariance(context, problem, fit));
+  *out = fit;
+  fit = NULL;
+done:
+  um_inference_descent_release(context, &descent);
+  um_inference_fit_destroy(context, &fit);
+  return status;
+}
+
+void um_inference_fit_destroy(struct um_context *context, struct um_inference_fit **fit)
+{
+  if (*fit == NULL) return;
+  um_core_free(context, (*fit)->x);
+  um_core_free(context, (*fit)->sigma);
+  um_core_free(context, (*fit)->covariance);
+  um_core_free(context, (*fit)->at_bound);
+  um_core_free(context, (*fit)->value);
+  um_core_free(context, (*fit)->residual);
+  um_core_free(context, (*fit)->jacobian);
+  um_core_free(context, *fit);
+  *fit = NULL;
+}

@@ -1,0 +1,132 @@
+/* The Jacobian of a fit: forward differences with the parameter's own step into its allowed range,
+ * and Broyden's rank-one update (1965, Math. Comput. 19:577) between them, which makes J agree with
+ * the change of the residuals over the last step: with u the step over the parameters' scales,
+ *
+ *   J S <- J S + (dv - J S u) u' / |u|^2. */
+#include <math.h>
+#include <string.h>
+
+#include "inference/algebra.h"
+#include "inference/jacobian_impl.h"
+
+#define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
+#define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of what is enough */
+
+enum um_status um_inference_descent_try(struct um_context *context,
+                                        struct um_inference_descent *descent, bool *happened)
+{
+  const struct um_inference_fit_problem *p = descent->problem;
+  enum um_status status = p->evaluate(context, p->user, descent->x_trial, descent->value_trial);
+  descent->evaluations++;
+  *happened = status == UM_OK;
+  if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
+    um_core_message_clear(context);
+    return UM_OK;
+  }
+  UM_TRY(status);
+  for (size_t i = 0; i < descent->nobservation; i++) {
+    descent->r_trial[i] = (p->measured[i] - descent->value_trial[i]) / p->sigma[i];
+    *happened = *happened && isfinite(descent->r_trial[i]);
+  }
+  return UM_OK;
+}
+
+/* One column with the step h; false where the model refuses, or h leaves the range. */
+static enum um_status difference(struct um_context *context, struct um_inference_descent *d,
+                                 size_t j, double h, bool *done)
+{
+  const struct um_inference_fit_parameter *p = &d->problem->parameter[j];
+  double *column = d->jacobian + j * d->nobservation;
+  *done = false;
+  memcpy(d->x_trial, d->x, d->n * sizeof *d->x);
+  d->x_trial[j] = d->x[j] + h;
+  if (h == 0.0 || d->x_trial[j] < p->minimum || d->x_trial[j] > p->maximum) return UM_OK;
+  UM_TRY(um_inference_descent_try(context, d, done));
+  double step = d->x_trial[j] - d->x[j]; /* what h was after rounding */
+  for (size_t i = 0; *done && i < d->nobservation; i++)
+    column[i] = (d->r[i] - d->r_trial[i]) / step;
+  return UM_OK;
+}
+
+static void keep_base(struct um_inference_descent *d)
+{
+  memcpy(d->base_jacobian, d->jacobian, d->n * d->nobservation * sizeof *d->jacobian);
+  memcpy(d->base_x, d->x, d->n * sizeof *d->x);
+  memcpy(d->base_r, d->r, d->nobservation * sizeof *d->r);
+}
+
+enum um_status um_inference_descent_differences(struct um_context *context,
+                                                struct um_inference_descent *descent)
+{
+  static const double part[] = {1.0, -1.0, 0.25, -0.25};
+  for (size_t j = 0; j < descent->n; j++) {
+    const struct um_inference_fit_parameter *p = &descent->problem->parameter[j];
+    double above = p->maximum - descent->x[j], below = descent->x[j] - p->minimum, h = p->step;
+    bool done = false;
+    if (h > above && h > below) h = above > below ? above : -below; /* a range below the step */
+    for (size_t k = 0; !done && k < sizeof part / sizeof *part; k++)
+      UM_TRY(difference(context, descent, j, h * part[k], &done));
+    if (done) continue;
+    if (p->minimum < p->maximum)
+      return um_core_fail(context, UM_ERR_NUMERIC,
+                          "the model cannot be computed beside %g of parameter %zu of a fit",
+                          descent->x[j], j + 1);
+    memset(descent->jacobian + j * descent->nobservation, 0,
+           descent->nobservation * sizeof *descent->jacobian);
+  }
+  keep_base(descent);
+  descent->fresh = true;
+  descent->updates = 0;
+  return UM_OK;
+}
+
+void um_inference_descent_update(struct um_inference_descent *descent)
+{
+  size_t n = descent->n, nobservation = descent->nobservation;
+  double *u = descent->v, square = 0.0;
+  for (size_t j = 0; j < n; j++) {
+    u[j] = (descent->x_trial[j] - descent->x[j]) / descent->scale[j];
+    square += u[j] * u[j];
+  }
+  if (!(square > 0.0)) return;
+  if (n == 1) keep_base(descent); /* the next update tells how far the secant bends */
+  for (size_t i = 0; i < nobservation; i++) {
+    double missed = descent->r[i] - descent->r_trial[i];
+    for (size_t j = 0; j < n; j++)
+      missed -= descent->jacobian[j * nobservation + i] * descent->scale[j] * u[j];
+    for (size_t j = 0; j < n; j++)
+      descent->jacobian[j * nobservation + i] += missed * u[j] / square / descent->scale[j];
+  }
+  descent->updates++;
+}
+
+/* Whether the bounds hold all parameters: their slopes are only asked for their signs. */
+static bool is_held(const struct um_inference_descent *d)
+{
+  for (size_t j = 0; j < d->n; j++)
+    if (d->x[j] > d->problem->parameter[j].minimum && d->x[j] < d->problem->parameter[j].maximum)
+      return false;
+  return true;
+}
+
+/* Along the way from where J was made (one parameter: from the point before), dv = J dx + m: slope
+ * that J has not is m / |dv| per sigma of the way, which shifts the zero of the gradient by m'r /
+ * |dv| sigma, much where r is not noise; its square is the chi-square lost. */
+bool um_inference_descent_serves(struct um_inference_descent *descent)
+{
+  double missed = 0.0, moved = 0.0, bias = 0.0;
+  double shift = sqrt(um_inference_descent_tolerance(descent));
+  if (descent->fresh || is_held(descent)) return true;
+  for (size_t i = 0; i < descent->nobservation; i++) {
+    double change = descent->base_r[i] - descent->r[i], miss = change;
+    for (size_t j = 0; j < descent->n; j++)
+      miss -= descent->base_jacobian[j * descent->nobservation + i] *
+              (descent->x[j] - descent->base_x[j]);
+    moved += change * change;
+    missed += miss * miss;
+    bias += miss * descent->r[i];
+  }
+  moved = sqrt(moved);
+  if (fabs(bias) > shift * moved) return false;
+  return moved < NOT_MOVED * shift || sqrt(missed) < BEND_MAX * moved;
+}

@@ -1,0 +1,54 @@
+/* Private to irradiation: how orbital loads see the Earth past the satellite itself. */
+#ifndef UMBRA_IRRADIATION_LOADS_IMPL_H
+#define UMBRA_IRRADIATION_LOADS_IMPL_H
+
+#include "irradiation/loads.h"
+
+/* A pose with its scene and, on a rigid body with anything covered, how free every direction is:
+ * cells of a cube around each covered surface. */
+struct um_thermal_scene {
+  struct um_geometry_pose *pose;
+  struct um_geometry_visibility *visibility;
+  size_t *row;      /* [nsurface] first cell; SIZE_MAX where open. NULL: rays are to be asked */
+  uint8_t *freedom; /* [ncovered][UM_THERMAL_CUBE_CELLS] free fraction times 255 */
+};
+#define UM_THERMAL_CUBE_SIDE  16 /* 5.6 deg: the sky's own cells have 12.6 deg */
+#define UM_THERMAL_CUBE_CELLS (6 * UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE)
+
+/* The visible cap; every direction also as four within its cell, since cells of the sky and of the
+ * cap are of one size and would beat. */
+struct um_thermal_cap {
+  struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
+  struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
+  size_t cell[UM_EARTH_CAP_POINTS][4];
+  size_t n;
+};
+
+/* What of the cap stands before surfaces of one normal. */
+struct um_thermal_half {
+  size_t n;                             /* directions before it */
+  double weight[UM_EARTH_CAP_POINTS];   /* cosine times solid angle [sr] */
+  double radiance[UM_EARTH_CAP_POINTS]; /* reflected [W/m^2/sr] */
+  size_t ncell[UM_EARTH_CAP_POINTS];    /* 0 to 4 of the four that are before it too */
+  uint16_t cell[UM_EARTH_CAP_POINTS][4];
+  double albedo, planet; /* sums of weight times radiance, and of weight, over all */
+};
+
+/* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
+enum um_status um_irradiation_scene_tabulate(struct um_context *context,
+                                             const struct um_geometry_mesh *mesh, int nsample,
+                                             struct um_thermal_scene *scene);
+/* Fill `four` and `cell` from the points. */
+void um_irradiation_cap_spread(struct um_thermal_cap *cap);
+/* The half of a cap before a unit normal; four: those were filled. */
+void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
+                              struct um_thermal_half *out);
+/* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made,
+ * for what the Earth reflects and for what it emits; 1 where nothing of it lies before the surface.
+ */
+void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
+                               const struct um_thermal_scene *scene, size_t surface,
+                               struct um_vec3 normal, const struct um_thermal_cap *cap,
+                               const struct um_thermal_half *half, double *albedo, double *planet);
+
+#endif

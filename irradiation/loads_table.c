@@ -1,0 +1,50 @@
+/* Storage of a table of incident loads; thermal/loads.c fills it by rays. */
+#include "irradiation/loads.h"
+
+enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
+                                           size_t nsurface, size_t nedge,
+                                           struct um_irradiation_loads **out)
+{
+  enum um_status status;
+  struct um_irradiation_loads *loads = NULL;
+  *out = NULL;
+  if (ntime == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "a table of loads without times; accepted: 1 or more");
+  if (nsurface != 0 && ntime > (size_t)-1 / sizeof(float) / 2 / nsurface)
+    return um_core_fail(context, UM_ERR_MEMORY, "out of memory: loads of %zu surfaces at %zu times",
+                        nsurface, ntime);
+  UM_CHECK(um_core_allocate(context, 1, sizeof *loads, &loads));
+  loads->ntime = ntime;
+  loads->nsurface = nsurface;
+  loads->nedge = nedge;
+  UM_CHECK(um_core_allocate(context, ntime, sizeof(double), &loads->t));
+  UM_CHECK(um_core_allocate(context, ntime, sizeof(double), &loads->sunlit));
+  UM_CHECK(um_core_allocate(context, ntime, sizeof(double), &loads->irradiance));
+  UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->sun));
+  UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->albedo));
+  UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->planet));
+  UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->view_factor));
+  UM_CHECK(um_core_allocate(context, nedge, sizeof(double), &loads->edge));
+  *out = loads;
+  return UM_OK;
+done:
+  um_irradiation_loads_destroy(context, &loads);
+  return status;
+}
+
+void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads)
+{
+  if (loads == NULL || *loads == NULL) return;
+  struct um_irradiation_loads *l = *loads;
+  um_core_free(context, l->t);
+  um_core_free(context, l->sunlit);
+  um_core_free(context, l->irradiance);
+  um_core_free(context, l->sun);
+  um_core_free(context, l->albedo);
+  um_core_free(context, l->planet);
+  um_core_free(context, l->view_factor);
+  um_core_free(context, l->edge);
+  um_core_free(context, l);
+  *loads = NULL;
+}

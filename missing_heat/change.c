@@ -1,0 +1,79 @@
+/* What a pulse of heat does to the observations in full: the linear response serves to find it, but
+ * kelvins of warming bend the radiance by per cents. The pulse goes into a model of its own as a
+ * source, and its power into a straight line through 0 and what came out:
+ *
+ *   P <- P d'r / d'd,   d the change of the observations at P, both after the nuisances,
+ *
+ * until it moves by less than a hundredth (secant steps: what is then wrong is that times the
+ * bend). */
+#include <math.h>
+
+#include "compare/series.h"
+#include "inference/algebra.h"
+#include "missing_heat/heat_impl.h"
+
+#define STEPS   3
+#define SETTLED 0.01 /* of the power */
+
+/* Values over sigma of the observations with the pulse. */
+static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,
+                               const struct um_missing_heat_place *place, double from, double to,
+                               double power, double *value)
+{
+  enum um_status status;
+  struct um_sensitivity_forward *f = base->forward;
+  struct um_model *model = NULL;
+  struct um_model_thermal_solution *heat = NULL;
+  struct um_model_result *result = NULL;
+  double t[] = {from, from, to, to}, watts[] = {0.0, power, power, 0.0};
+  const struct um_thermal_source source = {.node = place->node,
+                                           .weight = place->weight,
+                                           .nnode = place->nnode,
+                                           .t = t,
+                                           .power = watts,
+                                           .nrow = 4};
+  UM_CHECK(um_model_variant_create(context, f->model, base->addition, base->naddition, &model));
+  UM_CHECK(um_thermal_network_source_add(model->body->network, &source));
+  UM_CHECK(um_model_thermal_solution_create(context, model, base->precomputed, base->heat,
+                                            f->tolerance_factor, &heat));
+  UM_CHECK(um_model_run_with(context, model, base->precomputed, heat, &result));
+  UM_CHECK(um_missing_heat_predict(context, base, result, value));
+  f->evaluations++;
+done:
+  um_model_result_destroy(context, &result);
+  um_model_thermal_solution_destroy(context, &heat);
+  um_model_destroy(context, &model);
+  return status;
+}
+
+enum um_status um_missing_heat_change(struct um_context *context,
+                                      const struct um_missing_heat_base *base,
+                                      struct um_inference_projection *projection,
+                                      const double *residual,
+                                      const struct um_missing_heat_place *place, double from,
+                                      double to, double *power, double *chi2)
+{
+  enum um_status status;
+  size_t nobservation = base->forward->nobservation, nleft = projection->nleft;
+  double *cold = NULL, *value = NULL, *left = NULL;
+  UM_CHECK(um_core_allocate(context, nobservation, sizeof *cold, &cold));
+  UM_CHECK(um_core_allocate(context, nobservation, sizeof *value, &value));
+  UM_CHECK(um_core_allocate(context, nleft, sizeof *left, &left));
+  UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
+  for (int k = 0; k < STEPS; k++) {
+    UM_CHECK(run_with(context, base, place, from, to, *power, value));
+    for (size_t j = 0; j < nobservation; j++) value[j] -= cold[j];
+    um_inference_projection_apply(projection, value, left);
+    double square = um_inference_dot(nleft, left, left);
+    double with = um_inference_dot(nleft, left, residual);
+    if (!(square > 0.0) || !(with > 0.0)) break; /* the line has lost its sense */
+    *power *= with / square;
+    *chi2 = with * with / square;
+    if (fabs(with / square - 1.0) < SETTLED) break;
+  }
+done:
+  um_core_free(context, cold);
+  um_core_free(context, value);
+  um_core_free(context, left);
+  return status;
+}

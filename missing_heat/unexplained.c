@@ -1,0 +1,329 @@
+/* What no effect of the catalogue explains: where the residual lives, and the heat that would
+ * explain it. Every place is tried with every pulse between two times of observation, on at most
+ * BINS_MAX bins; where times lie denser, the best places again with all of them about the edges
+ * found. Bonferroni's correction counts every place and pair of edges as a test of its own, which
+ * they are not: "found" is said too rarely rather than too often. A pulse that is significant but
+ * leaves more than a twentieth of what is too much in chi-square is not the explanation. */
+#include "missing_heat/unexplained.h"
+
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+#include "inference/algebra.h"
+#include "inference/distributions.h"
+#include "missing_heat/heat_impl.h"
+#include "missing_heat/residual.h"
+
+#define BINS_MAX 60
+#define REFINED  3    /* best places that are looked at again */
+#define ABOUT    2    /* bins about an edge that are looked at again */
+#define RIVAL    0.5  /* of the best chi-square, below which a place is not looked at again */
+#define LEVEL    0.01 /* of false alarm */
+#define LEFT     0.05 /* of chi-square above its expectation, that an explanation may leave */
+
+/* --- where the residual lives ---------------------------------------------------------------- */
+
+static enum um_status find_coordinate(struct um_context *context,
+                                      const struct um_missing_heat_base *base, double fitted,
+                                      struct um_missing_heat_unexplained *out)
+{
+  const struct um_compare_run run = {base->model, base->forward->plan, base->precomputed,
+                                     base->result};
+  struct um_missing_heat_residual residual;
+  UM_TRY(um_missing_heat_residual_describe(context, base->forward, &run, fitted, &residual));
+  out->channel = residual.channel;
+  out->coordinate = residual.coordinate;
+  out->p = residual.p;
+  return UM_OK;
+}
+
+/* --- missing heat ---------------------------------------------------------------------------- */
+
+struct search {
+  struct um_missing_heat_base base;
+  struct um_missing_heat_place *place;
+  size_t nplace;
+  struct um_inference_projection projection;
+  double *residual; /* [nleft] */
+  double *column;   /* [nbin_max][nobservation] */
+  size_t nobs;
+  double *t;                           /* [nobs] at the satellite */
+  size_t *edge;                        /* [nbin + 1] of the observations */
+  size_t nbin;                         /* of the first look */
+  double *time;                        /* [nobs] scratch of edges */
+  bool *wanted;                        /* [nobs] scratch */
+  size_t *origin;                      /* [heat] place of each result */
+  struct um_missing_heat_pulse *pulse; /* [heat] of the first look */
+};
+
+static void search_release(struct um_context *context, struct search *s)
+{
+  um_missing_heat_base_release(context, &s->base);
+  um_missing_heat_places_destroy(context, &s->place, s->nplace);
+  um_inference_projection_destroy(context, &s->projection);
+  um_core_free(context, s->residual);
+  um_core_free(context, s->column);
+  um_core_free(context, s->t);
+  um_core_free(context, s->edge);
+  um_core_free(context, s->time);
+  um_core_free(context, s->wanted);
+  um_core_free(context, s->origin);
+  um_core_free(context, s->pulse);
+}
+
+/* Residual after the nuisances, and its chi-square. */
+static enum um_status project(struct um_context *context, struct search *s, const double *value,
+                              const double *nuisance, size_t nnuisance, double *chi2)
+{
+  enum um_status status;
+  const struct um_sensitivity_forward *f = s->base.forward;
+  double *whole = NULL, *width = NULL;
+  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *whole, &whole));
+  UM_CHECK(um_core_allocate(context, nnuisance, sizeof *width, &width));
+  for (size_t j = 0; j < nnuisance; j++) width[j] = INFINITY;
+  for (size_t j = 0; j < f->nobservation; j++) whole[j] = (f->measured[j] - value[j]) / f->sigma[j];
+  struct um_inference_nuisance n = {nnuisance, nuisance, width};
+  UM_CHECK(um_inference_projection_create(context, f->nobservation, &n, &s->projection));
+  UM_CHECK(um_core_allocate(context, s->projection.nleft, sizeof *s->residual, &s->residual));
+  um_inference_projection_apply(&s->projection, whole, s->residual);
+  *chi2 = um_inference_dot(s->projection.nleft, s->residual, s->residual);
+done:
+  um_core_free(context, whole);
+  um_core_free(context, width);
+  return status;
+}
+
+/* Times of the observations at the satellite, and edges of the first look. */
+static enum um_status find_edges(struct um_context *context, struct search *s)
+{
+  const struct um_model_precomputed *precomputed = s->base.precomputed;
+  size_t n = s->nobs = precomputed->nobs;
+  s->nbin = n - 1 < BINS_MAX ? n - 1 : BINS_MAX;
+  UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->time, &s->time));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->wanted, &s->wanted));
+  UM_TRY(um_core_allocate(context, s->nbin + 1, sizeof *s->edge, &s->edge));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->origin, &s->origin));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->pulse, &s->pulse));
+  for (size_t k = 0; k < n; k++)
+    s->t[k] = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].t_tai;
+  for (size_t b = 0; b <= s->nbin; b++) s->edge[b] = (b * (n - 1) + s->nbin / 2) / s->nbin;
+  return UM_OK;
+}
+
+static enum um_status bins_of(struct um_context *context, struct search *s, size_t place,
+                              size_t nbin, const double *edge, struct um_missing_heat_bins *out)
+{
+  UM_TRY(um_core_reallocate(context, nbin * s->base.forward->nobservation, sizeof *s->column,
+                            &s->column));
+  UM_TRY(um_missing_heat_columns(context, &s->base, &s->place[place], nbin, edge, s->column));
+  return um_missing_heat_bins_create(context, &s->projection, s->residual, nbin, edge, s->column,
+                                     out);
+}
+
+static void take_pulse(const struct um_missing_heat_bins *bins,
+                       const struct um_missing_heat_pulse *pulse, struct um_missing_heat *heat)
+{
+  heat->chi2_explained = pulse->chi2;
+  heat->start = bins->edge[pulse->from];
+  heat->stop = bins->edge[pulse->to];
+  heat->power = pulse->power;
+  heat->energy = pulse->power * (heat->stop - heat->start);
+  heat->start_sigma = pulse->start_sigma;
+  heat->energy_sigma = pulse->energy_sigma;
+}
+
+/* A place on the bins of the first look: pulse and history. */
+static enum um_status look(struct um_context *context, struct search *s, size_t place,
+                           struct um_missing_heat *heat)
+{
+  enum um_status status;
+  struct um_missing_heat_bins bins = {0};
+  s->origin[place] = place;
+  for (size_t b = 0; b <= s->nbin; b++) s->time[b] = s->t[s->edge[b]];
+  UM_CHECK(um_core_strdup(context, s->place[place].name, &heat->place));
+  UM_CHECK(bins_of(context, s, place, s->nbin, s->time, &bins));
+  um_missing_heat_pulse_find(&bins, &s->pulse[place]);
+  take_pulse(&bins, &s->pulse[place], heat);
+  heat->nbin = s->nbin;
+  UM_CHECK(um_core_allocate(context, s->nbin + 1, sizeof *heat->t, &heat->t));
+  UM_CHECK(um_core_allocate(context, s->nbin, sizeof *heat->heat, &heat->heat));
+  UM_CHECK(um_core_allocate(context, s->nbin, sizeof *heat->sigma, &heat->sigma));
+  memcpy(heat->t, s->time, (s->nbin + 1) * sizeof *heat->t);
+  UM_CHECK(um_missing_heat_history(context, &bins, s->residual, heat->heat, heat->sigma));
+done:
+  um_missing_heat_bins_release(context, &bins);
+  return status;
+}
+
+/* Observations about an edge of the first look. */
+static void want(struct search *s, size_t edge)
+{
+  size_t from = s->edge[edge > ABOUT ? edge - ABOUT : 0];
+  size_t to = s->edge[edge + ABOUT < s->nbin ? edge + ABOUT : s->nbin];
+  for (size_t k = from; k <= to; k++) s->wanted[k] = true;
+}
+
+/* The same place with all times about the edges of its best pulse. What the first look says of its
+ * scatter stays, where it is more. */
+static enum um_status look_again(struct um_context *context, struct search *s,
+                                 struct um_missing_heat_pulse *first, size_t place,
+                                 struct um_missing_heat *heat)
+{
+  enum um_status status;
+  struct um_missing_heat_bins bins = {0};
+  struct um_missing_heat_pulse pulse;
+  size_t n = 0;
+  memset(s->wanted, 0, s->nobs * sizeof *s->wanted);
+  s->wanted[0] = s->wanted[s->nobs - 1] = true;
+  want(s, first->from);
+  want(s, first->to);
+  for (size_t k = 0; k < s->nobs; k++)
+    if (s->wanted[k]) s->time[n++] = s->t[k];
+  UM_CHECK(bins_of(context, s, place, n - 1, s->time, &bins));
+  um_missing_heat_pulse_find(&bins, &pulse);
+  double width = heat->t[1] - heat->t[0];
+  pulse.start_sigma =
+      fmax(pulse.start_sigma,
+           sqrt(fmax(0.0, first->start_sigma * first->start_sigma - width * width / 12.0)));
+  pulse.energy_sigma = fmax(pulse.energy_sigma, first->energy_sigma);
+  take_pulse(&bins, &pulse, heat);
+done:
+  um_missing_heat_bins_release(context, &bins);
+  return status;
+}
+
+/* Power of the pulse by the model itself, its sigma in proportion; what the bend moved it by is
+ * added, since the edges are those of the straight response. A place that the model refuses a
+ * source in keeps what the linear response says. */
+static enum um_status check(struct um_context *context, struct search *s, size_t place,
+                            struct um_missing_heat *heat)
+{
+  double power = heat->power, chi2 = heat->chi2_explained;
+  enum um_status status =
+      um_missing_heat_change(context, &s->base, &s->projection, s->residual, &s->place[place],
+                             heat->start, heat->stop, &power, &chi2);
+  if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
+    um_core_message_clear(context);
+    return UM_OK;
+  }
+  UM_TRY(status);
+  double bent = power / heat->power;
+  heat->chi2_explained = chi2;
+  heat->energy_sigma = hypot(bent * heat->energy_sigma, (bent - 1.0) * heat->energy);
+  heat->energy *= bent;
+  heat->power = power;
+  return UM_OK;
+}
+
+static void sort(struct um_missing_heat_unexplained *u, size_t *origin)
+{
+  for (size_t i = 1; i < u->nheat; i++)
+    for (size_t k = i; k > 0 && u->heat[k].chi2_explained > u->heat[k - 1].chi2_explained; k--) {
+      struct um_missing_heat heat = u->heat[k];
+      size_t place = origin[k];
+      u->heat[k] = u->heat[k - 1];
+      origin[k] = origin[k - 1];
+      u->heat[k - 1] = heat;
+      origin[k - 1] = place;
+    }
+}
+
+static enum um_status look_everywhere(struct um_context *context, struct search *s,
+                                      struct um_missing_heat_unexplained *out)
+{
+  enum um_status status = UM_OK;
+  um_core_progress_begin(context, "looking for missing heat", s->nplace);
+  for (size_t p = 0; p < s->nplace && status == UM_OK; p++) {
+    out->nheat = p + 1;
+    um_core_quiet_begin(context);
+    status = look(context, s, p, &out->heat[p]);
+    um_core_quiet_end(context);
+    if (status == UM_OK) status = um_core_progress_step(context, 1);
+  }
+  um_core_progress_end(context);
+  return status;
+}
+
+static enum um_status find_heat(struct um_context *context, struct search *s,
+                                struct um_missing_heat_unexplained *out)
+{
+  enum um_status status = UM_OK;
+  UM_TRY(um_missing_heat_places_create(context, s->base.model, &s->place, &s->nplace));
+  UM_TRY(find_edges(context, s));
+  UM_TRY(um_core_allocate(context, s->nplace, sizeof *out->heat, &out->heat));
+  UM_TRY(look_everywhere(context, s, out));
+  sort(out, s->origin);
+  um_core_quiet_begin(context);
+  for (size_t i = 0; i < out->nheat && i < REFINED && status == UM_OK; i++) {
+    size_t place = s->origin[i];
+    if (!(out->heat[i].chi2_explained > RIVAL * out->heat[0].chi2_explained)) continue;
+    if (s->nbin < s->nobs - 1)
+      status = look_again(context, s, &s->pulse[place], place, &out->heat[i]);
+    if (status == UM_OK) status = check(context, s, place, &out->heat[i]);
+  }
+  um_core_quiet_end(context);
+  sort(out, s->origin);
+  return status;
+}
+
+/* Whether the best pulse is an explanation: significant, and little is left but noise. */
+static bool is_found(const struct um_missing_heat_unexplained *u, size_t nbin, double dof)
+{
+  if (u->nheat == 0) return false;
+  double tests = (double)u->nheat * 0.5 * (double)nbin * (double)(nbin + 1);
+  double p = um_inference_chi2_q(u->heat[0].chi2_explained, 1.0);
+  double left = fmax(LEFT * (u->chi2_before - dof), 3.0 * sqrt(2.0 * dof));
+  return p * tests < LEVEL && u->chi2_after - dof < left;
+}
+
+enum um_status um_missing_heat_unexplained_create(struct um_context *context,
+                                                  struct um_sensitivity_forward *forward,
+                                                  const struct um_model_addition *addition,
+                                                  size_t naddition, const double *value,
+                                                  const double *nuisance, size_t nnuisance,
+                                                  struct um_missing_heat_unexplained **out)
+{
+  enum um_status status;
+  double begin = omp_get_wtime();
+  struct um_missing_heat_unexplained *u = NULL;
+  struct search s = {0};
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *u, &u));
+  um_core_quiet_begin(context);
+  status = um_missing_heat_base_create(context, forward, addition, naddition, &s.base);
+  um_core_quiet_end(context);
+  if (status != UM_OK) goto done;
+  UM_CHECK(find_coordinate(context, &s.base, (double)nnuisance, u));
+  UM_CHECK(project(context, &s, value, nuisance, nnuisance, &u->chi2_before));
+  if (!s.base.precomputed->points && s.base.precomputed->nobs > 1)
+    UM_CHECK(find_heat(context, &s, u));
+  u->chi2_after = u->chi2_before - (u->nheat > 0 ? u->heat[0].chi2_explained : 0.0);
+  u->found = is_found(u, s.nbin, (double)forward->nobservation - (double)nnuisance);
+  *out = u;
+  u = NULL;
+done:
+  forward->seconds += omp_get_wtime() - begin;
+  search_release(context, &s);
+  um_missing_heat_unexplained_destroy(context, &u);
+  return status;
+}
+
+void um_missing_heat_unexplained_destroy(struct um_context *context,
+                                         struct um_missing_heat_unexplained **unexplained)
+{
+  if (unexplained == NULL || *unexplained == NULL) return;
+  struct um_missing_heat_unexplained *u = *unexplained;
+  for (size_t i = 0; i < u->nheat; i++) {
+    um_core_free(context, u->heat[i].place);
+    um_core_free(context, u->heat[i].t);
+    um_core_free(context, u->heat[i].heat);
+    um_core_free(context, u->heat[i].sigma);
+  }
+  um_core_free(context, u->heat);
+  um_core_free(context, u->coordinate);
+  um_core_free(context, u->channel);
+  um_core_free(context, u);
+  *unexplained = NULL;
+}

@@ -1,0 +1,353 @@
+/* Everything geometric about one timeline, traced once.
+ *
+ * Observations are instants at the observer (several per exposure); the satellite's own times are
+ * earlier by the light time. Heat is computed from whole orbits before the first observation. The
+ * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
+ * instant is a grid time, so that optics and heat use the same fluxes. The loads are linear between
+ * grid times: a shadow without penumbra, which is a jump, has one on either side of its edge. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/sort.h"
+#include "model/model_impl.h"
+
+#define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
+#define LONGEST_STEP     10.0 /* [s]; the orbit turns by 0.6 deg */
+#define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
+#define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
+#define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
+#define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
+
+struct grid_time {
+  double t;
+  bool wanted; /* observed instant, or a side of a jump: never displaced */
+};
+
+static int compare_times(const void *a, const void *b)
+{
+  double x = ((const struct grid_time *)a)->t, y = ((const struct grid_time *)b)->t;
+  return (x > y) - (x < y);
+}
+
+/* The time at which an observation was really made. */
+double um_model_true_time(const struct um_model *model, double tag)
+{
+  struct um_effect_use use;
+  double t = tag;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.time != NULL) t = use.effect->hooks.time(&use, t);
+  return t;
+}
+
+/* The exposure of an observation as it really was [s]. */
+static double true_exposure(const struct um_model *model, const double *exposures, size_t k)
+{
+  struct um_effect_use use;
+  double exposure = exposures != NULL ? exposures[k] : model->scenario->time->exposure_s;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect->hooks.exposure != NULL) exposure = use.effect->hooks.exposure(&use, exposure);
+  return exposure;
+}
+
+/* Times of the observations: the scenario's own, every step from start to stop. */
+static enum um_status scenario_times(struct um_context *context, const struct um_model *model,
+                                     double **times, size_t *count)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  *count = (size_t)floor((time->stop - time->start) / time->step_s + 1e-9) + 1;
+  UM_TRY(um_core_allocate(context, *count, sizeof **times, times));
+  for (size_t k = 0; k < *count; k++) (*times)[k] = time->start + (double)k * time->step_s;
+  return UM_OK;
+}
+
+/* Instant i of n in an exposure, in [-1/2, 1/2]: midpoints of equal parts, u_i = (i + 1/2)/n - 1/2,
+ * drawn apart by n / sqrt(n^2 - 1), so that their variance is that of the exposure, 1/12, in place
+ * of (1 - 1/n^2)/12: with equal weights what is quadratic in time is averaged exactly, and three
+ * are Chebyshev's. */
+static double instant_of(size_t i, size_t n)
+{
+  double count = (double)n, u = ((double)i + 0.5) / count - 0.5;
+  return n < 2 ? u : u * count / sqrt(count * count - 1.0);
+}
+
+static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
+                                         const double *times, const double *exposures, size_t ntime,
+                                         struct um_model_precomputed *precomputed)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  bool exposed = time->exposure_s > 0.0;
+  for (size_t k = 0; k < ntime; k++) exposed = exposed || true_exposure(model, exposures, k) > 0.0;
+  precomputed->nobs = ntime;
+  precomputed->nsub = exposed ? (size_t)time->exposure_samples : 1;
+  size_t n = precomputed->nobs * precomputed->nsub;
+  UM_TRY(um_model_check_instants(context, model, precomputed->nobs, precomputed->nsub));
+  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &precomputed->t_obs));
+  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &precomputed->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->look, &precomputed->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->sample, &precomputed->sample));
+  memcpy(precomputed->t_obs, times, ntime * sizeof(double));
+  um_core_progress_begin(context, "following the orbit", n);
+  for (size_t i = 0; i < n; i++) {
+    size_t k = i / precomputed->nsub;
+    double u = instant_of(i % precomputed->nsub, precomputed->nsub);
+    double t =
+        um_model_true_time(model, precomputed->t_obs[k] + u * true_exposure(model, exposures, k));
+    if (model->has_observer) {
+      UM_TRY(
+          um_model_sample_seen(context, model, t, &precomputed->sample[i], &precomputed->look[i]));
+    } else {
+      UM_TRY(um_model_sample_at(context, model, t, &precomputed->sample[i]));
+      precomputed->look[i] = (struct um_orbit_look){
+          .t_satellite = t, .range = NAN, .azimuth = NAN, .elevation = NAN, .sun_elevation = NAN};
+    }
+    if (i > 0 && !(precomputed->sample[i].t_tai >= precomputed->sample[i - 1].t_tai))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "observation %zu: its exposure of %g s begins before the one before it "
+                          "ends; accepted: exposures that do not overlap",
+                          k + 1, true_exposure(model, exposures, k));
+    precomputed->sunlit[k] += precomputed->sample[i].sunlit_fraction / (double)precomputed->nsub;
+    UM_TRY(um_core_progress_step(context, 1));
+  }
+  um_core_progress_end(context);
+  return UM_OK;
+}
+
+/* When the thermal run starts, and the orbit that is made periodic. */
+static void trace_span(const struct um_model *model, struct um_model_precomputed *precomputed)
+{
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  double first = precomputed->sample[0].t_tai, sum = 0.0;
+  /* the middle of an exposure, so that its length does not move the start */
+  for (size_t i = 0; i < precomputed->nsub; i++) sum += precomputed->sample[i].t_tai - first;
+  precomputed->t_first = first + sum / (double)precomputed->nsub;
+  precomputed->period = um_orbit_trajectory_period(model->trajectory);
+  double orbits = thermal->orbits_before;
+  if (thermal->start == UM_START_PERIODIC && orbits < 1.0) orbits = 1.0;
+  precomputed->t_start = isnan(precomputed->period)
+                             ? first
+                             : fmin(first, precomputed->t_first - orbits * precomputed->period);
+  /* nothing else asks where the satellite is an orbit after the start: a table may end sooner */
+  bool periodic = thermal->start == UM_START_PERIODIC && !isnan(precomputed->period);
+  precomputed->t_periodic_end =
+      periodic ? precomputed->t_start + precomputed->period : precomputed->t_start;
+}
+
+static double grid_step(const struct um_model *model,
+                        const struct um_model_precomputed *precomputed)
+{
+  double step = model->scenario->thermal->step_s;
+  if (!isnan(step)) return step;
+  double orbital = isnan(precomputed->period) ? 0.0 : 2.0 * UM_PI / precomputed->period;
+  double rate = um_orbit_attitude_rate(model->attitude, orbital);
+  return rate > 0.0 ? fmin(LONGEST_STEP, TURN_PER_STEP / rate) : LONGEST_STEP;
+}
+
+/* Where an event stands in the grid. Behind a cylinder, or before a Sun without a disc, the three
+ * events of an edge coincide: penumbra and umbra are then set on its two sides. */
+static struct grid_time event_time(const struct um_model *model,
+                                   const struct um_environment_event *event)
+{
+  double side = 0.0;
+  if (model->environment.shadow == UM_SHADOW_CYLINDER || model->environment.disc == UM_DISC_POINT) {
+    if (event->kind == UM_EVENT_PENUMBRA_ENTRY || event->kind == UM_EVENT_UMBRA_EXIT)
+      side = -JUMP_SIDE;
+    else if (event->kind == UM_EVENT_UMBRA_ENTRY || event->kind == UM_EVENT_PENUMBRA_EXIT)
+      side = JUMP_SIDE;
+  }
+  return (struct grid_time){event->t_tai + side, side != 0.0};
+}
+
+/* Times strictly ascending; a wanted one displaces a neighbour that is not. */
+static size_t merge_times(struct grid_time *grid, size_t n)
+{
+  size_t kept = 0;
+  for (size_t i = 0; i < n; i++) {
+    struct grid_time *last = kept > 0 ? &grid[kept - 1] : NULL;
+    if (last == NULL || grid[i].t - last->t >= SAME_TIME ||
+        (grid[i].wanted && last->wanted && grid[i].t > last->t))
+      grid[kept++] = grid[i];
+    else if (grid[i].wanted && !last->wanted)
+      *last = grid[i];
+  }
+  return kept;
+}
+
+static enum um_status grid_make(struct um_context *context, const struct um_model *model,
+                                const struct um_model_precomputed *precomputed,
+                                struct grid_time **out, size_t *count)
+{
+  size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
+  double last = precomputed->sample[ninstant - 1].t_tai, step = grid_step(model, precomputed);
+  double end = fmax(last, precomputed->t_periodic_end);
+  /* laid out over an orbit at least, so that what moves the last observation by a little does not
+   * move the rows before it; rows behind the end are left out */
+  double laid =
+      isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
+  size_t nstep = (size_t)ceil((laid - precomputed->t_start) / step);
+  struct grid_time *grid = NULL;
+  UM_TRY(um_core_allocate(context,
+                          nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1),
+                          sizeof *grid, &grid));
+  for (size_t i = 0; i <= nstep; i++) {
+    double t = nstep == 0 ? end
+                          : precomputed->t_start +
+                                (laid - precomputed->t_start) * (double)i / (double)nstep;
+    if (t < end + SAME_TIME) grid[n++].t = t;
+  }
+  for (size_t i = 0; i < ninstant; i++)
+    grid[n++] = (struct grid_time){precomputed->sample[i].t_tai, true};
+  for (size_t i = 0; i < precomputed->nevent; i++) {
+    grid[n++] = event_time(model, &precomputed->event[i]);
+    if (i + 1 == precomputed->nevent) break;
+    double gap = precomputed->event[i + 1].t_tai - precomputed->event[i].t_tai;
+    if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
+    for (int k = 1; k < PENUMBRA_POINTS; k++)
+      grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
+  }
+  enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
+  *count = merge_times(grid, n);
+  *out = grid;
+  return status;
+}
+
+static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
+                                  struct um_model_precomputed *precomputed,
+                                  const struct grid_time *grid, size_t n)
+{
+  enum um_status status;
+  struct um_environment_sample *samples = NULL;
+  double *edge = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *samples, &samples));
+  UM_CHECK(um_core_allocate(context, precomputed->nevent, sizeof *edge, &edge));
+  um_core_progress_begin(context, "following orbit and attitude for the heat loads", n);
+  for (size_t i = 0; i < n; i++) {
+    UM_CHECK(um_model_sample_at(context, model, grid[i].t, &samples[i]));
+    UM_CHECK(um_core_progress_step(context, 1));
+  }
+  um_core_progress_end(context);
+  for (size_t i = 0; i < precomputed->nevent; i++)
+    edge[i] = event_time(model, &precomputed->event[i]).t;
+  UM_CHECK(um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n,
+                                      edge, precomputed->nevent, model->scenario->thermal->samples,
+                                      &precomputed->loads));
+done:
+  um_core_free(context, edge);
+  um_core_free(context, samples);
+  return status;
+}
+
+/* Row of the loads at every observed instant. */
+static enum um_status trace_rows(struct um_context *context, const struct grid_time *grid, size_t n,
+                                 struct um_model_precomputed *precomputed)
+{
+  size_t ninstant = precomputed->nobs * precomputed->nsub, row = 0;
+  UM_TRY(
+      um_core_allocate(context, ninstant, sizeof *precomputed->load_row, &precomputed->load_row));
+  for (size_t i = 0; i < ninstant; i++) {
+    while (row + 1 < n && grid[row].t < precomputed->sample[i].t_tai) row++;
+    precomputed->load_row[i] = row;
+  }
+  return UM_OK;
+}
+
+static enum um_status check_times(struct um_context *context, const double *times, size_t n)
+{
+  if (n == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
+  for (size_t k = 1; k < n; k++)
+    if (!(times[k] > times[k - 1]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "observation %zu is not later than the one before it", k + 1);
+  return UM_OK;
+}
+
+enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
+                                   struct um_model_precomputed **out)
+{
+  double *times = NULL;
+  size_t n = 0;
+  *out = NULL;
+  UM_TRY(um_model_check_track(context, model));
+  UM_TRY(scenario_times(context, model, &times, &n));
+  enum um_status status = um_model_precompute_at(context, model, times, NULL, n, out);
+  um_core_free(context, times);
+  return status;
+}
+
+enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
+                                      const double *times, const double *exposures, size_t ntime,
+                                      struct um_model_precomputed **out)
+{
+  enum um_status status;
+  struct um_model_precomputed *precomputed = NULL;
+  struct grid_time *grid = NULL;
+  size_t ngrid = 0;
+  *out = NULL;
+  UM_TRY(um_model_check_track(context, model));
+  UM_TRY(check_times(context, times, ntime));
+  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
+  UM_CHECK(trace_observations(context, model, times, exposures, ntime, precomputed));
+  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
+  trace_span(model, precomputed);
+  double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
+  UM_CHECK(um_model_check_load_rows(context, model, precomputed,
+                                    fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
+                                    grid_step(model, precomputed)));
+  UM_CHECK(um_model_events(context, model, precomputed->t_start,
+                           fmax(end, precomputed->t_periodic_end), &precomputed->event,
+                           &precomputed->nevent));
+  UM_CHECK(grid_make(context, model, precomputed, &grid, &ngrid));
+  UM_CHECK(trace_loads(context, model, precomputed, grid, ngrid));
+  UM_CHECK(trace_rows(context, grid, ngrid, precomputed));
+  if (model->has_observer)
+    UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample,
+                                  precomputed->nobs * precomputed->nsub,
+                                  model->scenario->optics->samples, &precomputed->view));
+done:
+  um_core_free(context, grid);
+  status = um_model_blame_table(context, model, status);
+  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
+  *out = precomputed;
+  return status;
+}
+
+enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,
+                                             struct um_model_precomputed *precomputed, int samples,
+                                             int interreflection_samples)
+{
+  struct um_scenario_optics *optics = model->scenario->optics;
+  struct um_optics_view *view = NULL;
+  if (precomputed->view == NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "no lines of sight without an observer");
+  if (optics->interreflection_samples > 0 && interreflection_samples < 1)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%d rays between surfaces; accepted: 1 or more, as the scenario has them",
+                        interreflection_samples);
+  UM_TRY(um_optics_view_trace(context, model->geometry, precomputed->sample,
+                              precomputed->nobs * precomputed->nsub, samples, &view));
+  um_optics_view_destroy(context, &precomputed->view);
+  precomputed->view = view;
+  optics->samples = samples;
+  if (optics->interreflection_samples > 0)
+    optics->interreflection_samples = interreflection_samples;
+  return UM_OK;
+}
+
+void um_model_precomputed_destroy(struct um_context *context,
+                                  struct um_model_precomputed **precomputed)
+{
+  if (precomputed == NULL || *precomputed == NULL) return;
+  struct um_model_precomputed *t = *precomputed;
+  um_core_free(context, t->t_obs);
+  um_core_free(context, t->sunlit);
+  um_core_free(context, t->hidden);
+  um_core_free(context, t->look);
+  um_core_free(context, t->sample);
+  um_core_free(context, t->load_row);
+  um_core_free(context, t->event);
+  um_irradiation_loads_destroy(context, &t->loads);
+  um_optics_view_destroy(context, &t->view);
+  um_core_free(context, t);
+  *precomputed = NULL;
+}

@@ -1,0 +1,19 @@
+/* Light of a run. Private to model/. */
+#ifndef UMBRA_MODEL_RUN_OPTICS_IMPL_H
+#define UMBRA_MODEL_RUN_OPTICS_IMPL_H
+
+#include "model/thermal_solution_impl.h"
+
+/* Light curves. */
+enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_heat_run *run,
+                                   struct um_model_result *result);
+/* Scene of the geometry precomputation's instants for the optics; albedo and view_factor are
+ * gathered into new memory that um_model_scene_release frees. */
+enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const double *surface, struct um_optics_scene *out);
+void um_model_scene_release(struct um_context *context, struct um_optics_scene *scene);
+
+#endif

@@ -1,0 +1,13 @@
+/* Places of a run. Private to model/. */
+#ifndef UMBRA_MODEL_RUN_PLACES_IMPL_H
+#define UMBRA_MODEL_RUN_PLACES_IMPL_H
+
+#include "model/thermal_solution_impl.h"
+
+/* Histories of places and their heat. */
+enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_heat_run *run,
+                                   struct um_model_result *result);
+
+#endif

@@ -1,0 +1,13 @@
+/* What interiors have stored. Private to model/. */
+#ifndef UMBRA_MODEL_START_OFFSET_IMPL_H
+#define UMBRA_MODEL_START_OFFSET_IMPL_H
+
+#include "model/model.h"
+
+/* What interiors have stored from before: added to start temperatures [nnode]; the same in both
+ * models, whose networks are equal. UM_ERR_INPUT below 0 K. */
+enum um_status um_model_start_offset_add(struct um_context *context, const struct um_model *model,
+                                         double *temperature);
+bool um_model_start_offset_equal(const struct um_model *a, const struct um_model *b);
+
+#endif

@@ -1,0 +1,245 @@
+/* Temperatures: periodic or isothermal start, then through the observations. */
+#include <math.h>
+#include <string.h>
+
+#include "model/start_offset_impl.h"
+#include "model/thermal_solution_impl.h"
+
+#define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
+
+static struct um_thermal_solve_options options_of(const struct um_model *model)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  options.relative_tolerance = thermal->relative_tolerance;
+  options.absolute_tolerance = thermal->absolute_tolerance_K;
+  options.space_temperature = thermal->space_temperature_K;
+  options.albedo_on = model->environment.albedo_on;
+  options.planet_on = model->environment.planet_on;
+  return options;
+}
+
+/* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
+ * as built. */
+static enum um_status start(struct um_context *context, struct um_model_thermal_solution *heat,
+                            const struct um_model_thermal_solution *warm)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  struct um_thermal_network *network = heat->model->body->network;
+  heat->periodic_drift = NAN;
+  if (precomputed->points || heat->model->scenario->thermal->start != UM_START_PERIODIC)
+    return UM_OK;
+  size_t n = um_thermal_network_nodes(network);
+  if (warm != NULL && um_thermal_network_nodes(warm->model->body->network) == n)
+    for (size_t i = 0; i < n; i++)
+      if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
+        heat->start[i] = warm->start[i];
+  um_thermal_network_temperatures_set(network, heat->start);
+  if (isnan(precomputed->period))
+    return um_thermal_solve_steady(context, network, precomputed->loads, 0, &heat->options,
+                                   heat->start);
+  return um_thermal_solve_periodic(context, network, precomputed->loads, &heat->options,
+                                   precomputed->t_start, precomputed->period, PERIODIC_TOLERANCE,
+                                   heat->start, &heat->periodic_drift);
+}
+
+/* The paper's reduction: every surface of a material at the material's mean temperature. */
+static enum um_status to_material_means(struct um_context *context, const struct um_model *model,
+                                        size_t ninstant, double *surface)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  size_t nmaterial = um_geometry_material_count(model->geometry);
+  double *sum = NULL;
+  UM_TRY(um_core_allocate(context, 2 * nmaterial, sizeof *sum, &sum));
+  for (size_t i = 0; i < ninstant; i++) {
+    double *t = surface + i * mesh->nsurface;
+    if (um_core_stopped(context)) break; /* found where the light is computed */
+    memset(sum, 0, 2 * nmaterial * sizeof *sum);
+    for (size_t s = 0; s < mesh->nsurface; s++) {
+      size_t m = mesh->surface[s].material;
+      double area = mesh->area[mesh->surface[s].facet];
+      sum[2 * m] += area * t[s];
+      sum[2 * m + 1] += area;
+    }
+    for (size_t s = 0; s < mesh->nsurface; s++) {
+      size_t m = mesh->surface[s].material;
+      t[s] = sum[2 * m] / sum[2 * m + 1];
+    }
+  }
+  um_core_free(context, sum);
+  return UM_OK;
+}
+
+/* Without a track every node stays at its start temperature. */
+static enum um_status hold_start(struct um_context *context, struct um_model_thermal_solution *heat)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  struct um_thermal_history *h = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
+  heat->run.history = h;
+  h->ntime = precomputed->nobs;
+  h->nnode = um_thermal_network_nodes(heat->model->body->network);
+  UM_TRY(um_core_allocate(context, h->ntime, sizeof *h->t, &h->t));
+  UM_TRY(um_core_allocate(context, h->ntime * h->nnode, sizeof(double), &h->temperature));
+  for (size_t k = 0; k < h->ntime; k++) {
+    h->t[k] = precomputed->sample[k].t_tai;
+    memcpy(h->temperature + k * h->nnode, heat->start, h->nnode * sizeof(double));
+  }
+  return UM_OK;
+}
+
+/* Is the periodic orbit over when the observations begin? Its end is then a state to go on from,
+ * which saves following it again; what is lost is the audit of that orbit and the row before. Not
+ * with a thermostat, which remembers whether it was on, nor where the run begins off the periodic
+ * state. */
+static bool goes_on(const struct um_model_thermal_solution *heat)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  return heat->options.tolerance_factor > 1.0 && !isnan(heat->periodic_drift) &&
+         heat->model->start_offset == NULL &&
+         um_thermal_network_thermostats(heat->model->body->network) == 0 &&
+         precomputed->t_periodic_end <= precomputed->sample[0].t_tai + 1e-6;
+}
+
+/* From the start through the observations. */
+static enum um_status follow(struct um_context *context, struct um_model_thermal_solution *heat)
+{
+  enum um_status status;
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  size_t ninstant = precomputed->nobs * precomputed->nsub;
+  struct um_model_heat_run *run = &heat->run;
+  double *times = NULL;
+  UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
+  double before = precomputed->t_first - precomputed->period, from = precomputed->t_start;
+  if (goes_on(heat)) from = fmin(precomputed->t_periodic_end, precomputed->sample[0].t_tai);
+  run->before = from <= precomputed->t_start && before >= precomputed->t_start - 1e-6;
+  if (run->before) times[0] = fmax(before, precomputed->t_start);
+  for (size_t i = 0; i < ninstant; i++)
+    times[i + (run->before ? 1 : 0)] = precomputed->sample[i].t_tai;
+  UM_CHECK(um_thermal_solve(context, heat->model->body->network, precomputed->loads, &heat->options,
+                            from, times, ninstant + (run->before ? 1 : 0), &run->history));
+done:
+  um_core_free(context, times);
+  return status;
+}
+
+/* Temperatures of the surfaces at every instant, as the optics want them. */
+static enum um_status keep_surfaces(struct um_context *context,
+                                    struct um_model_thermal_solution *heat)
+{
+  const struct um_model *model = heat->model;
+  size_t nsurface = um_geometry_mesh(model->geometry)->nsurface;
+  size_t ninstant = heat->precomputed->nobs * heat->precomputed->nsub;
+  struct um_model_heat_run *run = &heat->run;
+  size_t nnode = run->history->nnode;
+  UM_TRY(um_core_allocate(context, ninstant * nsurface, sizeof(double), &run->surface));
+  for (size_t i = 0; i < ninstant; i++)
+    um_thermal_surface_temperatures(model->body->network,
+                                    run->history->temperature + (i + (run->before ? 1 : 0)) * nnode,
+                                    run->surface + i * nsurface);
+  if (model->scenario->thermal->temperature_in_optics == 1)
+    return to_material_means(context, model, ninstant, run->surface);
+  return UM_OK;
+}
+
+enum um_status um_model_thermal_solution_create(struct um_context *context,
+                                                const struct um_model *model,
+                                                const struct um_model_precomputed *precomputed,
+                                                const struct um_model_thermal_solution *warm,
+                                                double tolerance_factor,
+                                                struct um_model_thermal_solution **out)
+{
+  enum um_status status;
+  struct um_thermal_network *network = model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  struct um_model_thermal_solution *heat = NULL;
+  double *built = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
+  *heat = (struct um_model_thermal_solution){
+      .model = model, .precomputed = precomputed, .options = options_of(model)};
+  heat->options.tolerance_factor = tolerance_factor;
+  UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
+  for (size_t i = 0; i < n; i++)
+    heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
+  status = start(context, heat, warm);
+  if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
+  if (status == UM_OK) {
+    um_thermal_network_temperatures_set(network, heat->start);
+    status = precomputed->points ? hold_start(context, heat) : follow(context, heat);
+  }
+  if (status == UM_OK) status = keep_surfaces(context, heat);
+  /* a run leaves the model as it was */
+  um_thermal_network_temperatures_set(network, built);
+  if (status != UM_OK) goto done;
+  *out = heat;
+  heat = NULL;
+done:
+  um_core_free(context, built);
+  um_model_thermal_solution_destroy(context, &heat);
+  return status;
+}
+
+void um_model_thermal_solution_destroy(struct um_context *context,
+                                       struct um_model_thermal_solution **heat)
+{
+  if (heat == NULL || *heat == NULL) return;
+  um_thermal_history_destroy(context, &(*heat)->run.history);
+  um_core_free(context, (*heat)->run.surface);
+  um_core_free(context, (*heat)->start);
+  um_core_free(context, *heat);
+  *heat = NULL;
+}
+
+static bool same(const void *a, const void *b, size_t count, size_t size)
+{
+  return a == b || count == 0 || memcmp(a, b, count * size) == 0;
+}
+
+static bool loads_equal(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
+{
+  if (a == b) return true;
+  if (a->ntime != b->ntime || a->nsurface != b->nsurface || a->nedge != b->nedge) return false;
+  size_t n = a->ntime * a->nsurface;
+  return same(a->t, b->t, a->ntime, sizeof *a->t) &&
+         same(a->sunlit, b->sunlit, a->ntime, sizeof *a->sunlit) &&
+         same(a->irradiance, b->irradiance, a->ntime, sizeof *a->irradiance) &&
+         same(a->edge, b->edge, a->nedge, sizeof *a->edge) &&
+         same(a->sun, b->sun, n, sizeof *a->sun) &&
+         same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
+         same(a->planet, b->planet, n, sizeof *a->planet);
+}
+
+static bool times_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
+{
+  if (a == b) return true;
+  if (a->nobs != b->nobs || a->nsub != b->nsub || a->t_start != b->t_start ||
+      a->t_first != b->t_first || !(a->period == b->period || isnan(a->period + b->period)))
+    return false;
+  for (size_t i = 0; i < a->nobs * a->nsub; i++)
+    if (a->sample[i].t_tai != b->sample[i].t_tai) return false;
+  return true;
+}
+
+bool um_model_thermal_solution_matches(const struct um_model_thermal_solution *heat,
+                                       const struct um_model *model,
+                                       const struct um_model_precomputed *precomputed)
+{
+  struct um_thermal_solve_options options = options_of(model);
+  const struct um_scenario_thermal *a = heat->model->scenario->thermal,
+                                   *b = model->scenario->thermal;
+  return options.relative_tolerance == heat->options.relative_tolerance &&
+         options.absolute_tolerance == heat->options.absolute_tolerance &&
+         options.space_temperature == heat->options.space_temperature &&
+         options.albedo_on == heat->options.albedo_on &&
+         options.planet_on == heat->options.planet_on && a->start == b->start &&
+         a->temperature_in_optics == b->temperature_in_optics &&
+         um_geometry_mesh(heat->model->geometry)->nsurface ==
+             um_geometry_mesh(model->geometry)->nsurface &&
+         times_equal(heat->precomputed, precomputed) &&
+         loads_equal(heat->precomputed->loads, precomputed->loads) &&
+         um_thermal_network_equal(heat->model->body->network, model->body->network) &&
+         um_model_start_offset_equal(heat->model, model);
+}

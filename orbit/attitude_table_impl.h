@@ -1,0 +1,25 @@
+/* A table of quaternions. */
+#ifndef UMBRA_ORBIT_ATTITUDE_TABLE_IMPL_H
+#define UMBRA_ORBIT_ATTITUDE_TABLE_IMPL_H
+
+#include "core/context.h"
+#include "core/vec.h"
+
+struct um_orbit_attitude_table {
+  char *path;
+  size_t n;
+  double *t;         /* t_tai [s], ascending, shape [n] */
+  struct um_quat *q; /* GCRS to body, unit, shape [n] */
+};
+
+enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
+                                            double max_gap, struct um_orbit_attitude_table *table);
+void um_orbit_attitude_table_clear(struct um_context *context,
+                                   struct um_orbit_attitude_table *table);
+enum um_status um_orbit_attitude_table_at(struct um_context *context,
+                                          const struct um_orbit_attitude_table *table, double t_tai,
+                                          struct um_quat *q);
+/* Fastest turn between two rows [rad/s]. */
+double um_orbit_attitude_table_rate(const struct um_orbit_attitude_table *table);
+
+#endif

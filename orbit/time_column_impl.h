@@ -1,0 +1,12 @@
+/* The time column of a table of positions or quaternions. */
+#ifndef UMBRA_ORBIT_TIME_COLUMN_IMPL_H
+#define UMBRA_ORBIT_TIME_COLUMN_IMPL_H
+
+#include "core/csv.h"
+
+/* The column time_utc of a table, strictly ascending, shape [rows]; the caller
+ * frees. UM_ERR_INPUT names file, line and what is accepted; at least `minimum` rows. */
+enum um_status um_orbit_time_column(struct um_context *context, const struct um_core_csv *csv,
+                                    size_t minimum, double **t_tai);
+
+#endif

@@ -1,0 +1,72 @@
+/* run.nc: light toward the observer, by band and by wavelength, material and mechanism. */
+#include <math.h>
+
+#include "output/netcdf_groups_impl.h"
+
+static enum um_status put_bands(const struct um_output_netcdf *w)
+{
+  static const char *const mechanisms[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
+                                                             "interreflected", "other"};
+  const char **names = NULL;
+  size_t n = w->length[UM_NC_BAND];
+  UM_TRY(um_core_allocate(w->context, n, sizeof *names, &names));
+  for (size_t i = 0; i < n; i++) names[i] = w->run->model->band[i].name;
+  enum um_status status = um_output_netcdf_names(w, UM_NC_BAND, "spectral bands", names);
+  um_core_free(w->context, names);
+  UM_TRY(status);
+  return um_output_netcdf_names(w, UM_NC_MECHANISM, "how the light comes about", mechanisms);
+}
+
+static enum um_status put_bins(const struct um_output_netcdf *w)
+{
+  const struct um_model_result *r = w->run->result;
+  const enum um_output_dimension wl = UM_NC_WAVELENGTH;
+  int *band = NULL;
+  UM_TRY(
+      um_output_netcdf_double(w, "wavelength", &wl, 1, "m", "centre of each bin", r->wavelength));
+  UM_TRY(um_output_netcdf_double(w, "wavelength_width", &wl, 1, "m", "width of each bin",
+                                 r->bin_width));
+  UM_TRY(um_core_allocate(w->context, r->nbin, sizeof *band, &band));
+  for (size_t i = 0; i < r->nbin; i++) band[i] = (int)r->bin_band[i];
+  enum um_status status =
+      um_output_netcdf_int(w, "wavelength_band", &wl, 1, "index into band of each bin", band);
+  um_core_free(w->context, band);
+  return status;
+}
+
+/* A magnitude of no light is infinite: missing in a file. */
+static enum um_status put_magnitude(const struct um_output_netcdf *w)
+{
+  const struct um_model_result *r = w->run->result;
+  const enum um_output_dimension tb[2] = {UM_NC_TIME, UM_NC_BAND};
+  size_t n = r->nobs * r->nband;
+  double *v = NULL;
+  UM_TRY(um_core_allocate(w->context, n, sizeof *v, &v));
+  for (size_t i = 0; i < n; i++)
+    v[i] = isfinite(r->magnitude_ab[i]) ? r->magnitude_ab[i] : (double)NAN;
+  enum um_status status = um_output_netcdf_double(
+      w, "magnitude_ab", tb, 2, "mag", "AB magnitude without an atmosphere, NaN: none", v);
+  um_core_free(w->context, v);
+  return status;
+}
+
+enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
+{
+  const struct um_model_result *r = w->run->result;
+  const enum um_output_dimension tb[2] = {UM_NC_TIME, UM_NC_BAND};
+  const enum um_output_dimension twk[3] = {UM_NC_TIME, UM_NC_WAVELENGTH, UM_NC_MECHANISM};
+  const enum um_output_dimension tbmk[4] = {UM_NC_TIME, UM_NC_BAND, UM_NC_MATERIAL,
+                                            UM_NC_MECHANISM};
+  if (r->nband == 0) return UM_OK;
+  UM_TRY(put_bands(w));
+  UM_TRY(put_bins(w));
+  UM_TRY(um_output_netcdf_double(w, "irradiance", tb, 2, "W m-2",
+                                 "at the aperture, NaN where hidden", r->irradiance));
+  UM_TRY(put_magnitude(w));
+  UM_TRY(um_output_netcdf_double(w, "standard_error", tb, 2, "W sr-1",
+                                 "Monte-Carlo error of the intensity", r->standard_error));
+  UM_TRY(um_output_netcdf_double(w, "intensity", tbmk, 4, "W sr-1",
+                                 "radiant intensity toward the observer", r->intensity));
+  return um_output_netcdf_double(w, "spectral_intensity", twk, 3, "W sr-1 m-1",
+                                 "spectral radiant intensity toward the observer", r->spectral);
+}

@@ -1,0 +1,235 @@
+/* The list of candidates: every effect that is known on everything it may act on in this model. */
+#include "sensitivity/candidates.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/words.h"
+#include "effects/effects.h"
+#include "sensitivity/candidates_impl.h"
+#include "sensitivity/forward_impl.h"
+#include "sensitivity/stated.h"
+
+/* --- which ----------------------------------------------------------------------------------- */
+
+/* Is "effect" or "effect:target" this candidate? */
+static bool means(const char *text, const struct um_effect *effect, const char *target)
+{
+  size_t n = strlen(effect->name);
+  if (strncmp(text, effect->name, n) != 0) return false;
+  if (text[n] == '\0') return true;
+  return text[n] == ':' && target != NULL && strcmp(text + n + 1, target) == 0;
+}
+
+static bool listed(const char *const *text, size_t count, const struct um_effect *effect,
+                   const char *target)
+{
+  for (size_t i = 0; i < count; i++)
+    if (means(text[i], effect, target)) return true;
+  return false;
+}
+
+/* Every text begins with the name of an effect. */
+static enum um_status check_names(struct um_context *context, const struct um_model *model,
+                                  const char *option, const char *const *text, size_t count)
+{
+  for (size_t i = 0; i < count; i++) {
+    char name[64] = "";
+    size_t n = strcspn(text[i], ":");
+    memcpy(name, text[i], n < sizeof name ? n : sizeof name - 1);
+    if (n < sizeof name && um_model_effects_find(model, name) != NULL) continue;
+    enum um_status status = um_effects_registry_refuse(context, model->registry, name);
+    um_core_message_prefix(context, "%s %.80s", option, text[i]);
+    return status;
+  }
+  return UM_OK;
+}
+
+static bool already(const struct um_model_addition *addition, size_t naddition,
+                    const struct um_effect *effect, const char *target)
+{
+  for (size_t i = 0; i < naddition; i++)
+    if (addition[i].effect == effect && um_core_words_same(addition[i].target, target)) return true;
+  return false;
+}
+
+/* A core switch is a candidate where the scenario has it off, by its effects or its environment. */
+static bool is_off(const struct um_model *model, const struct um_effect *effect)
+{
+  for (size_t i = 0; i < model->neffect; i++)
+    if (model->effect[i].effect == effect && model->effect[i].off) return true;
+  return effect->is_off != NULL && effect->is_off(&model->environment);
+}
+
+/* --- list ------------------------------------------------------------------------------------ */
+
+static enum um_status add(struct um_context *context, const struct um_sensitivity_forward *forward,
+                          const struct um_effect *effect, const char *target,
+                          struct um_sensitivity_candidates *list)
+{
+  UM_TRY(um_core_reallocate(context, list->count + 1, sizeof *list->candidate, &list->candidate));
+  struct um_sensitivity_candidate *c = &list->candidate[list->count++];
+  *c = (struct um_sensitivity_candidate){.effect = effect, .is_switch = effect->on_by_default != 0};
+  UM_TRY(um_core_asprintf(context, &c->name, "%s%s%s", effect->name, target != NULL ? ":" : "",
+                          target != NULL ? target : ""));
+  if (target != NULL) UM_TRY(um_core_strdup(context, target, &c->target));
+  um_sensitivity_forward_null(forward, effect, target, c->null_value);
+  for (size_t p = 0; p < effect->nparameter; p++)
+    um_sensitivity_stated_range(forward, effect, target, p, c->null_value[p], &c->minimum[p],
+                                &c->maximum[p]);
+  const char *why = um_sensitivity_stated_refusal(forward, effect, target);
+  c->insensitive = why != NULL;
+  return why == NULL ? UM_OK : um_core_strdup(context, why, &c->why);
+}
+
+/* A switch that has values, on with one of them elsewhere: the Sun as a uniform disc. */
+static enum um_status add_variants(struct um_context *context,
+                                   const struct um_sensitivity_forward *forward,
+                                   const struct um_effect *effect, const char *target,
+                                   struct um_sensitivity_candidates *list)
+{
+  for (size_t p = 0; effect->on_by_default && p < effect->nparameter; p++) {
+    const struct um_effect_parameter *of = &effect->parameters[p];
+    const double end[] = {of->minimum, of->maximum};
+    for (size_t i = 0; i < 2; i++) {
+      if (end[i] == of->null_value) continue;
+      UM_TRY(add(context, forward, effect, target, list));
+      list->candidate[list->count - 1].null_value[p] = end[i];
+    }
+  }
+  return UM_OK;
+}
+
+static enum um_status add_effect(struct um_context *context,
+                                 const struct um_sensitivity_forward *forward,
+                                 const struct um_effect *effect,
+                                 const struct um_model_addition *addition, size_t naddition,
+                                 const struct um_sensitivity_candidates_options *o,
+                                 struct um_sensitivity_candidates *list)
+{
+  enum um_status status;
+  struct um_sensitivity_targets targets = {0};
+  if (effect->on_by_default ? !is_off(forward->model, effect) : effect->nparameter == 0)
+    return UM_OK;
+  UM_CHECK(um_sensitivity_targets_create(context, forward->model, effect, &targets));
+  for (size_t k = 0; k < targets.count; k++) {
+    const char *target = targets.name[k];
+    if (already(addition, naddition, effect, target)) continue;
+    if (o != NULL && o->nonly > 0 && !listed(o->only, o->nonly, effect, target)) continue;
+    if (o != NULL && listed(o->exclude, o->nexclude, effect, target)) continue;
+    UM_CHECK(add(context, forward, effect, target, list));
+    UM_CHECK(add_variants(context, forward, effect, target, list));
+  }
+done:
+  um_sensitivity_targets_release(context, &targets);
+  return status;
+}
+
+static enum um_status make_list(struct um_context *context,
+                                const struct um_sensitivity_forward *forward,
+                                const struct um_model_addition *addition, size_t naddition,
+                                const struct um_sensitivity_candidates_options *o,
+                                struct um_sensitivity_candidates *list)
+{
+  if (o != NULL) {
+    UM_TRY(check_names(context, forward->model, "--only", o->only, o->nonly));
+    UM_TRY(check_names(context, forward->model, "--exclude", o->exclude, o->nexclude));
+  }
+  for (size_t i = 0; i < um_model_effects_count(forward->model); i++)
+    UM_TRY(add_effect(context, forward, um_model_effects_at(forward->model, i), addition, naddition,
+                      o, list));
+  return UM_OK;
+}
+
+/* --- signatures ------------------------------------------------------------------------------ */
+
+static void release(struct um_context *context, struct um_sensitivity_candidate *c)
+{
+  um_core_free(context, c->name);
+  um_core_free(context, c->target);
+  um_core_free(context, c->signature);
+  um_core_free(context, c->why);
+}
+
+/* A change of the observations that is the same number for number, by the same effect and steps, is
+ * the same thing under another name. */
+static bool is_repeated(const struct um_sensitivity_candidates *list, size_t which)
+{
+  const struct um_sensitivity_candidate *c = &list->candidate[which];
+  size_t bytes = c->ncolumn * list->nobservation * sizeof *c->signature;
+  for (size_t i = 0; i < which && !c->insensitive; i++) {
+    const struct um_sensitivity_candidate *before = &list->candidate[i];
+    if (before->effect == c->effect && !before->insensitive && before->ncolumn == c->ncolumn &&
+        memcmp(before->signature, c->signature, bytes) == 0)
+      return true;
+  }
+  return false;
+}
+
+static enum um_status make_signatures(struct um_context *context,
+                                      const struct um_sensitivity_point *point,
+                                      struct um_sensitivity_candidates *list)
+{
+  enum um_status status = UM_OK;
+  size_t kept = 0, count = list->count;
+  struct um_sensitivity_forward_run base = {0};
+  um_core_progress_begin(context, "signatures of effects", count);
+  for (size_t i = 0; i < count; i++) {
+    UM_CHECK(um_sensitivity_scan(context, point->forward, &list->candidate[i], &base));
+    UM_CHECK(um_sensitivity_signature_create(context, point, &list->candidate[i]));
+    UM_CHECK(um_core_progress_step(context, 1));
+  }
+  for (size_t i = 0; i < count; i++) {
+    /* in place: those before are final */
+    struct um_sensitivity_candidate c = list->candidate[i];
+    list->candidate[i] = (struct um_sensitivity_candidate){0};
+    list->candidate[kept] = c;
+    if (is_repeated(list, kept)) {
+      release(context, &list->candidate[kept]);
+      list->candidate[kept] = (struct um_sensitivity_candidate){0};
+    } else {
+      kept++;
+    }
+  }
+  list->count = kept;
+done:
+  um_sensitivity_forward_run_release(context, &base);
+  um_core_progress_end(context);
+  return status;
+}
+
+enum um_status
+um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivity_forward *forward,
+                                 const struct um_model_addition *addition, size_t naddition,
+                                 const struct um_sensitivity_candidates_options *options,
+                                 struct um_sensitivity_candidates **out)
+{
+  enum um_status status;
+  struct um_sensitivity_candidates *list = NULL;
+  struct um_sensitivity_point point = {forward, addition, naddition, NULL, 0.0};
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *list, &list));
+  list->nobservation = forward->nobservation;
+  UM_CHECK(make_list(context, forward, addition, naddition, options, list));
+  UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *list->base, &list->base));
+  UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));
+  point.base = list->base;
+  UM_CHECK(um_sensitivity_forward_noise(context, forward, &point.noise));
+  UM_CHECK(make_signatures(context, &point, list));
+  *out = list;
+  list = NULL;
+done:
+  um_sensitivity_candidates_destroy(context, &list);
+  return status;
+}
+
+void um_sensitivity_candidates_destroy(struct um_context *context,
+                                       struct um_sensitivity_candidates **candidates)
+{
+  if (candidates == NULL || *candidates == NULL) return;
+  for (size_t i = 0; i < (*candidates)->count; i++) release(context, &(*candidates)->candidate[i]);
+  um_core_free(context, (*candidates)->candidate);
+  um_core_free(context, (*candidates)->base);
+  um_core_free(context, *candidates);
+  *candidates = NULL;
+}

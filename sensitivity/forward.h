@@ -1,0 +1,90 @@
+/* One scenario before one set of measurements, computed again and again with effects added. What
+ * an addition cannot change is not computed again: the geometry precomputation where no hook
+ * reaches it, the heat where the network is the same. */
+#ifndef UMBRA_SENSITIVITY_FORWARD_H
+#define UMBRA_SENSITIVITY_FORWARD_H
+
+#include "compare/predict.h"
+#include "model/model.h"
+
+struct um_sensitivity_forward {
+  bool holds_files; /* everything is built from what was read first */
+  const struct um_compare_measurements *measurements; /* borrowed */
+  struct um_model_options options;                    /* the user's; texts borrowed */
+  double tolerance_factor; /* factor on the tolerances of the heat integration */
+  struct um_model *model;  /* the scenario as it stands */
+  const struct um_model_precomputed *precomputed;           /* its geometry; of the cache */
+  const struct um_model_thermal_solution *thermal_solution; /* its heat; of the cache */
+  struct um_compare_plan *plan;
+  /* observations in use (flag 0), in file order */
+  size_t nobservation;
+  size_t *row;      /* [nobservation] of the set */
+  size_t *channel;  /* [nobservation] of the set's channels */
+  double *t;        /* [nobservation] t_tai [s] */
+  double *measured; /* [nobservation] linear unit: magnitudes as flux relative to magnitude 0 */
+  /* [nobservation] linear unit. stated: of the measurement, or of the scenario's noise model.
+   * model: of the model's own sampling, at the scenario as it stands; 0 of temperatures. sigma:
+   * both in quadrature, what every residual is weighed by; it stays while effects come and go, so
+   * that chi-square is smooth in their parameters. */
+  double *sigma, *stated_sigma, *model_sigma;
+  double model_share;          /* mean of model_sigma^2 / sigma^2 [1] */
+  int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
+  size_t evaluations;          /* how often a model was computed */
+  double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and
+                           of the search for samples [s] */
+  double seconds;       /* of all [s] */
+  struct um_sensitivity_forward_cache *cache; /* private */
+};
+
+/* What `tolerance_factor` may well be: on the ENVISAT pass observations of 1 % move by 0.007 sigma
+ * at most, an evaluation repeats to 0.004 sigma, and heat costs a third. */
+#define UM_SENSITIVITY_TOLERANCE_FACTOR 30.0
+/* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
+ * compare does (um_compare_refine), in the model and so in every variant: all look at the body with
+ * the same points, and differences between them are smooth. forward->model->scenario says what was
+ * used.
+ * options: the user's --set, --with, --without; borrowed. tolerance_factor: factor on the
+ * tolerances of the heat integration for every evaluation (1: as the scenario has them; derivatives
+ * by differences want the same for all). UM_ERR_INPUT naming file and line: what
+ * um_compare_plan_create refuses, and an observation in use without sigma that the scenario's noise
+ * model does not fill. The caller destroys. */
+enum um_status um_sensitivity_forward_create(struct um_context *context, const char *path,
+                                             const struct um_model_options *options,
+                                             const struct um_compare_measurements *measurements,
+                                             double tolerance_factor,
+                                             struct um_sensitivity_forward **out);
+void um_sensitivity_forward_destroy(struct um_context *context,
+                                    struct um_sensitivity_forward **forward);
+
+/* Model values of the observations in use with the additions, in the linear unit; value: shape
+ * [nobservation]. UM_ERR_REFUSED where an effect refuses what it is asked (no such node, out of
+ * range): the caller takes that as "not a candidate". */
+enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
+                                               struct um_sensitivity_forward *forward,
+                                               const struct um_model_addition *addition,
+                                               size_t naddition, double *value);
+
+/* The same with everything kept: model, geometry precomputation and result of the variant, for a
+ * comparison or for bands and places that were not measured. grid: false: times of the
+ * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
+ * measurements). Owned by the caller, released by _release. Tolerances are the scenario's times
+ * loosened. */
+struct um_sensitivity_forward_run {
+  struct um_model *model;
+  struct um_model_precomputed *precomputed;
+  struct um_model_result *result;
+};
+enum um_status um_sensitivity_forward_run(struct um_context *context,
+                                          const struct um_sensitivity_forward *forward,
+                                          const struct um_model_addition *addition,
+                                          size_t naddition, bool grid,
+                                          struct um_sensitivity_forward_run *out);
+void um_sensitivity_forward_run_release(struct um_context *context,
+                                        struct um_sensitivity_forward_run *run);
+
+/* Values of effect:target as the scenario has it now, its null values where it has it not or off.
+ */
+void um_sensitivity_forward_null(const struct um_sensitivity_forward *forward,
+                                 const struct um_effect *effect, const char *target, double *value);
+
+#endif

@@ -1,0 +1,72 @@
+/* Where to look for a parameter that does nothing by itself: the temperature at which a thermostat
+ * switches is one that its place has. Where the place was measured, the coldest measurement is near
+ * it (the heater kept it from growing colder); else a cold quarter of the model's own range. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/order.h"
+#include "sensitivity/candidates_impl.h"
+
+#define COLD_SHARE 0.25 /* of the range, from its cold end */
+#define COLDEST    0.05 /* quantile of the measurements: the coldest one is noise */
+
+/* "body.+y" is also measured as "+y". */
+static bool is_of(const char *measured, const char *target)
+{
+  const char *dot = strchr(target, '.');
+  return strcmp(measured, target) == 0 || (dot != NULL && strcmp(measured, dot + 1) == 0);
+}
+
+static enum um_status measured_cold(struct um_context *context,
+                                    const struct um_sensitivity_forward *f, const char *target,
+                                    double *out)
+{
+  double *value = NULL;
+  size_t n = 0;
+  *out = NAN;
+  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *value, &value));
+  for (size_t j = 0; j < f->nobservation; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && is_of(c->of, target)) value[n++] = f->measured[j];
+  }
+  if (n > 0) {
+    qsort(value, n, sizeof *value, um_core_order_double);
+    *out = value[(size_t)(COLDEST * (double)(n - 1))];
+  }
+  um_core_free(context, value);
+  return UM_OK;
+}
+
+static double modelled_cold(const struct um_model_result *result, const char *target)
+{
+  for (size_t p = 0; p < result->nplace; p++) {
+    const struct um_model_place_history *place = &result->place[p];
+    if (strcmp(place->name, target) != 0) continue;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < result->nobs; k++) {
+      low = fmin(low, place->mean[k]); /* which the thermostat senses */
+      high = fmax(high, place->mean[k]);
+    }
+    return low + COLD_SHARE * (high - low);
+  }
+  return NAN;
+}
+
+enum um_status um_sensitivity_scan(struct um_context *context,
+                                   struct um_sensitivity_forward *forward,
+                                   struct um_sensitivity_candidate *c,
+                                   struct um_sensitivity_forward_run *base)
+{
+  for (size_t p = 0; p < c->effect->nparameter; p++) {
+    double at;
+    if (!c->effect->parameters[p].is_temperature || c->target == NULL) continue;
+    UM_TRY(measured_cold(context, forward, c->target, &at));
+    if (isnan(at) && base->result == NULL)
+      UM_TRY(um_sensitivity_forward_run(context, forward, NULL, 0, false, base));
+    if (isnan(at)) at = modelled_cold(base->result, c->target);
+    if (at >= c->effect->parameters[p].minimum && at <= c->effect->parameters[p].maximum)
+      c->null_value[p] = at;
+  }
+  return UM_OK;
+}

@@ -1,0 +1,140 @@
+/* What an effect may be attached to in a model that is built: parts, their groups where there is
+ * more than one, materials, bands; for contacts the places they join. One thing under two names is
+ * listed once. */
+#include <stdint.h>
+#include <string.h>
+
+#include "sensitivity/candidates_impl.h"
+#include "thermal/body.h"
+
+static enum um_status add(struct um_context *context, struct um_sensitivity_targets *to,
+                          const char *part, const char *group)
+{
+  char *text = NULL;
+  if (part != NULL)
+    UM_TRY(um_core_asprintf(context, &text, "%s%s%s", part, group != NULL ? "." : "",
+                            group != NULL ? group : ""));
+  enum um_status status = um_core_reallocate(context, to->count + 1, sizeof *to->name, &to->name);
+  if (status != UM_OK) {
+    um_core_free(context, text);
+    return status;
+  }
+  to->name[to->count++] = text;
+  return UM_OK;
+}
+
+static enum um_status add_parts(struct um_context *context, const struct um_geometry *g,
+                                uint32_t targets, struct um_sensitivity_targets *to)
+{
+  for (size_t p = 0; p < um_geometry_part_count(g); p++) {
+    size_t groups = 0;
+    for (size_t k = 0; k < um_geometry_group_count(g); k++)
+      groups += um_geometry_group(g, k)->part == p;
+    if ((targets & UM_TARGET_PART) != 0)
+      UM_TRY(add(context, to, um_geometry_part_name(g, p), NULL));
+    if ((targets & UM_TARGET_PART_SIDE) == 0) continue;
+    if (groups < 2 && (targets & UM_TARGET_PART) != 0) continue;
+    for (size_t k = 0; k < um_geometry_group_count(g); k++)
+      if (um_geometry_group(g, k)->part == p)
+        UM_TRY(add(context, to, um_geometry_part_name(g, p), um_geometry_group(g, k)->name));
+  }
+  return UM_OK;
+}
+
+/* --- contacts -------------------------------------------------------------------------------- */
+
+/* Does a use on this target, with default value, change the contact? */
+static enum um_status touches(struct um_context *context, const struct um_effect *effect,
+                              const char *target, const struct um_scenario_contact *from, bool *out)
+{
+  double value[UM_EFFECT_PARAMETERS_MAX] = {0};
+  struct um_thermal_contact contact = {from->a, from->b, from->conductance_W_K};
+  for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
+  const struct um_effect_use use = {effect, target, value};
+  UM_TRY(effect->hooks.contact(context, &use, &contact));
+  *out = contact.conductance != from->conductance_W_K;
+  return UM_OK;
+}
+
+/* Add a place unless it touches no contact, or the same ones as a place before. set: [room]
+ * [ncontact]. */
+static enum um_status add_place(struct um_context *context, const struct um_model *model,
+                                const struct um_effect *effect, const char *part, const char *side,
+                                bool *set, struct um_sensitivity_targets *to)
+{
+  const struct um_scenario_contact *contact = model->scenario->contacts.items;
+  size_t n = model->scenario->contacts.count;
+  bool *own = set + to->count * n, any = false;
+  UM_TRY(add(context, to, part, side));
+  for (size_t i = 0; i < n; i++) {
+    UM_TRY(touches(context, effect, to->name[to->count - 1], &contact[i], &own[i]));
+    any = any || own[i];
+  }
+  for (size_t k = 0; any && k + 1 < to->count; k++)
+    any = memcmp(set + k * n, own, n * sizeof *own) != 0;
+  if (!any) um_core_free(context, to->name[--to->count]);
+  return UM_OK;
+}
+
+/* Parts, then the places of contacts; everything alone when that is one contact. */
+static enum um_status add_contacts(struct um_context *context, const struct um_model *model,
+                                   const struct um_effect *effect,
+                                   struct um_sensitivity_targets *to)
+{
+  enum um_status status = UM_OK;
+  const struct um_geometry *g = model->geometry;
+  const struct um_scenario_contact *contact = model->scenario->contacts.items;
+  size_t n = model->scenario->contacts.count, parts = um_geometry_part_count(g);
+  bool *set = NULL;
+  if (n == 0) return UM_OK;
+  if (n == 1 && (effect->targets & UM_TARGET_GLOBAL) != 0) return add(context, to, NULL, NULL);
+  UM_CHECK(um_core_allocate(context, (1 + parts + 2 * n) * n, sizeof *set, &set));
+  for (size_t p = 0; p < parts; p++)
+    UM_CHECK(add_place(context, model, effect, um_geometry_part_name(g, p), NULL, set, to));
+  for (size_t i = 0; (effect->targets & UM_TARGET_PART_SIDE) != 0 && i < n; i++) {
+    if (strchr(contact[i].a, '.') != NULL)
+      UM_CHECK(add_place(context, model, effect, contact[i].a, NULL, set, to));
+    if (strchr(contact[i].b, '.') != NULL)
+      UM_CHECK(add_place(context, model, effect, contact[i].b, NULL, set, to));
+  }
+done:
+  um_core_free(context, set);
+  return status;
+}
+
+/* --- all ------------------------------------------------------------------------------------- */
+
+static enum um_status fill(struct um_context *context, const struct um_model *model,
+                           const struct um_effect *effect, struct um_sensitivity_targets *to)
+{
+  const struct um_geometry *g = model->geometry;
+  uint32_t targets = effect->targets;
+  if (effect->hooks.contact != NULL) return add_contacts(context, model, effect, to);
+  if ((targets & (UM_TARGET_PART | UM_TARGET_PART_SIDE)) != 0)
+    UM_TRY(add_parts(context, g, targets, to));
+  for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)
+    UM_TRY(add(context, to, um_geometry_material_name(g, m), NULL));
+  if ((targets & UM_TARGET_BAND) != 0 && (model->nband > 1 || (targets & UM_TARGET_GLOBAL) == 0))
+    for (size_t b = 0; b < model->nband; b++) UM_TRY(add(context, to, model->band[b].name, NULL));
+  if (to->count == 0 && (targets & UM_TARGET_GLOBAL) != 0) return add(context, to, NULL, NULL);
+  return UM_OK;
+}
+
+enum um_status um_sensitivity_targets_create(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_effect *effect,
+                                             struct um_sensitivity_targets *out)
+{
+  *out = (struct um_sensitivity_targets){0};
+  enum um_status status = fill(context, model, effect, out);
+  if (status != UM_OK) um_sensitivity_targets_release(context, out);
+  return status;
+}
+
+void um_sensitivity_targets_release(struct um_context *context,
+                                    struct um_sensitivity_targets *targets)
+{
+  for (size_t i = 0; i < targets->count; i++) um_core_free(context, targets->name[i]);
+  um_core_free(context, targets->name);
+  *targets = (struct um_sensitivity_targets){0};
+}

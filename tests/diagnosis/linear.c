@@ -1,0 +1,157 @@
+/* The linear statistics of a diagnosis on numbers that are known beforehand: a state and candidates
+ * made here, no scenario. */
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/directions_impl.h"
+#include "diagnosis/pulse_bic_impl.h"
+#include "diagnosis/rank_impl.h"
+#include "tests/support/cmocka_all.h"
+
+enum { ROWS = 40 };
+
+static struct um_context *context;
+
+static int set_up(void **state)
+{
+  (void)state;
+  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+}
+static int tear_down(void **state)
+{
+  (void)state;
+  um_core_context_destroy(&context);
+  return 0;
+}
+
+/* Observations y = J x of a linear model, at x = (1.2, 3, -0.5). The first and last parameter have
+ * priors about 1 and 0: at those means the residual is y - J m, whatever x is. The second is free
+ * and stays where it is. */
+static void residual_at_the_means_of_priors(void **state)
+{
+  (void)state;
+  double jacobian[3 * ROWS], measured[ROWS], residual[ROWS], out[ROWS];
+  double x[3] = {1.2, 3.0, -0.5};
+  const double mean[3] = {1.0, 3.0, 0.0}; /* of the free one: its value */
+  struct um_diagnosis_block block[2] = {
+      {.nfree = 2, .prior_mean = {1.0, 7.0}, .prior_sigma = {0.1, INFINITY}},
+      {.nfree = 1, .prior_mean = {0.0}, .prior_sigma = {2.0}}};
+  for (size_t j = 0; j < ROWS; j++) {
+    double u = (double)j / ROWS;
+    jacobian[j] = 1.0 + u;
+    jacobian[ROWS + j] = cos(9.0 * u);
+    jacobian[2 * ROWS + j] = u * u - 0.3;
+    measured[j] = 2.0 * sin(5.0 * u);
+    residual[j] = measured[j];
+    for (size_t k = 0; k < 3; k++) residual[j] -= jacobian[k * ROWS + j] * x[k];
+  }
+  struct um_inference_fit fit = {
+      .nobservation = ROWS, .nparameter = 3, .x = x, .residual = residual, .jacobian = jacobian};
+  const struct um_diagnosis_state fitted = {
+      .nblock = 2, .nnuisance = 1, .block = block, .nparameter = 3, .fit = &fit};
+  um_diagnosis_residual_at_means(&fitted, ROWS, out);
+  for (size_t j = 0; j < ROWS; j++) {
+    double expected = measured[j];
+    for (size_t k = 0; k < 3; k++) expected -= jacobian[k * ROWS + j] * mean[k];
+    assert_true(fabs(out[j] - expected) <= 1e-14);
+  }
+}
+
+/* A winner and one alternative, `behind` it in BIC, `widths` prior widths from where it vanishes.
+ */
+static void groups_with(double widths, double behind, bool logarithmic,
+                        struct um_diagnosis_alternative out[2], struct um_diagnosis_step *step)
+{
+  const struct um_effect_parameter parameter = {.name = "factor",
+                                                .null_value = 2.0,
+                                                .minimum = 1e-3,
+                                                .maximum = 1e3,
+                                                .prior_sigma = 0.1,
+                                                .logarithmic = logarithmic};
+  struct um_effect effect[2] = {{.name = "first", .parameters = &parameter, .nparameter = 1},
+                                {.name = "second", .parameters = &parameter, .nparameter = 1}};
+  struct um_sensitivity_candidate candidate[2];
+  double signature[ROWS], sigma[ROWS], signal[ROWS];
+  char *name[2] = {(char *)(uintptr_t) "first", (char *)(uintptr_t) "second"};
+  memset(candidate, 0, sizeof candidate);
+  for (size_t j = 0; j < ROWS; j++) {
+    sigma[j] = 1.0;
+    signature[j] = signal[j] = 1.0 + (double)j;
+  }
+  for (size_t i = 0; i < 2; i++) {
+    candidate[i].name = name[i];
+    candidate[i].effect = &effect[i];
+    candidate[i].ncolumn = 1;
+    candidate[i].null_value[0] = 2.0;
+    candidate[i].step[0] = 0.02;
+    candidate[i].signature = signature;
+    out[i] = (struct um_diagnosis_alternative){.candidate = i,
+                                               .fitted = true,
+                                               .chi2 = 40.0,
+                                               .bic = 44.0 + (double)i * behind,
+                                               .held_out = 40.0};
+    out[i].value[0] = 2.0;
+  }
+  out[1].value[0] = logarithmic ? 2.0 * exp(0.1 * widths) : 2.0 + 0.1 * widths;
+  struct um_sensitivity_forward forward = {.nobservation = ROWS, .sigma = sigma};
+  const struct um_sensitivity_candidates candidates = {
+      .count = 2, .nobservation = ROWS, .candidate = candidate};
+  const struct um_diagnosis_work work = {.forward = &forward, .candidates = &candidates};
+  struct um_inference_fit fit = {.nobservation = ROWS};
+  const struct um_diagnosis_state fitted = {.fit = &fit};
+  *step = (struct um_diagnosis_step){.nalternative = 2, .alternative = out};
+  if (um_diagnosis_rank_groups(context, &work, &fitted, signal, step) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+}
+
+/* Up to three prior widths a value is plausible, beyond them only the prior decides:
+ * docs/diagnosis.md. */
+static void beyond_three_prior_widths_is_implausible(void **state)
+{
+  (void)state;
+  static const double widths[] = {0.0, 2.9, -2.9, 3.1, -3.1, 10.0};
+  for (size_t i = 0; i < sizeof widths / sizeof *widths; i++)
+    for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
+      struct um_diagnosis_alternative alternative[2];
+      struct um_diagnosis_step step;
+      groups_with(widths[i], 1.0, logarithmic == 1, alternative, &step);
+      bool far = fabs(widths[i]) > 3.0;
+      assert_true(alternative[1].indistinguishable);
+      assert_false(alternative[0].implausible);
+      assert_int_equal(alternative[1].implausible, far);
+      assert_int_equal(step.by_prior, far);
+    }
+}
+
+/* A difference of 10 in BIC decides: odds of exp(5), 150 to 1. */
+static void tied_within_ten_of_bic(void **state)
+{
+  (void)state;
+  static const double behind[] = {0.0, 9.9, 10.1, 1000.0};
+  for (size_t i = 0; i < sizeof behind / sizeof *behind; i++) {
+    struct um_diagnosis_alternative alternative[2];
+    struct um_diagnosis_step step;
+    groups_with(1.0, behind[i], false, alternative, &step);
+    assert_int_equal(alternative[1].indistinguishable, behind[i] < 10.0);
+  }
+}
+
+/* 90 observations, 2 nuisances: 70 + 1.5 + (2 + 4) ln 90 = 98.498858. */
+static void pulse_of_heat_has_four_parameters(void **state)
+{
+  (void)state;
+  const struct um_missing_heat_unexplained heat = {.chi2_before = 200.0, .chi2_after = 70.0};
+  const struct um_inference_fit fit = {.nobservation = 90, .nparameter = 2, .chi2_prior = 1.5};
+  assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 98.498858) <= 1e-6);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(residual_at_the_means_of_priors),
+      cmocka_unit_test(beyond_three_prior_widths_is_implausible),
+      cmocka_unit_test(tied_within_ten_of_bic),
+      cmocka_unit_test(pulse_of_heat_has_four_parameters),
+  };
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}

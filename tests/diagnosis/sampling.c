@@ -1,0 +1,154 @@
+/* A scenario diagnosed with its own measurements: nothing is missing, whatever number of samples
+ * the analyst states. The panel stands before the box and hides and shades faces that are one facet
+ * each, so that few points err by per cents. Without the model's own error in chi-square, and
+ * without more points, those per cents are taken for an effect. */
+#include "compare/refine.h"
+#include "diagnosis/diagnose.h"
+#include "missing_heat/unexplained.h"
+#include "sensitivity/forward_impl.h"
+#include "tests/sensitivity/forward_test.h"
+
+#define SHADED "[0.9, 0.2, 0.3], rotation_deg: [0, 70, 0]"
+
+static const char *const few[] = {"emittance", "specular_level", "zero_point", "roughness"};
+
+static void put_shaded(void)
+{
+  char text[4096];
+  const char *at = strstr(scenario_text, "[0, 3, 0]");
+  assert_non_null(at);
+  um_core_context_set_threads(context, 1); /* too small to share */
+  snprintf(text, sizeof text, "%.*s%s%s", (int)(at - scenario_text), scenario_text, SHADED,
+           at + strlen("[0, 3, 0]"));
+  put(SCENARIO, text);
+}
+
+/* umbra synth with 4096 samples, every 6 s: m.csv. */
+static void measure(void)
+{
+  static const char *const overrides[] = {"optics.samples=4096", "time.step_s=6"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 2};
+  const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
+  struct world w = world_of(&options);
+  struct um_compare_measurements *m;
+  assert_ok(
+      um_compare_synth_create(context, w.model, w.precomputed, w.result, &noise, "m.csv", &m));
+  remove("m.csv");
+  assert_ok(um_compare_measurements_write(context, m, "m.csv"));
+  um_compare_measurements_destroy(context, &m);
+  world_end(&w);
+}
+
+static struct um_sensitivity_forward *forward_with(int samples,
+                                                   const struct um_compare_measurements *m)
+{
+  char text[40];
+  const char *overrides[] = {text};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 1};
+  snprintf(text, sizeof text, "optics.samples=%d", samples);
+  return forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+}
+
+/* umbra compare on the same model weighs by the same sigma; variants look with the same points.
+ * 1e-3: heat is integrated anew. */
+static void assert_as_compared(struct um_sensitivity_forward *f)
+{
+  struct um_sensitivity_forward_run run;
+  struct um_compare_comparison *c;
+  double chi2 = 0.0;
+  assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, false, &run));
+  assert_int_equal(run.model->scenario->optics->samples, f->samples);
+  struct um_compare_run compared = {run.model, f->plan, run.precomputed, run.result};
+  assert_ok(um_compare_create(context, &compared, 0.0, &c));
+  for (size_t j = 0; j < f->nobservation; j++) {
+    double residual = (f->measured[j] - f->cache->base[j]) / f->sigma[j];
+    chi2 += residual * residual;
+    assert_close(f->sigma[j], hypot(c->sigma[f->row[j]], c->model_sigma[f->row[j]]),
+                 1e-3 * f->sigma[j]);
+    assert_true(f->stated_sigma[j] == c->sigma[f->row[j]]);
+  }
+  assert_close(chi2, c->chi2, 1e-3 * c->chi2);
+  assert_close(f->model_share, c->model_share, 1e-3 * c->model_share);
+  um_compare_destroy(context, &c);
+  um_sensitivity_forward_run_release(context, &run);
+}
+
+/* Back to the points of the scenario and the sigma of the measurements alone. */
+static void withhold(struct um_sensitivity_forward *f)
+{
+  struct um_sensitivity_cached *own = &f->cache->own;
+  struct um_model_result *result;
+  assert_ok(um_model_precomputed_resample(context, f->model, own->precomputed, f->samples_before,
+                                          f->model->scenario->optics->interreflection_samples));
+  assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
+  assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
+  um_model_result_destroy(context, &result);
+  for (size_t j = 0; j < f->nobservation; j++) {
+    double unused;
+    um_compare_linear(f->measurements->channel[f->channel[j]].quantity,
+                      f->cache->predicted[f->row[j]], NAN, &f->cache->base[j], &unused);
+    f->sigma[j] = f->stated_sigma[j];
+  }
+}
+
+/* nstep: effects that were accused. */
+static enum um_diagnosis_verdict diagnose(struct um_sensitivity_forward *f, double *chi2_reduced,
+                                          size_t *nstep)
+{
+  const struct um_diagnosis_options options = {
+      .candidates = {.only = few, .nonly = sizeof few / sizeof *few},
+      .steps_max = 1,
+      .alternatives = 2,
+      .no_next = true,
+      .no_heat = true};
+  struct um_sensitivity_candidates *candidates;
+  struct um_diagnosis *d;
+  assert_ok(
+      um_sensitivity_candidates_create(context, f, NULL, 0, &options.candidates, &candidates));
+  assert_ok(um_diagnosis_create(context, f, candidates, &options, &d));
+  enum um_diagnosis_verdict verdict = d->verdict;
+  *chi2_reduced = d->chi2_reduced;
+  *nstep = d->nstep;
+  print_message("  %s, %zu steps; baseline's reduced chi-square %.3f: %s\n",
+                um_diagnosis_verdict_name(verdict), d->nstep, d->chi2_reduced, d->sentence);
+  um_diagnosis_destroy(context, &d);
+  um_sensitivity_candidates_destroy(context, &candidates);
+  return verdict;
+}
+
+/* 242 observations: reduced chi-square 1 +- 0.09. */
+static void test_complete_at_any_samples(void **state)
+{
+  (void)state;
+  static const int number[] = {16, 4};
+  struct um_compare_measurements *m;
+  put_shaded();
+  measure();
+  m = measured();
+  for (size_t i = 0; i < 2; i++) {
+    struct um_sensitivity_forward *f = forward_with(number[i], m);
+    double with, without;
+    size_t nstep;
+    print_message("%d samples -> %d, share of the model %.2g\n", number[i], f->samples,
+                  f->model_share);
+    assert_int_equal(f->samples_before, number[i]);
+    assert_true(f->samples > number[i]);
+    assert_true(f->model_share > 0.0 && f->model_share <= UM_COMPARE_MODEL_SHARE);
+    assert_as_compared(f);
+    assert_int_equal(diagnose(f, &with, &nstep), UM_VERDICT_COMPLETE);
+    assert_true(with >= 0.8 && with <= 1.25);
+    withhold(f);
+    assert_int_not_equal(diagnose(f, &without, &nstep), UM_VERDICT_COMPLETE);
+    assert_true(without > 2.0 && nstep > 0);
+    um_sensitivity_forward_destroy(context, &f);
+  }
+  um_compare_measurements_destroy(context, &m);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_complete_at_any_samples, model_set_up, model_tear_down),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,289 @@
+/* What every entry of the list of effects is held to. A new effect needs one line in `cases` below
+ * and one in the laboratory (tests/lab/cases.c); without them the suite fails by its name.
+ *
+ *   null      at its null values, or as a switch that is on, it changes no bit
+ *   slope     away from them some observation changes
+ *   two ways  where the null value lies inside the bounds, steps to both sides change the
+ *             observations in opposite directions; where it lies on a bound, the case says why
+ *   reach     what is kept of other evaluations (effects/reach.c) gives the bits of a fresh run
+ *   targets   a target of a kind it does not act on, or none where it needs one, is refused
+ *   manual    it has its page in docs/effects.md
+ *   laboratory  it is hidden in a world */
+#include "effects/effects.h"
+
+#include "tests/lab/lab.h"
+#include "tests/sensitivity/forward_test.h"
+
+struct entry {
+  const char *effect, *target; /* NULL: global */
+  double step;                 /* of the first parameter, from its null value; of a logarithm */
+  const char *wrong;           /* a target that is there and not its kind; "": it needs one */
+  const char *one_way;         /* why the null value is a bound; NULL: it is not */
+};
+
+/* A part has a name that is no material and no band; "bus" is a part, "vis" a band, "grey_panel" a
+ * material of the world below. */
+static const struct entry cases[] = {
+    {"albedo", NULL, 0.0, "bus", "a switch"},
+    {"earth_ir", NULL, 0.0, "bus", "a switch"},
+    {"earthshine", NULL, 0.0, "bus", "a switch"},
+    {"reflected_earth_ir", NULL, 0.0, "bus", "a switch"},
+    {"penumbra", NULL, 0.0, "bus", "a switch"},
+    {"oblateness", NULL, 0.0, "bus", "a switch"},
+    {"internal_power", "bus", 5.0, "vis", NULL},
+    {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
+    {"stored_heat", "bus", 5.0, "vis", NULL},
+    {"mli_emittance", "box", 0.1, "panel", NULL},
+    {"heat_capacity", "panel", 0.1, "vis", NULL},
+    {"interior_capacity", "bus", 500.0, "panel", NULL},
+    {"solar_absorptance", "grey_panel", 0.02, "vis", NULL},
+    {"emittance", "grey_panel", 0.05, "vis", NULL},
+    {"panel_extraction", "panel", 0.05, "vis", NULL},
+    {"through_conductance", "panel", 0.1, "vis", NULL},
+    {"contact_conductance", "panel", 0.2, "vis", NULL},
+    {"albedo_level", NULL, 0.1, "bus", NULL},
+    {"earth_ir_level", NULL, 0.05, "bus", NULL},
+    {"earth_brightness", NULL, 5.0, "bus", NULL},
+    {"solar_irradiance", NULL, 0.02, "bus", NULL},
+    {"shadow_radius", NULL, 10.0, "bus", NULL},
+    {"band_emissivity", "grey_panel", 0.05, "vis", NULL},
+    {"directional_emissivity", "grey_panel", 0.3, "vis", NULL},
+    {"roughness", "grey_panel", 0.1, "vis", NULL},
+    {"specular_level", "grey_panel", 0.1, "vis", NULL},
+    {"diffuse_level", "grey_panel", 0.1, "vis", NULL},
+    {"area", "panel", 0.1, "vis", NULL},
+    {"array_angle", "wing", 3.0, "vis", NULL},
+    {"attitude_offset", NULL, 2.0, "bus", NULL},
+    {"spin_period", NULL, 0.01, "bus", NULL},
+    {"time_tag", NULL, 1.0, "bus", NULL},
+    {"along_track", NULL, 2.0, "bus", NULL},
+    {"exposure", NULL, 64.0, "bus", NULL},
+    {"earthshine_level", NULL, 0.3, "bus", NULL},
+    {"earth_reflection_level", NULL, 0.1, "bus", NULL},
+    {"extinction", "lwir", 0.05, "bus", NULL},
+    {"zero_point", "vis", 0.1, "bus", NULL},
+    {"background", "lwir", 1e-13, "bus", NULL},
+};
+
+/* The small satellite with a box in MLI and a wing on a joint, so that everything has a target. */
+#define MORE                                                                                       \
+  "  - name: box\n"                                                                                \
+  "    box: {size_m: [0.5, 0.5, 0.5]}\n"                                                           \
+  "    pose: {position_m: [0, -2, 0]}\n"                                                           \
+  "    outside: grey_white\n"                                                                      \
+  "    shell: {areal_heat_capacity_J_m2_K: 3000}\n"                                                \
+  "    mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 50}\n"                         \
+  "    lumped: true\n"                                                                             \
+  "  - name: wing\n"                                                                               \
+  "    plate: {size_m: [1, 1]}\n"                                                                  \
+  "    pose: {position_m: [3, 0, 0]}\n"                                                            \
+  "    joint: {axis: [0, 1, 0], angle_deg: 20}\n"                                                  \
+  "    front: grey_panel\n"                                                                        \
+  "    back: grey_metal\n"                                                                         \
+  "    shell: {areal_heat_capacity_J_m2_K: 2000, through_conductance_W_m2_K: 50}\n"                \
+  "    lumped: true\n"                                                                             \
+  "thermal:"
+
+/* Everything that is wrong is said before the test fails. */
+static int complaints;
+#define COMPLAIN(...)                                                                              \
+  do {                                                                                             \
+    print_error(__VA_ARGS__);                                                                      \
+    print_error("\n");                                                                             \
+    complaints++;                                                                                  \
+  } while (0)
+
+static const struct entry *entry_of(const struct um_effect *effect)
+{
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    if (strcmp(cases[i].effect, effect->name) == 0) return &cases[i];
+  COMPLAIN("effect '%s' has no line in tests/effects/conformance.c", effect->name);
+  return NULL;
+}
+
+static void put_satellite(void)
+{
+  char text[8192];
+  const char *thermal = strstr(scenario_text, "thermal:");
+  put_world("");
+  snprintf(text, sizeof text, "%.*s" MORE "%s" CONTACTS, (int)(thermal - scenario_text),
+           scenario_text, thermal + strlen("thermal:"));
+  put(SCENARIO, text);
+}
+
+static const char *const isothermal[] = {"thermal.start=isothermal", "thermal.orbits_before=0.1",
+                                         "parts.panel.electrical_extraction=0.2",
+                                         "time.exposure_s=10", "time.exposure_samples=2"};
+
+/* At null plus `steps` times the step of its case. */
+static struct um_model_addition away(const struct um_effect *effect, const struct entry *entry,
+                                     double steps)
+{
+  struct um_model_addition a = {.effect = effect, .target = entry->target};
+  for (size_t p = 0; p < effect->nparameter; p++)
+    a.value[p] = p == 0 ? effect->parameters[p].null_value : effect->parameters[p].default_value;
+  if (effect->nparameter > 0)
+    a.value[0] = effect->parameters[0].logarithmic
+                     ? effect->parameters[0].null_value * exp(steps * entry->step)
+                     : effect->parameters[0].null_value + steps * entry->step;
+  return a;
+}
+
+static void check_null(struct um_sensitivity_forward *f, const struct um_effect *effect,
+                       const struct entry *entry, const double *base)
+{
+  double value[48];
+  struct um_model_addition a = away(effect, entry, 0.0);
+  for (size_t p = 0; p < effect->nparameter; p++) a.value[p] = effect->parameters[p].null_value;
+  if (um_sensitivity_forward_evaluate(context, f, &a, 1, value) != UM_OK)
+    COMPLAIN("%s at null: %s", effect->name, um_core_message(context));
+  if (memcmp(value, base, sizeof value) != 0) COMPLAIN("%s: its null changes bits", effect->name);
+}
+
+static double product(const struct um_sensitivity_forward *f, const double *a, const double *b,
+                      const double *base)
+{
+  double sum = 0.0;
+  for (size_t j = 0; j < f->nobservation; j++)
+    sum += (a[j] - base[j]) * (b[j] - base[j]) / (f->sigma[j] * f->sigma[j]);
+  return sum;
+}
+
+static void check_slope(const struct um_model_options *options, struct um_sensitivity_forward *f,
+                        const struct um_effect *effect, const struct entry *entry,
+                        const double *base)
+{
+  const struct um_effect_parameter *p = &effect->parameters[0];
+  double up[48], down[48], fresh[48];
+  struct um_model_addition a = away(effect, entry, 1.0);
+  if (um_sensitivity_forward_evaluate(context, f, &a, 1, up) != UM_OK) {
+    COMPLAIN("%s: %s", effect->name, um_core_message(context));
+    um_core_message_clear(context);
+    return;
+  }
+  if (!(product(f, up, up, base) > 0.0)) COMPLAIN("%s: no slope", effect->name);
+  assert_ok(fresh_values(options, f, &a, 1, fresh));
+  if (memcmp(up, fresh, sizeof up) != 0)
+    COMPLAIN("%s: differs from a fresh run: effects/reach.c", effect->name);
+  bool on_bound = p->null_value == p->minimum || p->null_value == p->maximum;
+  if (on_bound != (entry->one_way != NULL))
+    COMPLAIN("%s: null value %g of %g to %g, %s", effect->name, p->null_value, p->minimum,
+             p->maximum, entry->one_way != NULL ? entry->one_way : "no reason to go one way");
+  if (on_bound) return;
+  a = away(effect, entry, -1.0);
+  if (um_sensitivity_forward_evaluate(context, f, &a, 1, down) != UM_OK) {
+    COMPLAIN("%s downward: %s", effect->name, um_core_message(context));
+    um_core_message_clear(context);
+    return;
+  }
+  if (!(product(f, up, down, base) < 0.0)) COMPLAIN("%s: both ways are one", effect->name);
+}
+
+/* A switch that is on is left out of the analyst's world, and put in again. */
+static void check_switch(const struct um_effect *effect, const struct entry *entry,
+                         const struct um_compare_measurements *m, const double *base)
+{
+  const char *const without[] = {effect->name};
+  const struct um_model_options options = {
+      .overrides = isothermal, .noverride = 5, .without = without, .nwithout = 1};
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  struct um_model_addition a = away(effect, entry, 0.0);
+  double off[48], on[48];
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, off));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, on));
+  if (memcmp(off, base, sizeof off) == 0) COMPLAIN("%s: no slope", effect->name);
+  if (memcmp(on, base, sizeof on) != 0)
+    COMPLAIN("%s: turned on it is not what it was: effects/reach.c", effect->name);
+  um_sensitivity_forward_destroy(context, &f);
+}
+
+static void check_refuses(struct um_sensitivity_forward *f, const struct um_effect *effect,
+                          const struct entry *entry)
+{
+  struct um_model_addition a = away(effect, entry, 1.0);
+  double value[48];
+  const char *const wrong[] = {entry->wrong, "no_such_thing",
+                               effect->targets == UM_TARGET_GLOBAL ? "vis" : NULL};
+  bool with_or_without =
+      (effect->targets & UM_TARGET_GLOBAL) != 0 && effect->targets != UM_TARGET_GLOBAL;
+  for (size_t i = 0; i < (with_or_without ? 2U : 3U); i++) {
+    a.target = wrong[i];
+    enum um_status status = um_sensitivity_forward_evaluate(context, f, &a, 1, value);
+    if (status != UM_ERR_REFUSED)
+      COMPLAIN("%s: target '%s': %s", effect->name, wrong[i] == NULL ? "" : wrong[i],
+               um_core_status_text(status));
+    um_core_message_clear(context);
+  }
+}
+
+static void test_physics(void **state)
+{
+  (void)state;
+  const struct um_model_options options = {.overrides = isothermal, .noverride = 5};
+  double base[48];
+  put_satellite();
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  assert_int_equal(f->nobservation, 48);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *effect = um_effects_at(i);
+    const struct entry *entry = entry_of(effect);
+    if (entry == NULL) continue;
+    if (um_effects_reach(effect) == 0) COMPLAIN("%s: reaches nothing", effect->name);
+    check_null(f, effect, entry, base);
+    check_refuses(f, effect, entry);
+    if (effect->on_by_default)
+      check_switch(effect, entry, m, base);
+    else
+      check_slope(&options, f, effect, entry, base);
+  }
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+  assert_int_equal(complaints, 0);
+}
+
+static void test_manual(void **state)
+{
+  (void)state;
+  static char page[1 << 18];
+  FILE *file = fopen(UMBRA_SOURCE_DIR "/docs/effects.md", "r");
+  assert_non_null(file);
+  page[fread(page, 1, sizeof page - 1, file)] = '\0';
+  fclose(file);
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    char heading[96];
+    snprintf(heading, sizeof heading, "\n## %s\n", um_effects_at(i)->name);
+    if (strstr(page, heading) == NULL) fail_msg("docs/effects.md lacks '%s'", heading);
+  }
+}
+
+static void test_laboratory(void **state)
+{
+  (void)state;
+  const struct lab_options options = {.seeds = 1, .complete = 0};
+  struct lab_case *all = NULL;
+  size_t count = lab_cases_make(&options, &all);
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const char *name = um_effects_at(i)->name;
+    bool hidden = false;
+    for (size_t k = 0; k < count; k++) {
+      hidden =
+          hidden || (all[k].world->without != NULL && strcmp(all[k].world->without, name) == 0);
+      for (size_t h = 0; h < all[k].nhidden; h++)
+        hidden = hidden || strcmp(all[k].hidden[h].effect, name) == 0;
+    }
+    if (!hidden) fail_msg("effect '%s' is hidden in no world of tests/lab/cases.c", name);
+  }
+  free(all);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_physics, model_set_up, model_tear_down),
+      cmocka_unit_test(test_manual),
+      cmocka_unit_test(test_laboratory),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,99 @@
+/* Shares of the Earth that a satellite covers of itself. The Earth's heat is the same everywhere,
+ * its reflected light is not, so the two shares differ; a view factor is that of the heat:
+ *
+ *   planet = M F share_planet,  view factor = F share_planet,  albedo = E share_albedo
+ *
+ *            plate              The plate looks at nadir; the Sun stands low over +x, and the lit
+ * part screen |  -----   | or here  of the Earth is there. |    |     | nadir       --> x, Sun */
+#include "irradiation/loads.h"
+#include "tests/thermal/body_help.h"
+
+#define OLR    237.0
+#define RADIUS 6378137.0
+
+static struct um_environment environment;
+
+/* The plate is 1 m square; a screen of 4 m square hangs down from its level at x = side [m]. The
+ * Sun stands 100 deg from the zenith toward +x. */
+static struct um_irradiation_loads *trace(double side, bool moves, struct help_satellite *s)
+{
+  help_part(s, "plate", UM_SHAPE_PLATE, "paint");
+  help_part(s, "screen", UM_SHAPE_PLATE, "paint");
+  s->shape[1].size[0] = s->shape[1].size[1] = 4.0;
+  s->shape[1].rotation = (struct um_quat){sqrt(0.5), 0.0, sqrt(0.5), 0.0};
+  s->shape[1].position = um_vec3(side, 0, 2.0);
+  if (moves) { /* rays instead of the sky */
+    size_t p = help_part(s, "wheel", UM_SHAPE_DISC, "paint");
+    s->shape[p].radius = 0.01;
+    s->shape[p].position = um_vec3(0, 0, -50);
+    s->shape[p].joint = UM_JOINT_SUN;
+    s->shape[p].joint_axis = um_vec3(1, 0, 0);
+    s->shape[p].joint_normal = um_vec3(0, 0, 1);
+  }
+  help_geometry(s);
+  double zenith = 100.0 * UM_DEG;
+  struct um_environment_sample sample = {.r = um_vec3(0, 0, -RADIUS - 800e3),
+                                         .sun = um_vec3(sin(zenith), 0, -cos(zenith)),
+                                         .sun_distance = UM_AU,
+                                         .pole = {0.0, 0.0, 1.0},
+                                         .sunlit_fraction = 1.0,
+                                         .q = {1.0, 0.0, 0.0, 0.0}};
+  struct um_irradiation_loads *loads = NULL;
+  OK(um_irradiation_loads_trace(help_context, s->geometry, &environment, &sample, 1, NULL, 0, 64,
+                                &loads));
+  return loads;
+}
+
+/* Mean over the plate's front. */
+static double of_plate(const struct help_satellite *s, const float *value)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(s->geometry);
+  double sum = 0.0, area = 0.0;
+  for (size_t i = 0; i < mesh->nsurface; i++) {
+    if (mesh->surface[i].part != 0 || mesh->surface[i].back) continue;
+    sum += value[i] * mesh->area[mesh->surface[i].facet];
+    area += mesh->area[mesh->surface[i].facet];
+  }
+  return sum / area;
+}
+
+static void view_factor_is_that_of_the_heat(void **state)
+{
+  (void)state;
+  for (int moves = 0; moves < 2; moves++) {
+    struct help_satellite s[2];
+    memset(s, 0, sizeof s);
+    struct um_irradiation_loads *dark = trace(-1.0, moves == 1, &s[0]);
+    struct um_irradiation_loads *lit = trace(1.0, moves == 1, &s[1]);
+    struct um_irradiation_loads *both[2] = {dark, lit};
+    for (int k = 0; k < 2; k++)
+      for (size_t i = 0; i < both[k]->nsurface; i++)
+        NEAR("view factor", both[k]->view_factor[i], both[k]->planet[i] / OLR, 2e-7);
+    /* the screen takes the same heat from either side, but the light from the lit one alone */
+    double heat[2] = {of_plate(&s[0], dark->planet), of_plate(&s[1], lit->planet)};
+    double light[2] = {of_plate(&s[0], dark->albedo), of_plate(&s[1], lit->albedo)};
+    print_message("heat %.4g and %.4g, light %.4g and %.4g W/m2, screen away from and at the Sun\n",
+                  heat[0], heat[1], light[0], light[1]);
+    NEAR("heat", heat[1] / heat[0], 1.0, 0.02);
+    assert_true(heat[0] < 0.95 * OLR * 0.7893);
+    assert_true(light[1] < 0.7 * light[0]);
+    for (int k = 0; k < 2; k++) {
+      um_irradiation_loads_destroy(help_context, &both[k]);
+      help_end(&s[k]);
+    }
+  }
+}
+
+static int setup(void **state)
+{
+  um_environment_defaults(&environment);
+  environment.outgoing_longwave = OLR;
+  environment.earth_radius = RADIUS;
+  return help_setup(state);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(view_factor_is_that_of_the_heat)};
+  return cmocka_run_group_tests(tests, setup, help_teardown);
+}

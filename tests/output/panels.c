@@ -1,0 +1,134 @@
+/* Directions in the pictures of the satellite, told by hand from a set-up with round numbers. A
+ * stand-in for gnuplot keeps the script, which is removed after drawing.
+ *
+ *        up = x (away from the Earth)
+ *        |
+ *        o---- right = -y          the observer is at z, out of the picture */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "output/output.h"
+#include "tests/support/cmocka_all.h"
+#include "tests/support/temporary.h"
+
+#define SIDE 10 /* pixels */
+
+static char folder[UM_TEST_PATH], *search; /* of programs, as it was */
+static struct um_context *context;
+
+static int enter(void **state)
+{
+  (void)state;
+  char path[UM_TEST_PATH + 16];
+  if (um_test_folder_create(folder) != 0) return -1;
+  snprintf(path, sizeof path, "%s/gnuplot", folder);
+  FILE *file = fopen(path, "w");
+  if (file == NULL) return -1;
+  fputs("#!/bin/sh\nexec /bin/cp satellite.gp kept.gp\n", file);
+  if (fclose(file) != 0 || chmod(path, 0755) != 0) return -1;
+  search = getenv("PATH") == NULL ? NULL : strdup(getenv("PATH"));
+  setenv("PATH", folder, 1);
+  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+}
+
+static int leave(void **state)
+{
+  (void)state;
+  static const char *const made[] = {"gnuplot", "kept.gp"};
+  um_core_context_destroy(&context);
+  if (search != NULL) setenv("PATH", search, 1);
+  free(search);
+  for (size_t i = 0; i < 2; i++) {
+    char path[UM_TEST_PATH + 16];
+    snprintf(path, sizeof path, "%s/%s", folder, made[i]);
+    remove(path);
+  }
+  return um_test_folder_remove(folder); /* raw pictures and script are gone */
+}
+
+/* The script of one picture, its lower right corner covered; the caller frees. */
+static char *draw(const struct um_environment_sample *sample)
+{
+  float radiance[SIDE * SIDE];
+  uint32_t surface[SIDE * SIDE];
+  double wavelength = 5.5e-7, width = 4e-7;
+  for (int i = 0; i < SIDE * SIDE; i++) {
+    bool covered = i % SIDE >= SIDE / 2 && i / SIDE >= SIDE / 2;
+    surface[i] = covered ? 0 : UM_GEOMETRY_NONE;
+    radiance[i] = covered ? 1e6f : 0.0f;
+  }
+  const struct um_optics_image image = {.width = SIDE,
+                                        .height = SIDE,
+                                        .pixel_size = 0.1,
+                                        .nbin = 1,
+                                        .wavelength = &wavelength,
+                                        .bin_width = &width,
+                                        .radiance = radiance,
+                                        .surface = surface};
+  const struct um_optics_band band = {.name = "vis", .from = 3.8e-7, .to = 7.8e-7};
+  const struct um_output_panel panel = {&image, sample, &band, "now"};
+  assert_int_equal(um_output_plot_panels(context, &panel, 1, 1, folder), UM_OK);
+  char path[UM_TEST_PATH + 16], *text = calloc(1, 1 << 16);
+  snprintf(path, sizeof path, "%s/kept.gp", folder);
+  FILE *file = fopen(path, "rb");
+  assert_non_null(file);
+  assert_non_null(text);
+  assert_true(fread(text, 1, (1 << 16) - 1, file) > 0);
+  fclose(file);
+  return text;
+}
+
+static void expect(const char *text, const char *part)
+{
+  if (strstr(text, part) == NULL) fail_msg("no\n%s\nin\n%s", part, text);
+}
+
+static void test_directions(void **state)
+{
+  (void)state;
+  const struct um_environment_sample sample = {.r = {7e6, 0.0, 0.0},
+                                               .sun = {0.0, -1.0, 0.0},
+                                               .pole = {0.6, 0.0, 0.8},
+                                               .sunlit_fraction = 1.0,
+                                               .to_observer = {0.0, 0.0, 1.0}};
+  char *text = draw(&sample);
+  /* lower left, the first that is as empty as others; arrows are a tenth of the side */
+  expect(text, "set arrow 1 from graph 0.2000,0.2000 rto graph 0.0000,-0.1000 ");
+  expect(text, "set label 1 'nadir' at ");
+  expect(text, "set arrow 2 from graph 0.2000,0.2000 rto graph 0.0000,0.0600 ");
+  expect(text, "set label 2 'N' at ");
+  expect(text, "set arrow 3 from graph 0.2000,0.2000 rto graph 0.1000,0.0000 ");
+  expect(text, "set label 3 'Sun' at ");
+  expect(text, "vis 0.38–0.78 µm");
+  free(text);
+}
+
+/* Along the line of sight there is a mark and no arrow; a Sun that is hidden stands in brackets. */
+static void test_line_of_sight(void **state)
+{
+  (void)state;
+  const struct um_environment_sample sample = {.r = {7e6, 0.0, 7e6}, /* up is still x */
+                                               .sun = {0.0, 0.0, -1.0},
+                                               .pole = {0.0, 0.0, 1.0},
+                                               .sunlit_fraction = 0.0,
+                                               .to_observer = {0.0, 0.0, 1.0}};
+  char *text = draw(&sample);
+  expect(text, "set arrow 1 from graph 0.2000,0.2000 rto graph 0.0000,-0.0707 ");
+  expect(text, "set label 2 '⊙ N' at ");
+  expect(text, "set label 3 '⊗ (Sun)' at ");
+  assert_null(strstr(text, "set arrow 2"));
+  assert_null(strstr(text, "set arrow 3"));
+  free(text);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_directions, enter, leave),
+      cmocka_unit_test_setup_teardown(test_line_of_sight, enter, leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,271 @@
+/* What is computed with geometry precomputation and heat used again is what a run of its own gives.
+ */
+#include "tests/sensitivity/forward_test.h"
+
+/* One effect of every kind of hook, away from its null value. */
+static const struct {
+  const char *effect, *target;
+  double value;
+} kinds[] = {{"albedo_level", NULL, 1.2},     /* environment, loads */
+             {"earthshine_level", NULL, 1.5}, /* environment, behind the geometry precomputation */
+             {"shadow_radius", NULL, 20.0},   /* environment, events */
+             {"solar_absorptance", "grey_white", 0.1}, /* material, heat and light */
+             {"roughness", "grey_panel", 1.3},         /* material, light alone */
+             {"area", "panel", 1.2},                   /* geometry */
+             {"internal_power", "bus", 10.0},          /* part */
+             {"heat_capacity", "bus", 1.5},            /* group */
+             {"contact_conductance", "panel", 3.0},
+             {"time_tag", NULL, 2.0},
+             {"exposure", NULL, 16.0},
+             {"along_track", NULL, 3.0},
+             {"spin_period", NULL, 0.02}, /* law */
+             {"attitude_offset", NULL, 4.0},
+             {"zero_point", "vis", 0.9}, /* observation */
+             {"albedo", NULL, 0.0}};     /* a switch that is off */
+#define KINDS (sizeof kinds / sizeof kinds[0])
+
+static const char *const without_albedo[] = {"albedo"};
+
+static double largest_difference(const struct um_sensitivity_forward *f, const double *a,
+                                 const double *b)
+{
+  double largest = 0.0;
+  for (size_t j = 0; j < f->nobservation; j++)
+    largest = fmax(largest, fabs(a[j] - b[j]) / f->sigma[j]);
+  return largest;
+}
+
+/* From an isothermal start there is nothing to search for, and reuse must not change a bit; in any
+ * order. Every effect changes some observation (else the test would test nothing). */
+static void test_same_bits(void **state)
+{
+  (void)state;
+  static const char *const isothermal[] = {"thermal.start=isothermal", "thermal.orbits_before=0.1"};
+  const struct um_model_options options = {
+      .overrides = isothermal, .noverride = 2, .without = without_albedo, .nwithout = 1};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  assert_int_equal(f->nobservation, 48);
+  double base[48], expected[48], value[48], again[48];
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  assert_ok(fresh_values(&options, f, NULL, 0, expected));
+  assert_memory_equal(base, expected, sizeof base);
+  for (size_t k = 0; k < KINDS; k++) {
+    struct um_model_addition a[2] = {addition_of(kinds[k].effect, kinds[k].target, kinds[k].value),
+                                     addition_of("emittance", "grey_panel", 0.9)};
+    assert_ok(um_sensitivity_forward_evaluate(context, f, a, 1, value));
+    assert_ok(fresh_values(&options, f, a, 1, expected));
+    if (memcmp(value, expected, sizeof value) != 0)
+      fail_msg("%s: differs by %g sigma", kinds[k].effect, largest_difference(f, value, expected));
+    if (memcmp(value, base, sizeof value) == 0) fail_msg("%s: changes nothing", kinds[k].effect);
+    if (k % 4 != 0) continue;
+    /* with another effect on the same geometry precomputation, and back */
+    assert_ok(um_sensitivity_forward_evaluate(context, f, a, 2, again));
+    assert_ok(fresh_values(&options, f, a, 2, expected));
+    if (memcmp(again, expected, sizeof value) != 0) fail_msg("%s and emittance", kinds[k].effect);
+    assert_ok(um_sensitivity_forward_evaluate(context, f, a, 1, again));
+    assert_memory_equal(again, value, sizeof value);
+  }
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, again));
+  assert_memory_equal(again, base, sizeof base);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* A periodic state is found again within the tolerance of the search, 0.01 K of every node, from
+ * either side: 0.02 K, which is 0.04 sigma of the temperatures (0.5 K) and, as dE/E = 4 to 5 dT/T
+ * at 280 K, 0.04 sigma of the LWIR observations (1 %). Tolerances loosened by 30 add what they may
+ * leave in an orbit, 30 times some mK (solve.h), to both sides. */
+static void test_periodic(void **state)
+{
+  (void)state;
+  static const size_t some[] = {
+      3, 9}; /* of kinds: one that warms, one of another geometry precomputation */
+  const struct um_model_options options = {.without = without_albedo, .nwithout = 1};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  for (int loose = 0; loose < 2; loose++) {
+    struct um_sensitivity_forward *f = forward_of(&options, m, loose ? 30.0 : 1.0);
+    double expected[48], value[48];
+    for (size_t i = 0; i < sizeof some / sizeof some[0]; i++) {
+      size_t k = some[i];
+      struct um_model_addition a = addition_of(kinds[k].effect, kinds[k].target, kinds[k].value);
+      assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
+      assert_ok(fresh_values(&options, f, &a, 1, expected));
+      double d = largest_difference(f, value, expected);
+      if (!(d <= (loose ? 0.2 : 0.04))) fail_msg("%s: differs by %g sigma", kinds[k].effect, d);
+    }
+    um_sensitivity_forward_destroy(context, &f);
+  }
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* A run that is kept says what the evaluation says; of the scenario's own window it has all steps.
+ */
+static void test_run(void **state)
+{
+  (void)state;
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(NULL, m, 1.0);
+  struct um_model_addition a = addition_of("internal_power", "bus", 10.0);
+  struct um_sensitivity_forward_run run;
+  double value[48], rows[60];
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, false, &run));
+  assert_ok(um_compare_predict(context, f->plan, run.precomputed, run.result, rows));
+  for (size_t j = 0; j < f->nobservation; j++)
+    if (m->channel[f->channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
+      assert_true(rows[f->row[j]] == value[j]);
+  um_sensitivity_forward_run_release(context, &run);
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
+  assert_int_equal(run.precomputed->nobs, 181); /* 12 minutes, every 4 s */
+  um_sensitivity_forward_run_release(context, &run);
+  um_sensitivity_forward_run_release(context, &run);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+static void overwrite(const char *name, const char *text)
+{
+  FILE *file = fopen(name, "w");
+  assert_non_null(file);
+  fputs(text, file);
+  fclose(file);
+}
+
+/* What is edited on the disk meanwhile does not reach a variant: neither the scenario nor a file
+ * that it names. A use whose target is gone is refused by the effect and by nothing else. */
+static void test_edited_meanwhile(void **state)
+{
+  (void)state;
+  overwrite("power.csv", "time_utc,power_W\n2016-01-01T00:00:00Z,40\n2017-01-01T00:00:00Z,40\n");
+  put_world("");
+  struct um_model_options with_file = {
+      .overrides = (const char *const[]){"parts.bus.interior.power_file=power.csv"},
+      .noverride = 1};
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&with_file, m, 30.0);
+  struct um_model_addition a = addition_of("zero_point", "vis", 0.5),
+                           b = addition_of("internal_power", "bus", 10.0);
+  double before[2][48], after[2][48];
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, before[0]));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &b, 1, before[1]));
+  overwrite(SCENARIO, "this is no scenario\n");
+  overwrite("power.csv", "neither is this a table\n");
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, after[0]));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &b, 1, after[1]));
+  assert_memory_equal(after, before, sizeof before);
+  um_sensitivity_forward_destroy(context, &f);
+  /* nothing is held any more */
+  struct um_model *model = NULL;
+  assert_int_not_equal(um_model_create(context, SCENARIO, &with_file, &model), UM_OK);
+  um_compare_measurements_destroy(context, &m);
+  remove("power.csv");
+}
+
+/* Observations in linear flux: F = 10^(-0.4 9), sigma = 0.4 ln 10 F 0.02. */
+static void test_rows(void **state)
+{
+  (void)state;
+  put_world("effects:\n  - {effect: zero_point, target: vis, factor: 0.8}\n");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(NULL, m, 30.0);
+  assert_int_equal(f->row[1], 1);
+  assert_int_equal(f->row[4], 5); /* the flagged observation is left out */
+  assert_true(fabs(f->measured[1] / 2.5118864315095801e-4 - 1.0) < 1e-14);
+  assert_true(fabs(f->stated_sigma[1] / (0.4 * log(10.0) * 2.5118864315095801e-4 * 0.02) - 1.0) <
+              1e-14);
+  assert_true(f->measured[0] == 3e-12 && f->stated_sigma[0] == 3e-14 && f->t[0] == m->row[0].t_tai);
+  assert_true(f->evaluations == 1 && f->seconds_first > 0.0 && f->seconds == f->seconds_first);
+  /* values as the scenario has them; an addition takes the place of its own use */
+  double now[UM_EFFECT_PARAMETERS_MAX], base[48], value[48];
+  um_sensitivity_forward_null(f, um_effects_find("zero_point"), "vis", now);
+  assert_true(now[0] == 0.8);
+  um_sensitivity_forward_null(f, um_effects_find("zero_point"), "lwir", now);
+  assert_true(now[0] == 1.0);
+  struct um_model_addition a = addition_of("zero_point", "vis", 0.4);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
+  assert_true(fabs(value[1] / base[1] - 0.5) < 1e-12);
+  assert_true(value[0] == base[0]);
+  a = addition_of("mli_emittance", "panel", 2.0);
+  assert_refused(um_sensitivity_forward_evaluate(context, f, &a, 1, value), UM_ERR_REFUSED,
+                 "effect 'mli_emittance': the part 'panel' has no MLI");
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* sigma^2 = (relative x model)^2 + floor^2 where an observation has none; the entry of a band goes
+ * first. */
+static void test_noise(void **state)
+{
+  (void)state;
+  static const char *const rows =
+      HEAD DAY "12:00Z,band_irradiance,lwir,3e-12,\n" DAY "12:00Z,band_irradiance,vis,3e-12,\n" DAY
+               "12:00Z,temperature,bus.interior,280,\n";
+  struct um_sensitivity_forward *f;
+  put_world("");
+  put("m.csv", rows);
+  struct um_compare_measurements *m = measured();
+  assert_refused(um_sensitivity_forward_create(context, SCENARIO, NULL, m, 30.0, &f), UM_ERR_INPUT,
+                 "m.csv:2: column 'sigma': empty; accepted: a number above 0, or a scenario with "
+                 "measurements.noise for band_irradiance 'lwir'");
+  assert_null(f);
+  put_world("measurements:\n  noise:\n    - {quantity: band_irradiance, relative: 0.03, floor: "
+            "1e-14}\n    - {quantity: band_irradiance, of: vis, relative: 0.05}\n    - {quantity: "
+            "temperature, floor: 0.5}\n");
+  put("m.csv", rows);
+  f = forward_of(NULL, m, 30.0);
+  double value[3];
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
+  assert_true(fabs(f->stated_sigma[0] / hypot(0.03 * value[0], 1e-14) - 1.0) < 1e-14);
+  assert_true(fabs(f->stated_sigma[1] / (0.05 * value[1]) - 1.0) < 1e-14);
+  assert_true(f->sigma[2] == 0.5);
+  um_sensitivity_forward_destroy(context, &f);
+  put_world("measurements:\n  noise:\n    - {quantity: temperature, of: bus.interior}\n");
+  put("m.csv", rows);
+  assert_refused(um_sensitivity_forward_create(context, SCENARIO, NULL, m, 30.0, &f), UM_ERR_INPUT,
+                 "scenario.yaml:35: measurements.noise.0: noise of temperature 'bus.interior': "
+                 "relative 0, floor 0 K; accepted: both 0 or more, not both 0");
+  put_world("measurements:\n  noise:\n    - {quantity: temperature, floor: 1}\n    - {quantity: "
+            "temperature, floor: 2}\n");
+  put("m.csv", rows);
+  assert_refused(um_sensitivity_forward_create(context, SCENARIO, NULL, m, 30.0, &f), UM_ERR_INPUT,
+                 "scenario.yaml:36: measurements.noise.1: the same rows are on line 35; accepted: "
+                 "each once");
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* Entries of the schema stand for the quantities in their order. */
+static void test_quantities(void **state)
+{
+  (void)state;
+  for (int q = 0; q < UM_QUANTITY_COUNT; q++) {
+    char more[160];
+    snprintf(more, sizeof more, "measurements:\n  noise:\n    - {quantity: %s, floor: 1}\n",
+             um_compare_quantity_name((enum um_compare_quantity)q));
+    put_world(more);
+    struct um_document *document;
+    struct um_scenario *scenario;
+    assert_ok(um_model_scenario_read(context, SCENARIO, NULL, 0, &document, &scenario));
+    const struct um_scenario_noise *noise = scenario->measurements->noise.items;
+    assert_int_equal(noise[0].quantity, q);
+    um_document_destroy(&document);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_same_bits, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_periodic, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_edited_meanwhile, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_rows, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_noise, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_quantities, model_set_up, model_tear_down),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,212 @@
+/* Assembly of the heat balance of a satellite from its parts: interiors, walls (shell.c, solid.c,
+ * lump.c), blankets (mli.c), heat made inside
+ * (heater.c), radiating surfaces, contacts (contact.c), places (place.c).
+ *
+ * The inner side of the walls of a closed body does not radiate: heat crosses a body only through
+ * conduction, its interior node and contacts. */
+#include "thermal/body_check_impl.h"
+#include "thermal/contact_impl.h"
+#include "thermal/heater_impl.h"
+#include "thermal/lump_impl.h"
+#include "thermal/mli_impl.h"
+#include "thermal/place_impl.h"
+#include "thermal/shell_impl.h"
+#include "thermal/solid_impl.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
+ * whose angle is the same for three Sun directions does not follow the Sun. */
+static enum um_status rest_pose(struct um_thermal_builder *b)
+{
+  size_t n = um_geometry_joint_count(b->geometry);
+  if (n == 0) return um_geometry_pose_create(b->context, b->geometry, NULL, &b->pose);
+  double *angles = NULL, *other = NULL;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(b->context, n, sizeof *angles, &angles));
+  UM_CHECK(um_core_allocate(b->context, 2 * n, sizeof *other, &other));
+  um_geometry_joint_angles(b->geometry, um_vec3(1, 0, 0), angles);
+  um_geometry_joint_angles(b->geometry, um_vec3(0, 1, 0), other);
+  um_geometry_joint_angles(b->geometry, um_vec3(0, 0, 1), other + n);
+  for (size_t j = 0; j < n; j++)
+    if (!(angles[j] == other[j] && angles[j] == other[n + j])) angles[j] = 0.0;
+  UM_CHECK(um_geometry_pose_create(b->context, b->geometry, angles, &b->pose));
+done:
+  um_core_free(b->context, angles);
+  um_core_free(b->context, other);
+  return status;
+}
+
+static void fill_none(uint32_t *index, size_t n)
+{
+  for (size_t i = 0; i < n; i++) index[i] = UM_THERMAL_SPACE;
+}
+
+static enum um_status builder_allocate(struct um_thermal_builder *b)
+{
+  struct um_context *context = b->context;
+  size_t nfacet = b->mesh->nfacet, nvertex = b->mesh->nvertex;
+  UM_TRY(um_core_allocate(context, b->npart, sizeof *b->part, &b->part));
+  UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group, &b->group));
+  UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_area, &b->group_area));
+  UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_front, &b->group_front));
+  UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_back, &b->group_back));
+  UM_TRY(um_core_allocate(context, nfacet, sizeof *b->front, &b->front));
+  UM_TRY(um_core_allocate(context, nfacet, sizeof *b->back, &b->back));
+  UM_TRY(um_core_allocate(context, nfacet, sizeof *b->skin, &b->skin));
+  UM_TRY(um_core_allocate(context, b->npart, sizeof *b->interior, &b->interior));
+  for (int layer = 0; layer < 2; layer++) {
+    UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_node, &b->vertex_node[layer]));
+    UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_capacity,
+                            &b->vertex_capacity[layer]));
+    fill_none(b->vertex_node[layer], nvertex);
+  }
+  fill_none(b->group_front, b->ngroup);
+  fill_none(b->group_back, b->ngroup);
+  fill_none(b->skin, nfacet);
+  fill_none(b->interior, b->npart);
+  for (size_t f = 0; f < nfacet; f++) {
+    fill_none(b->front[f], 3);
+    fill_none(b->back[f], 3);
+    b->group_area[b->mesh->facet_group[f]] += b->mesh->area[f];
+  }
+  return UM_OK;
+}
+
+static void builder_free(struct um_thermal_builder *b)
+{
+  struct um_context *context = b->context;
+  um_core_free(context, b->part);
+  um_core_free(context, b->group);
+  um_core_free(context, b->group_area);
+  um_core_free(context, b->group_front);
+  um_core_free(context, b->group_back);
+  um_core_free(context, b->front);
+  um_core_free(context, b->back);
+  um_core_free(context, b->skin);
+  um_core_free(context, b->interior);
+  for (int layer = 0; layer < 2; layer++) {
+    um_core_free(context, b->vertex_node[layer]);
+    um_core_free(context, b->vertex_capacity[layer]);
+  }
+  um_geometry_pose_destroy(context, &b->pose);
+}
+
+static enum um_status add_interior(struct um_thermal_builder *b, size_t part)
+{
+  const struct um_thermal_part_spec *spec = b->part[part];
+  if (!spec->has_interior) return UM_OK;
+  char name[512];
+  snprintf(name, sizeof name, "%s.interior", um_thermal_builder_part_name(b, part));
+  return um_thermal_builder_node(b, name, spec->interior_capacity, spec->start_temperature,
+                                 spec->interior_power, &b->interior[part]);
+}
+
+/* A group's conductance to the interior, by area: to the inner layer of its wall, or to the
+ * blanket where the wall is left out (its seams and feed-throughs). */
+static enum um_status couple_interior(struct um_thermal_builder *b, size_t part)
+{
+  for (size_t f = 0; f < b->mesh->nfacet; f++) {
+    uint32_t group = b->mesh->facet_group[f];
+    double total = b->group[group]->interior_conductance; /* [W/K] */
+    if (b->mesh->facet_part[f] != part || !(total > 0.0)) continue;
+    double share = total * b->mesh->area[f] / b->group_area[group];
+    for (int c = 0; c < 3; c++) {
+      uint32_t node = b->back[f][c] == UM_THERMAL_SPACE ? b->skin[f] : b->back[f][c];
+      UM_TRY(um_thermal_network_conductor_add(b->network, b->interior[part], node, share / 3.0));
+    }
+  }
+  return UM_OK;
+}
+
+/* Where each radiating side sits: on its blanket, or on the three corners of its wall. */
+static enum um_status attach_surfaces(struct um_thermal_builder *b)
+{
+  for (size_t s = 0; s < b->mesh->nsurface; s++) {
+    const struct um_geometry_surface *surface = &b->mesh->surface[s];
+    const struct um_thermal_group_spec *g = b->group[surface->group];
+    bool back = surface->back != 0;
+    struct um_thermal_surface at = {.node = {UM_THERMAL_SPACE, UM_THERMAL_SPACE, UM_THERMAL_SPACE},
+                                    .area = b->mesh->area[surface->facet],
+                                    .absorptance =
+                                        back ? g->absorptance_back : g->absorptance_front,
+                                    .emittance = back ? g->emittance_back : g->emittance_front,
+                                    .extraction = back ? g->extraction_back : g->extraction_front};
+    const uint32_t *wall = back ? b->back[surface->facet] : b->front[surface->facet];
+    uint32_t skin = back ? UM_THERMAL_SPACE : b->skin[surface->facet];
+    if (skin != UM_THERMAL_SPACE || (wall[0] == wall[1] && wall[0] == wall[2])) {
+      at.node[0] = skin != UM_THERMAL_SPACE ? skin : wall[0];
+      at.weight[0] = 1.0;
+    } else {
+      for (int c = 0; c < 3; c++) {
+        at.node[c] = wall[c];
+        at.weight[c] = 1.0 / 3.0;
+      }
+    }
+    UM_TRY(um_thermal_network_surface_attach(b->network, (uint32_t)s, &at));
+  }
+  return UM_OK;
+}
+
+static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
+{
+  switch (b->part[part]->kind) {
+  case UM_THERMAL_SHELL:
+    UM_TRY(um_thermal_shell_assemble(b, part));
+    break;
+  case UM_THERMAL_SOLID:
+    UM_TRY(um_thermal_solid_assemble(b, part));
+    break;
+  case UM_THERMAL_LUMPED:
+    UM_TRY(um_thermal_lump_assemble(b, part));
+    break;
+  }
+  UM_TRY(add_interior(b, part));
+  UM_TRY(um_thermal_mli_assemble(b, part));
+  UM_TRY(couple_interior(b, part));
+  return um_thermal_heat_assemble(b, part);
+}
+
+static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_body *body,
+                               const struct um_thermal_part_spec *parts, size_t npart,
+                               const struct um_thermal_contact *contacts, size_t ncontact)
+{
+  UM_TRY(builder_allocate(b));
+  UM_TRY(um_thermal_body_check(b, parts, npart));
+  UM_TRY(rest_pose(b));
+  UM_TRY(um_thermal_network_create(b->context, &body->network));
+  b->network = body->network;
+  for (size_t p = 0; p < b->npart; p++) {
+    UM_TRY(um_core_stop_check(b->context, "the heat network was built"));
+    UM_TRY(assemble_part(b, p));
+  }
+  UM_TRY(attach_surfaces(b));
+  for (size_t c = 0; c < ncontact; c++) UM_TRY(um_thermal_contact_assemble(b, &contacts[c]));
+  UM_TRY(um_thermal_places_build(b, body));
+  body->ntetrahedron = b->ntetrahedron;
+  return UM_OK;
+}
+
+enum um_status um_thermal_body_create(struct um_context *context,
+                                      const struct um_geometry *geometry,
+                                      const struct um_thermal_part_spec *parts, size_t npart,
+                                      const struct um_thermal_contact *contacts, size_t ncontact,
+                                      struct um_thermal_body **out)
+{
+  *out = NULL;
+  struct um_thermal_body *body = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *body, &body));
+  struct um_thermal_builder b = {.context = context,
+                                 .geometry = geometry,
+                                 .mesh = um_geometry_mesh(geometry),
+                                 .npart = um_geometry_part_count(geometry),
+                                 .ngroup = um_geometry_group_count(geometry)};
+  enum um_status status = assemble(&b, body, parts, npart, contacts, ncontact);
+  builder_free(&b);
+  if (status != UM_OK)
+    um_thermal_body_destroy(context, &body);
+  else
+    *out = body;
+  return status;
+}

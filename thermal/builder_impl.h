@@ -1,0 +1,40 @@
+/* Private to thermal/: a body while it is being built. */
+#ifndef UMBRA_THERMAL_BUILDER_IMPL_H
+#define UMBRA_THERMAL_BUILDER_IMPL_H
+
+#include "thermal/body.h"
+
+struct um_thermal_builder {
+  struct um_context *context;
+  const struct um_geometry *geometry;
+  const struct um_geometry_mesh *mesh;
+  struct um_geometry_pose *pose;
+  struct um_thermal_network *network;
+  const struct um_thermal_part_spec **part;   /* [npart] by geometry part */
+  const struct um_thermal_group_spec **group; /* [ngroup] by geometry group */
+  double *group_area;                         /* [ngroup] one side [m^2] */
+  uint32_t *group_front, *group_back;         /* [ngroup] nodes of LUMPED groups */
+  /* Structural node under each corner of each facet, outer and inner layer (the same where there
+   * is one layer); UM_THERMAL_SPACE where the wall is left out. [nfacet] */
+  uint32_t (*front)[3], (*back)[3];
+  uint32_t *skin;     /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
+  uint32_t *interior; /* [npart]; UM_THERMAL_SPACE none */
+  /* Scratch per mesh vertex (vertices belong to one part): node and capacity of the layers. */
+  uint32_t *vertex_node[2]; /* [nvertex] */
+  double *vertex_capacity[2];
+  size_t npart, ngroup, ntetrahedron;
+};
+
+/* A diffusive node, or an arithmetic one where the capacity [J/K] is 0. */
+enum um_status um_thermal_builder_node(struct um_thermal_builder *b, const char *name,
+                                       double capacity, double temperature, double power,
+                                       uint32_t *index);
+/* The shell that applies to a group. */
+const struct um_thermal_shell *um_thermal_builder_shell(const struct um_thermal_builder *b,
+                                                        uint32_t group);
+/* A facet has two layers: a back surface and a finite conductance through the wall. */
+bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet);
+bool um_thermal_builder_wall_left_out(const struct um_thermal_builder *b, uint32_t group);
+const char *um_thermal_builder_part_name(const struct um_thermal_builder *b, size_t part);
+
+#endif

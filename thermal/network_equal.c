@@ -1,0 +1,72 @@
+/* Two networks compared number for number; names are not compared. */
+#include <string.h>
+
+#include "thermal/network_impl.h"
+
+static bool numbers_equal(const double *a, const double *b, size_t n)
+{
+  for (size_t i = 0; i < n; i++)
+    if (a[i] != b[i]) return false;
+  return true;
+}
+
+static bool spreads_equal(const struct um_thermal_spread *a, const struct um_thermal_spread *b)
+{
+  return a->n == b->n && memcmp(a->node, b->node, a->n * sizeof *a->node) == 0 &&
+         numbers_equal(a->weight, b->weight, a->n);
+}
+
+static bool heat_equal(const struct um_thermal_network *a, const struct um_thermal_network *b)
+{
+  if (a->nsource != b->nsource || a->nthermostat != b->nthermostat) return false;
+  for (size_t k = 0; k < a->nsource; k++) {
+    const struct um_thermal_network_source *x = &a->source[k], *y = &b->source[k];
+    if (x->nrow != y->nrow || x->stepwise != y->stepwise || !spreads_equal(&x->at, &y->at) ||
+        !numbers_equal(x->t, y->t, x->nrow) || !numbers_equal(x->power, y->power, x->nrow))
+      return false;
+  }
+  for (size_t k = 0; k < a->nthermostat; k++) {
+    const struct um_thermal_network_thermostat *x = &a->thermostat[k], *y = &b->thermostat[k];
+    if (x->power != y->power || x->on != y->on || x->off != y->off ||
+        !spreads_equal(&x->at, &y->at) || !spreads_equal(&x->sensor, &y->sensor))
+      return false;
+  }
+  return true;
+}
+
+static bool links_equal(const struct um_thermal_link *a, const struct um_thermal_link *b, size_t n)
+{
+  for (size_t k = 0; k < n; k++)
+    if (a[k].a != b[k].a || a[k].b != b[k].b || a[k].value != b[k].value) return false;
+  return true;
+}
+
+static bool surfaces_equal(const struct um_thermal_surface *a, const struct um_thermal_surface *b)
+{
+  for (int k = 0; k < 3; k++)
+    if (a->node[k] != b->node[k] || a->weight[k] != b->weight[k]) return false;
+  return a->area == b->area && a->absorptance == b->absorptance && a->emittance == b->emittance &&
+         a->extraction == b->extraction && a->blocked == b->blocked;
+}
+
+bool um_thermal_network_equal(const struct um_thermal_network *a,
+                              const struct um_thermal_network *b)
+{
+  if (a->nnode != b->nnode || a->nconductor != b->nconductor || a->nradiator != b->nradiator ||
+      a->nsurface != b->nsurface)
+    return false;
+  for (size_t i = 0; i < a->nnode; i++) {
+    const struct um_thermal_network_node *x = &a->node[i], *y = &b->node[i];
+    if (x->kind != y->kind || x->capacity != y->capacity || x->temperature != y->temperature ||
+        x->power != y->power)
+      return false;
+  }
+  if (!links_equal(a->conductor, b->conductor, a->nconductor) ||
+      !links_equal(a->radiator, b->radiator, a->nradiator))
+    return false;
+  for (size_t s = 0; s < a->nsurface; s++) {
+    if (a->attached[s] != b->attached[s]) return false;
+    if (a->attached[s] && !surfaces_equal(&a->surface[s], &b->surface[s])) return false;
+  }
+  return heat_equal(a, b);
+}

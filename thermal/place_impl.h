@@ -1,0 +1,20 @@
+/* Private to thermal/: places by name. */
+#ifndef UMBRA_THERMAL_PLACE_IMPL_H
+#define UMBRA_THERMAL_PLACE_IMPL_H
+
+#include "thermal/builder_impl.h"
+
+/* Where a name points inside a part: what follows the part's name, "", ".group", ".group.back",
+ * ".front", ".back" or ".interior". A wall of one layer is both front and back. */
+struct um_thermal_where {
+  uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
+  bool front, back, interior;
+};
+/* false: there is no such place in where->part. */
+bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffix,
+                           struct um_thermal_where *where);
+
+/* Every place that has temperatures of its own. */
+enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_thermal_body *body);
+
+#endif
