@@ -19,7 +19,7 @@
 #define HEAD                                                                                       \
   "schema: 1\nname: h\norbit: {circular: {altitude_km: 765, beta_deg: 0}}\n"                       \
   "attitude:\n  - fixed: {q_gcrs: [1, 0, 0, 0]}\n"                                                 \
-  "observer: {direction: {unit_gcrs: [0.5, 0.8660254, 0], range_km: 1000}}\n"                      \
+  "observer: {direction: {unit_gcrs: [0.48, 0.6, 0.64], range_km: 1000}}\n"                        \
   "bands: {vis: {from_um: 0.38, to_um: 0.78, bins: 4}}\n"
 #define MINUTE                                                                                     \
   "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:31:00Z, step_s: 10}\n"
@@ -27,7 +27,7 @@
   "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:31:00Z, step_s: 0.2}\n"
 #define WALL "    shell: {areal_heat_capacity_J_m2_K: 1000, conductance_W_K: 1}\n"
 #define BOX  "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n    outside: grey_white\n" WALL
-/* a plate that shades the box, so that rays are traced */
+/* a plate that hides much of the box from the observer, so that rays are traced */
 #define PLATE                                                                                      \
   "  - name: p\n    plate: {size_m: [1, 1]}\n    front: grey_white\n    back: grey_white\n"        \
   "    pose: {position_m: [0, 0, 1]}\n" WALL
@@ -182,7 +182,7 @@ static const struct stage stages[] = {
      NULL,
      0.0},
     {"lines of sight",
-     HEAD SECONDS BOX "    facet_size_m: 0.02\n    lumped: true\n" PLATE START
+     HEAD SECONDS BOX "    facet_size_m: 0.05\n    lumped: true\n" PLATE START
                       "optics: {samples: 65536}\n",
      "lines of sight",
      {RUN},
