@@ -19,9 +19,11 @@ static const struct um_effect_parameter parameters[] = {
 };
 
 static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, struct um_materials_adjustment *adjustment)
+                               const char *name, double t_tai,
+                               struct um_materials_adjustment *adjustment)
 {
   (void)context;
+  (void)t_tai;
   if (um_effect_acts_on(use, name)) adjustment->band_emissivity_scale *= use->value[0];
   return UM_OK;
 }

@@ -17,7 +17,7 @@
 #include "orbit/attitude.h"
 #include "thermal/body.h"
 
-#define UM_EFFECT_ABI_VERSION 2
+#define UM_EFFECT_ABI_VERSION 3
 
 enum um_effect_target {
   UM_TARGET_GLOBAL = 1,
@@ -113,6 +113,7 @@ struct um_effect_use {
   const struct um_effect *effect;
   const char *target;  /* NULL: everything it can act on */
   const double *value; /* [nparameter] */
+  double epoch;        /* t_tai at which the scenario's time starts [s], for what grows */
 };
 
 /* True when the use acts on the thing of that name: a part, a material, a band. */
@@ -149,8 +150,10 @@ struct um_effect_observation {
 struct um_effect_hooks {
   enum um_status (*environment)(struct um_context *, const struct um_effect_use *,
                                 struct um_environment *);
+  /* The optics of a material as they are at a time [s]: at every row of the heat loads and at every
+   * observed instant, so that a surface may age. Linear between those rows. */
   enum um_status (*material)(struct um_context *, const struct um_effect_use *,
-                             const char *material, struct um_materials_adjustment *);
+                             const char *material, double t_tai, struct um_materials_adjustment *);
   enum um_status (*geometry)(struct um_context *, const struct um_effect_use *,
                              struct um_geometry_part_spec *);
   enum um_status (*part)(struct um_context *, const struct um_effect_use *, const char *part,

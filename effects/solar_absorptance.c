@@ -8,9 +8,11 @@
 #include "materials/materials.h"
 
 static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
-                            const char *material, struct um_materials_adjustment *adjustment)
+                            const char *material, double t_tai,
+                            struct um_materials_adjustment *adjustment)
 {
   (void)context;
+  (void)t_tai;
   if (um_effect_acts_on(use, material)) adjustment->absorptance_shift += use->value[0];
   return UM_OK;
 }

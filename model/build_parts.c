@@ -5,6 +5,7 @@
 
 #include "core/constants.h"
 #include "core/words.h"
+#include "model/aging_impl.h"
 #include "model/model_impl.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
@@ -205,15 +206,7 @@ static enum um_status build_records(struct um_context *context, struct um_model 
     model->material[i] =
         um_materials_library_find(model->library, um_geometry_material_name(model->geometry, i));
   UM_TRY(um_core_allocate(context, n, sizeof *model->adjustment, &model->adjustment));
-  for (size_t m = 0; m < n; m++) {
-    struct um_effect_use use;
-    model->adjustment[m] = um_materials_no_adjustment;
-    for (size_t i = 0; um_model_effect_next(model, &i, &use);)
-      if (use.effect->hooks.material != NULL)
-        UM_TRY(use.effect->hooks.material(
-            context, &use, um_geometry_material_name(model->geometry, m), &model->adjustment[m]));
-  }
-  return UM_OK;
+  return um_model_materials_at(context, model, model->scenario->time->start, model->adjustment);
 }
 
 static enum um_status build_bands(struct um_context *context, struct um_model *model)

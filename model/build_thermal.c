@@ -4,9 +4,8 @@
 #include <string.h>
 
 #include "core/words.h"
+#include "model/aging_impl.h"
 #include "model/model_impl.h"
-
-#define EMITTANCE_TEMPERATURE 300.0 /* total emittances are taken here [K] */
 
 /* Working arrays of one build; everything in them lives as long as the document. */
 struct assembly {
@@ -23,7 +22,7 @@ static void optics_of(const struct um_model *model, uint32_t material, double *a
   const struct um_materials_record *record = model->material[material];
   const struct um_materials_adjustment *adjustment = &model->adjustment[material];
   *absorptance = um_materials_solar_absorptance(record, adjustment);
-  *emittance = um_materials_emittance(record, adjustment, EMITTANCE_TEMPERATURE);
+  *emittance = um_materials_emittance(record, adjustment, UM_MODEL_EMITTANCE_TEMPERATURE);
 }
 
 /* Wall by explicit numbers, or by a bulk material and a thickness. */

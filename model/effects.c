@@ -320,7 +320,7 @@ bool um_model_effect_next(const struct um_model *model, size_t *index, struct um
   while (*index < model->neffect) {
     const struct um_model_effect *e = &model->effect[(*index)++];
     if (e->off) continue;
-    *use = (struct um_effect_use){e->effect, e->target, e->value};
+    *use = (struct um_effect_use){e->effect, e->target, e->value, model->scenario->time->start};
     return true;
   }
   return false;

@@ -77,7 +77,8 @@ struct um_model {
   struct um_materials_library *library;
   struct um_geometry *geometry;
   const struct um_materials_record **material; /* [material of the geometry] */
-  struct um_materials_adjustment *adjustment;  /* [material of the geometry] what effects change */
+  struct um_materials_adjustment
+      *adjustment; /* [material of the geometry] by effects, at time.start_utc */
   struct um_thermal_body *body;
   double *start_offset; /* [node] added to what a run begins with [K]; NULL: nothing */
   struct um_optics_band *band;
@@ -244,11 +245,13 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 struct um_model_thermal_solution **out);
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
-/* True when the model has the same temperatures on this geometry precomputation: network, loads,
- * times and settings are equal, number for number. */
-bool um_model_thermal_solution_matches(const struct um_model_thermal_solution *heat,
-                                       const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed);
+/* *out: true when the model has the same temperatures on this geometry precomputation: network,
+ * loads, times, settings and what ages are equal, number for number. What an effect refuses. */
+enum um_status um_model_thermal_solution_matches(struct um_context *context,
+                                                 const struct um_model_thermal_solution *heat,
+                                                 const struct um_model *model,
+                                                 const struct um_model_precomputed *precomputed,
+                                                 bool *out);
 /* Run with heat that matches. um_model_run is this with heat of its own, not loosened. */
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
                                  const struct um_model_precomputed *precomputed,

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "core/words.h"
-#include "model/model.h"
+#include "model/aging_impl.h"
 
 size_t um_model_band_find(const struct um_model *model, const char *name)
 {
@@ -37,11 +37,13 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                         model->scenario->at.file);
   size_t instant = k * precomputed->nsub + precomputed->nsub / 2;
   size_t row = precomputed->load_row[instant] * precomputed->loads->nsurface;
+  struct um_materials_adjustment *aged = NULL;
+  UM_TRY(um_model_materials_over(context, model, &precomputed->sample[instant], 1, &aged));
   struct um_optics_scene scene = {.geometry = model->geometry,
                                   .environment = &model->environment,
                                   .samples = &precomputed->sample[instant],
                                   .material = model->material,
-                                  .adjustment = model->adjustment,
+                                  .adjustment = aged != NULL ? aged : model->adjustment,
                                   .temperature = result->surface_temperature + k * result->nsurface,
                                   .albedo = precomputed->loads->albedo + row,
                                   .view_factor = precomputed->loads->view_factor + row};
@@ -49,5 +51,8 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                             .samples_per_pixel = samples_per_pixel,
                                             .up_gcrs =
                                                 um_vec3_unit(precomputed->sample[instant].r)};
-  return um_optics_image_render(context, &scene, 0, &model->band[band], &options, out);
+  enum um_status status =
+      um_optics_image_render(context, &scene, 0, &model->band[band], &options, out);
+  um_core_free(context, aged);
+  return status;
 }

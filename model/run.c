@@ -58,7 +58,7 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
   result->rhs_evaluations = run->history->rhs_evaluations;
   result->jacobians = run->history->jacobians;
   UM_CHECK(keep_temperatures(context, model, precomputed, run, result));
-  UM_CHECK(um_model_run_places(context, model, precomputed, run, result));
+  UM_CHECK(um_model_run_places(context, model, precomputed, heat, result));
   UM_CHECK(um_model_run_optics(context, model, precomputed, run, result));
 done:
   if (status != UM_OK) um_model_result_destroy(context, &result);

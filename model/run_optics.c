@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/aging_impl.h"
 #include "model/model_impl.h"
 #include "model/run_optics_impl.h"
 #include "optics/atmosphere.h"
@@ -13,7 +14,9 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
 {
   size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->loads->nsurface;
   float *albedo = NULL, *view_factor = NULL;
+  struct um_materials_adjustment *adjustment = NULL;
   enum um_status status;
+  UM_CHECK(um_model_materials_over(context, model, precomputed->sample, n, &adjustment));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *albedo, &albedo));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *view_factor, &view_factor));
   for (size_t i = 0; i < n; i++) {
@@ -27,7 +30,8 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .samples = precomputed->sample,
                                   .view = precomputed->view,
                                   .material = model->material,
-                                  .adjustment = model->adjustment,
+                                  .adjustment = adjustment != NULL ? adjustment : model->adjustment,
+                                  .ages = adjustment != NULL,
                                   .temperature = surface,
                                   .albedo = albedo,
                                   .view_factor = view_factor,
@@ -35,6 +39,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                       model->scenario->optics->interreflection_samples};
   return UM_OK;
 done:
+  um_core_free(context, adjustment);
   um_core_free(context, albedo);
   um_core_free(context, view_factor);
   return status;
@@ -42,6 +47,7 @@ done:
 
 void um_model_scene_release(struct um_context *context, struct um_optics_scene *scene)
 {
+  if (scene->ages) um_core_free(context, (void *)(uintptr_t)scene->adjustment);
   um_core_free(context, (void *)(uintptr_t)scene->albedo);
   um_core_free(context, (void *)(uintptr_t)scene->view_factor);
   scene->albedo = scene->view_factor = NULL;

@@ -98,25 +98,21 @@ static enum um_status material_history(struct um_context *context, const struct 
  * alone. Mean over the exposure. */
 static enum um_status heat_of_places(struct um_context *context, const struct um_model *model,
                                      const struct um_model_precomputed *precomputed,
-                                     const struct um_model_heat_run *run,
+                                     const struct um_model_thermal_solution *heat,
                                      struct um_model_result *result)
 {
   enum um_status status;
+  const struct um_model_heat_run *run = &heat->run;
   const struct um_thermal_history *h = run->history;
   const struct um_thermal_body *body = model->body;
-  struct um_thermal_solve_options options;
   struct um_thermal_heat *node = NULL;
-  um_thermal_solve_defaults(&options);
-  options.space_temperature = model->scenario->thermal->space_temperature_K;
-  options.albedo_on = model->environment.albedo_on;
-  options.planet_on = model->environment.planet_on;
   UM_TRY(um_core_allocate(context, h->nnode, sizeof *node, &node));
   UM_CHECK(um_core_allocate(context, precomputed->nobs * result->nplace, sizeof *result->heat,
                             &result->heat));
   for (size_t i = 0; i < instants(precomputed); i++) {
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_core_stop_check(context, "heats were summed"));
-    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads, &options,
+    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads, &heat->options,
                                       precomputed->loads->t[precomputed->load_row[i]], t, node));
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(
@@ -144,9 +140,10 @@ done:
 
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
-                                   const struct um_model_heat_run *run,
+                                   const struct um_model_thermal_solution *heat,
                                    struct um_model_result *result)
 {
+  const struct um_model_heat_run *run = &heat->run;
   size_t nplace = model->body->nplace;
   size_t nmaterial = um_geometry_material_count(model->geometry);
   result->nplace = nplace + nmaterial;
@@ -156,5 +153,5 @@ enum um_status um_model_run_places(struct um_context *context, const struct um_m
   for (size_t m = 0; m < nmaterial; m++)
     UM_TRY(material_history(context, model, precomputed, run, (uint32_t)m,
                             &result->place[nplace + m]));
-  return heat_of_places(context, model, precomputed, run, result);
+  return heat_of_places(context, model, precomputed, heat, result);
 }

@@ -7,7 +7,7 @@
 /* Histories of places and their heat. */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
-                                   const struct um_model_heat_run *run,
+                                   const struct um_model_thermal_solution *heat,
                                    struct um_model_result *result);
 
 #endif

@@ -161,6 +161,9 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
   *heat = (struct um_model_thermal_solution){
       .model = model, .precomputed = precomputed, .options = options_of(model)};
   heat->options.tolerance_factor = tolerance_factor;
+  if (!precomputed->points)
+    UM_CHECK(um_model_aging_create(context, model, precomputed->loads, &heat->aging));
+  if (heat->aging != NULL) heat->options.aging = &heat->aging->table;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
@@ -189,6 +192,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   um_thermal_history_destroy(context, &(*heat)->run.history);
   um_core_free(context, (*heat)->run.surface);
   um_core_free(context, (*heat)->start);
+  um_model_aging_destroy(context, &(*heat)->aging);
   um_core_free(context, *heat);
   *heat = NULL;
 }
@@ -223,18 +227,26 @@ static bool times_equal(const struct um_model_precomputed *a, const struct um_mo
   return true;
 }
 
-bool um_model_thermal_solution_matches(const struct um_model_thermal_solution *heat,
-                                       const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed)
+static bool options_equal(const struct um_thermal_solve_options *a,
+                          const struct um_thermal_solve_options *b)
+{
+  return a->relative_tolerance == b->relative_tolerance &&
+         a->absolute_tolerance == b->absolute_tolerance &&
+         a->space_temperature == b->space_temperature && a->albedo_on == b->albedo_on &&
+         a->planet_on == b->planet_on;
+}
+
+enum um_status um_model_thermal_solution_matches(struct um_context *context,
+                                                 const struct um_model_thermal_solution *heat,
+                                                 const struct um_model *model,
+                                                 const struct um_model_precomputed *precomputed,
+                                                 bool *out)
 {
   struct um_thermal_solve_options options = options_of(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
-  return options.relative_tolerance == heat->options.relative_tolerance &&
-         options.absolute_tolerance == heat->options.absolute_tolerance &&
-         options.space_temperature == heat->options.space_temperature &&
-         options.albedo_on == heat->options.albedo_on &&
-         options.planet_on == heat->options.planet_on && a->start == b->start &&
+  struct um_model_aging *aging = NULL;
+  *out = options_equal(&options, &heat->options) && a->start == b->start &&
          a->temperature_in_optics == b->temperature_in_optics &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
@@ -242,4 +254,9 @@ bool um_model_thermal_solution_matches(const struct um_model_thermal_solution *h
          loads_equal(heat->precomputed->loads, precomputed->loads) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
          um_model_start_offset_equal(heat->model, model);
+  if (!*out || precomputed->points) return UM_OK;
+  UM_TRY(um_model_aging_create(context, model, precomputed->loads, &aging));
+  *out = um_model_aging_equal(heat->aging, aging);
+  um_model_aging_destroy(context, &aging);
+  return UM_OK;
 }

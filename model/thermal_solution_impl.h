@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
 #define UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
 
-#include "model/model.h"
+#include "model/aging_impl.h"
 
 /* Temperatures at every instant of the geometry precomputation. history: rows
  * are an instant one orbit before the first (when `before`), then the geometry precomputation's
@@ -16,8 +16,9 @@ struct um_model_thermal_solution {
   const struct um_model *model;                   /* borrowed */
   const struct um_model_precomputed *precomputed; /* borrowed */
   struct um_thermal_solve_options options;
-  double *start;         /* [nnode] start temperatures [K] */
-  double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
+  struct um_model_aging *aging; /* behind options.aging; NULL: nothing ages */
+  double *start;                /* [nnode] start temperatures [K] */
+  double periodic_drift;        /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
 

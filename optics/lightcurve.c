@@ -12,6 +12,7 @@ struct job {
   const struct um_optics_scene *scene;
   const struct um_optics_spectra *spectra;
   struct um_optics_lightcurve *curve;
+  struct um_optics_spectra *aged; /* [nthread], NULL where surfaces do not age */
 };
 
 static enum um_status curve_create(struct um_context *context,
@@ -106,9 +107,21 @@ static void interreflection_add(const struct job *job, const struct um_optics_in
         projected * projected * work->band_variance[k];
 }
 
-static void compute_time(const struct um_context *context, const struct job *job,
+/* The job with the materials as they are at a time, in the tables of this thread. */
+static struct job job_at(const struct um_context *context, const struct job *job, size_t time)
+{
+  struct job now = *job;
+  if (job->aged == NULL) return now;
+  struct um_optics_spectra *own = &job->aged[omp_get_thread_num()];
+  um_optics_spectra_materials(context, job->scene, time, own);
+  now.spectra = own;
+  return now;
+}
+
+static void compute_time(const struct um_context *context, const struct job *all,
                          const struct um_optics_set *set, size_t time, struct um_optics_work *work)
 {
+  const struct job now_job = job_at(context, all, time), *job = &now_job;
   const struct um_optics_view *view = job->scene->view;
   const struct um_optics_spectra *spectra = job->spectra;
   struct um_optics_instant now = um_optics_instant(job->scene, time);
@@ -165,6 +178,7 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
   struct um_optics_lightcurve *curve = NULL;
   struct um_optics_stage *stage = NULL;
   struct um_optics_work *work = NULL;
+  struct um_optics_spectra *aged = NULL;
   size_t nthread = (size_t)um_core_context_threads(context), ntime = scene->view->ntime;
   size_t nray = scene->interreflection_samples > 0 ? (size_t)scene->interreflection_samples : 0;
   size_t nsurface = um_geometry_mesh(scene->geometry)->nsurface;
@@ -177,7 +191,13 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
   UM_CHECK(curve_create(context, spectra, ntime, curve));
   UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
   UM_CHECK(um_optics_work_create(context, spectra, nray, nthread, &work));
-  struct job job = {scene, spectra, curve};
+  struct job job = {.scene = scene, .spectra = spectra, .curve = curve};
+  if (scene->ages) {
+    UM_CHECK(um_core_allocate(context, nthread, sizeof *aged, &aged));
+    for (size_t k = 0; k < nthread; k++)
+      UM_CHECK(um_optics_spectra_share(context, spectra, &aged[k]));
+    job.aged = aged;
+  }
   um_core_progress_begin(context, "computing light curves", ntime);
   status = compute_all(context, &job, stage, work);
   um_core_progress_end(context);
@@ -189,6 +209,9 @@ done:
   um_optics_work_destroy(context, nthread, &work);
   if (stage != NULL) um_optics_stage_clear(context, stage);
   um_core_free(context, stage);
+  for (size_t k = 0; aged != NULL && k < nthread; k++)
+    um_optics_spectra_share_clear(context, &aged[k]);
+  um_core_free(context, aged);
   um_optics_spectra_destroy(context, &spectra);
   um_optics_lightcurve_destroy(context, &curve);
   return status;

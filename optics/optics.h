@@ -67,8 +67,10 @@ struct um_optics_scene {
   const struct um_environment_sample *samples; /* [ntime] */
   const struct um_optics_view *view;
   const struct um_materials_record *const *material; /* [nmaterial], order of the geometry */
-  const struct um_materials_adjustment *adjustment;  /* [nmaterial] or NULL */
-  const double *temperature;                         /* [ntime][nsurface] [K] */
+  /* [nmaterial], or [ntime][nmaterial] where surfaces age, or NULL */
+  const struct um_materials_adjustment *adjustment;
+  bool ages;
+  const double *temperature; /* [ntime][nsurface] [K] */
   const float *albedo;      /* [ntime][nsurface] incident albedo flux [W/m^2], free share applied */
   const float *view_factor; /* [ntime][nsurface] free view factor to the Earth */
   int interreflection_samples; /* rays per surface that is not open; 0: off */
@@ -90,6 +92,14 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
                                             const struct um_optics_band *bands, size_t nband,
                                             struct um_optics_lightcurve **out);
 void um_optics_lightcurve_destroy(struct um_context *context, struct um_optics_lightcurve **curve);
+/* Adjustment of a material at an instant of the scene; NULL: none. */
+static inline const struct um_materials_adjustment *
+um_optics_adjustment(const struct um_optics_scene *scene, size_t time, size_t material)
+{
+  size_t nmaterial = um_geometry_material_count(scene->geometry);
+  if (scene->adjustment == NULL) return NULL;
+  return &scene->adjustment[(scene->ages ? time * nmaterial : 0) + material];
+}
 
 /* Picture of one instant: orthographic toward the observer, radiance per pixel and bin. */
 struct um_optics_image {

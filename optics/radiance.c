@@ -20,7 +20,7 @@
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
   const struct um_environment_sample *sample = &scene->samples[time];
-  struct um_optics_instant now = {0};
+  struct um_optics_instant now = {.time = time};
   now.observer_body = um_quat_apply(sample->q, sample->to_observer);
   now.sun_body = um_quat_apply(sample->q, sample->sun);
   struct um_vec3 both = um_vec3_add(now.observer_body, now.sun_body);
@@ -142,7 +142,7 @@ const double *um_optics_specular(const struct um_optics_spectra *spectra,
   double *row = work->specular + material * spectra->nbin;
   if (work->specular_known[material]) return row;
   const struct um_materials_adjustment *adjustment =
-      scene->adjustment == NULL ? NULL : &scene->adjustment[material];
+      um_optics_adjustment(scene, instant->time, material);
   for (size_t b = 0; b < spectra->nbin; b++)
     row[b] = um_materials_specular_reflectance(scene->material[material], adjustment,
                                                spectra->wavelength[b], instant->cos_half_phase);

@@ -7,6 +7,7 @@
 
 /* What is the same for all surfaces at one time. */
 struct um_optics_instant {
+  size_t time;                            /* of the scene */
   struct um_vec3 observer_body, sun_body; /* unit */
   struct um_vec3 half_body;               /* unit bisector; zero where they are opposite */
   double cos_half_phase;                  /* cosine of half the phase angle [1] */

@@ -157,9 +157,7 @@ static enum um_status sources_create(struct um_context *context,
   return UM_OK;
 }
 
-static enum um_status materials_create(struct um_context *context,
-                                       const struct um_optics_scene *scene,
-                                       struct um_optics_spectra *s)
+static enum um_status materials_allocate(struct um_context *context, struct um_optics_spectra *s)
 {
   size_t n = s->nmaterial;
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->diffuse, &s->diffuse));
@@ -167,14 +165,26 @@ static enum um_status materials_create(struct um_context *context,
                           &s->emissivity));
   UM_TRY(um_core_allocate(context, n, sizeof *s->diffuse_emitter, &s->diffuse_emitter));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
-  UM_TRY(um_core_allocate(context, n, sizeof *s->alpha, &s->alpha));
-  for (size_t m = 0; m < n; m++) {
-    const struct um_materials_record *record = scene->material[m];
-    const struct um_materials_adjustment *adjustment =
-        scene->adjustment == NULL ? NULL : &scene->adjustment[m];
-    if (record == NULL)
+  return um_core_allocate(context, n, sizeof *s->alpha, &s->alpha);
+}
+
+static enum um_status materials_check(struct um_context *context,
+                                      const struct um_optics_scene *scene)
+{
+  for (size_t m = 0; m < um_geometry_material_count(scene->geometry); m++)
+    if (scene->material[m] == NULL)
       return um_core_fail(context, UM_ERR_INPUT, "material '%s' has no record",
                           um_geometry_material_name(scene->geometry, m));
+  return UM_OK;
+}
+
+void um_optics_spectra_materials(const struct um_context *context,
+                                 const struct um_optics_scene *scene, size_t time,
+                                 struct um_optics_spectra *s)
+{
+  for (size_t m = 0; m < s->nmaterial; m++) {
+    const struct um_materials_record *record = scene->material[m];
+    const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, m);
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
     s->lobe[m] = um_materials_has_lobe(record);
     s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
@@ -192,7 +202,23 @@ static enum um_status materials_create(struct um_context *context,
       }
     }
   }
-  return UM_OK;
+}
+
+enum um_status um_optics_spectra_share(struct um_context *context,
+                                       const struct um_optics_spectra *from,
+                                       struct um_optics_spectra *to)
+{
+  *to = *from;
+  to->diffuse = to->emissivity = to->alpha = NULL;
+  to->diffuse_emitter = to->lobe = NULL;
+  return materials_allocate(context, to);
+}
+
+void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_spectra *shared)
+{
+  void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
+                          shared->lobe, shared->alpha};
+  for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
 static enum um_status planck_create(struct um_context *context, double low, double high,
@@ -237,7 +263,9 @@ enum um_status um_optics_spectra_create(struct um_context *context,
   s->nmaterial = um_geometry_material_count(scene->geometry);
   UM_CHECK(bins_create(context, bands, s));
   UM_CHECK(sources_create(context, scene->environment, s));
-  UM_CHECK(materials_create(context, scene, s));
+  UM_CHECK(materials_check(context, scene));
+  UM_CHECK(materials_allocate(context, s));
+  um_optics_spectra_materials(context, scene, first, s);
   UM_CHECK(planck_create(context, low, high, s));
   *out = s;
   s = NULL;

@@ -41,6 +41,16 @@ enum um_status um_optics_spectra_create(struct um_context *context,
                                         size_t count, const struct um_optics_band *bands,
                                         size_t nband, struct um_optics_spectra **out);
 void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spectra **spectra);
+/* Spectra of the materials at an instant of the scene; create fills in those of `first`. */
+void um_optics_spectra_materials(const struct um_context *context,
+                                 const struct um_optics_scene *scene, size_t time,
+                                 struct um_optics_spectra *spectra);
+/* For surfaces that age: everything borrowed from `from` but the materials, whose tables are new
+ * and empty. share_clear frees those, after a failure too. */
+enum um_status um_optics_spectra_share(struct um_context *context,
+                                       const struct um_optics_spectra *from,
+                                       struct um_optics_spectra *to);
+void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_spectra *shared);
 
 /* Black-body radiance per bin at a temperature [K]; row[nbin] [W/m^2/sr/m]. Relative error below
  * 5e-9. */

@@ -89,10 +89,13 @@ static enum um_status find_heat(struct um_context *context, struct um_sensitivit
   struct um_model_thermal_solution *heat = NULL;
   cache->fresh_heat = false;
   v->heat = cached->heat;
-  if (v->heat != NULL && um_model_thermal_solution_matches(v->heat, v->used, v->precomputed))
-    return UM_OK;
+  bool matches = false;
+  if (v->heat != NULL)
+    UM_TRY(um_model_thermal_solution_matches(context, v->heat, v->used, v->precomputed, &matches));
+  if (matches) return UM_OK;
   v->heat = cache->own.heat;
-  if (um_model_thermal_solution_matches(v->heat, v->used, v->precomputed)) return UM_OK;
+  UM_TRY(um_model_thermal_solution_matches(context, v->heat, v->used, v->precomputed, &matches));
+  if (matches) return UM_OK;
   cache->fresh_heat = true;
   UM_TRY(um_model_thermal_solution_create(context, v->used, v->precomputed, cache->own.heat,
                                           forward->tolerance_factor, &heat));

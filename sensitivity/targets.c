@@ -50,7 +50,7 @@ static enum um_status touches(struct um_context *context, const struct um_effect
   double value[UM_EFFECT_PARAMETERS_MAX] = {0};
   struct um_thermal_contact contact = {from->a, from->b, from->conductance_W_K};
   for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
-  const struct um_effect_use use = {effect, target, value};
+  const struct um_effect_use use = {.effect = effect, .target = target, .value = value};
   UM_TRY(effect->hooks.contact(context, &use, &contact));
   *out = contact.conductance != from->conductance_W_K;
   return UM_OK;

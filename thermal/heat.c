@@ -1,42 +1,48 @@
 /* Reading a state: heat flows of the nodes and temperatures of the surfaces. */
 #include <math.h>
+#include <string.h>
 
 #include "core/constants.h"
-#include "core/interpolation.h"
+#include "thermal/load_row_impl.h"
 #include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
-/* Loads at t, constant outside the table; equation in system_loads.c. */
-static void loads_add(const struct um_thermal_network *network,
-                      const struct um_irradiation_loads *loads,
-                      const struct um_thermal_solve_options *options, double t,
-                      struct um_thermal_heat *out)
+/* Loads at t, constant outside the table, and emission of the surfaces to space; equations in
+ * load_row_impl.h. */
+static enum um_status surfaces_add(struct um_context *context,
+                                   const struct um_thermal_network *network,
+                                   const struct um_irradiation_loads *loads,
+                                   const struct um_thermal_solve_options *options, double t,
+                                   const double *temperature, double space4,
+                                   struct um_thermal_heat *out)
 {
-  size_t last = loads->ntime - 1;
-  size_t k = last > 0 ? um_core_interval_find(loads->t, loads->ntime, t) : 0;
-  size_t next = k < last ? k + 1 : k;
-  double width = loads->t[next] - loads->t[k];
-  double u = width > 0.0 ? (t - loads->t[k]) / width : 0.0;
-  u = u < 0.0 ? 0.0 : u > 1.0 ? 1.0 : u;
-  double irradiance = (1.0 - u) * loads->irradiance[k] + u * loads->irradiance[next];
-  double sunlit = (1.0 - u) * loads->sunlit[k] + u * loads->sunlit[next];
-  for (size_t s = 0; s < network->nsurface; s++) {
-    if (!network->attached[s]) continue;
-    const struct um_thermal_surface *surface = &network->surface[s];
-    size_t a = k * loads->nsurface + s, b = next * loads->nsurface + s;
-    double sun = (1.0 - u) * (double)loads->sun[a] + u * (double)loads->sun[b];
-    double albedo = (1.0 - u) * (double)loads->albedo[a] + u * (double)loads->albedo[b];
-    double planet = (1.0 - u) * (double)loads->planet[a] + u * (double)loads->planet[b];
-    sun *= irradiance * sunlit;
-    for (int c = 0; c < 3; c++) {
-      uint32_t node = surface->node[c];
-      if (node == UM_THERMAL_SPACE) continue;
-      double area = surface->weight[c] * surface->area;
-      out[node].solar += area * (surface->absorptance - surface->extraction) * sun;
-      if (options->albedo_on) out[node].albedo += area * surface->absorptance * albedo;
-      if (options->planet_on) out[node].planet += area * surface->emittance * planet;
+  size_t n = network->nnode;
+  double *memory = NULL;
+  const struct um_thermal_aging *aging = loads == NULL ? NULL : options->aging;
+  struct um_thermal_load_interval at = {0, 0, 0.0};
+  UM_TRY(um_core_allocate(context, 4 * n, sizeof *memory, &memory));
+  double *sun = memory, *albedo = sun + n, *planet = albedo + n, *space = planet + n;
+  if (loads != NULL) at = um_thermal_load_interval_find(loads, t);
+  for (int k = 0; k < 2; k++) {
+    size_t row = k == 0 ? at.low : at.high;
+    double u = k == 0 ? 1.0 - at.u : at.u;
+    memset(space, 0, n * sizeof *space);
+    um_thermal_load_row_space_add(network, aging, row, space);
+    for (size_t i = 0; i < n; i++)
+      out[i].radiated -= u * space[i] * (pow(temperature[i], 4) - space4);
+    if (loads == NULL) break;
+    double irradiance =
+        (1.0 - at.u) * loads->irradiance[at.low] + at.u * loads->irradiance[at.high];
+    double sunlit = (1.0 - at.u) * loads->sunlit[at.low] + at.u * loads->sunlit[at.high];
+    um_thermal_load_row_sum(network, loads, aging, row, sun, albedo, planet);
+    for (size_t i = 0; i < n; i++) {
+      out[i].solar += u * irradiance * sunlit * sun[i];
+      if (options->albedo_on) out[i].albedo += u * albedo[i];
+      if (options->planet_on) out[i].planet += u * planet[i];
     }
   }
+  um_core_free(context, memory);
+  return UM_OK;
 }
 
 static void links_add(const struct um_thermal_network *network, const double *temperature,
@@ -58,22 +64,6 @@ static void links_add(const struct um_thermal_network *network, const double *te
       double flow = factor * (pow(temperature[link->b], 4) - own4);
       out[link->a].exchanged += flow;
       out[link->b].exchanged -= flow;
-    }
-  }
-}
-
-/* Own emission of the surfaces. */
-static void surfaces_add(const struct um_thermal_network *network, const double *temperature,
-                         double space4, struct um_thermal_heat *out)
-{
-  for (size_t s = 0; s < network->nsurface; s++) {
-    const struct um_thermal_surface *surface = &network->surface[s];
-    for (int c = 0; c < 3 && network->attached[s]; c++) {
-      uint32_t node = surface->node[c];
-      if (node == UM_THERMAL_SPACE) continue;
-      out[node].radiated -= UM_STEFAN_BOLTZMANN * surface->weight[c] *
-                            um_thermal_surface_emission(surface) *
-                            (pow(temperature[node], 4) - space4);
     }
   }
 }
@@ -111,9 +101,8 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
     out[i] = (struct um_thermal_heat){.internal = network->node[i].power};
   for (size_t k = 0; k < network->nsource; k++)
     spread_add(&network->source[k].at, um_thermal_source_power(&network->source[k], t), out);
-  if (loads != NULL) loads_add(network, loads, options, t, out);
   links_add(network, temperature, space4, out);
-  surfaces_add(network, temperature, space4, out);
+  UM_TRY(surfaces_add(context, network, loads, options, t, temperature, space4, out));
   for (size_t i = 0; i < network->nnode; i++) {
     struct um_thermal_heat *h = &out[i];
     h->stored =

@@ -47,10 +47,13 @@ static void columns_order(struct um_thermal_response_run *r)
   }
 }
 
-/* State and Jacobian at given temperatures [n]; eliminated groups are linearised. */
-static enum um_status linearize(struct um_thermal_response_run *r, const double *temperature)
+/* State and Jacobian at a time [s from `from`] and given temperatures [n]; eliminated groups are
+ * linearised. */
+static enum um_status linearize(struct um_thermal_response_run *r, double t,
+                                const double *temperature)
 {
   struct um_thermal_system *system = r->system;
+  um_thermal_system_loads_at(system, t); /* surfaces that age emit as they do then */
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
   um_thermal_system_powers(system);
   if (um_thermal_system_jacobian(system, r->jacobian)) return UM_OK;
@@ -156,7 +159,7 @@ static enum um_status hand_over(struct um_thermal_response_run *r, struct march 
                                 const double *columns)
 {
   const double *temperature = m->base + m->place[m->next] * r->system->n;
-  if (r->system->ncluster > 0) UM_TRY(linearize(r, temperature));
+  if (r->system->ncluster > 0) UM_TRY(linearize(r, m->times[m->next] - r->from, temperature));
   out_fill(r, m->times[m->next] - r->from, columns);
   UM_TRY(m->take(m->user, m->next, temperature, r->out));
   m->next++;
@@ -174,7 +177,7 @@ static enum um_status step_take(struct um_thermal_response_run *r, struct march 
   for (size_t i = m->next; i < m->ntime && m->times[i] - r->from < r->end - UM_THERMAL_ONE_TIME;
        i++)
     step.inside[step.ninside++] = (m->times[i] - r->from - r->begin) / (r->end - r->begin);
-  UM_TRY(linearize(r, m->base + m->middle[k] * r->system->n));
+  UM_TRY(linearize(r, 0.5 * (r->begin + r->end), m->base + m->middle[k] * r->system->n));
   UM_TRY(um_thermal_stepper_factor(r->stepper, r->jacobian, r->end - r->begin));
   UM_TRY(um_thermal_stepper_step(r->stepper, r->s, begun(r, r->end), &step));
   for (size_t i = 0; i < step.ninside; i++) UM_TRY(hand_over(r, m, r->inside + i * stride));

@@ -3,6 +3,17 @@
 #define UMBRA_THERMAL_SOLVE_OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Surfaces whose optics change during a run: what is beside those of the network at every row of
+ * the heat loads, linear between the rows as the loads are. */
+struct um_thermal_aging {
+  size_t ntime, nmaterial;
+  const uint32_t *material;  /* [nsurface] */
+  const double *absorptance; /* [ntime][nmaterial] added to a surface's [1] */
+  const double *emittance;   /* [ntime][nmaterial] factor on a surface's [1] */
+};
 
 struct um_thermal_solve_options {
   double relative_tolerance; /* default 2e-7: errors of one sign add to some 5 mK in an orbit */
@@ -12,6 +23,7 @@ struct um_thermal_solve_options {
   /* Factor on both tolerances, default 1; above 1 without the care for the audit (Newton's
    * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
   double tolerance_factor;
+  const struct um_thermal_aging *aging; /* borrowed; NULL, the default: surfaces stay as they are */
 };
 
 #endif

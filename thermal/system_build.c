@@ -8,8 +8,10 @@
 #include "thermal/system_impl.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/constants.h"
+#include "thermal/load_row_impl.h"
 
 /* Sort the nodes into unknown, eliminated and fixed. */
 static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
@@ -64,13 +66,11 @@ static enum um_status space_build(struct um_thermal_system *system)
   for (size_t r = 0; r < network->nradiator; r++)
     if (network->radiator[r].b == UM_THERMAL_SPACE)
       system->space[network->radiator[r].a] += UM_STEFAN_BOLTZMANN * network->radiator[r].value;
-  for (size_t s = 0; s < network->nsurface; s++) {
-    const struct um_thermal_surface *surface = &network->surface[s];
-    for (int k = 0; k < 3 && network->attached[s]; k++)
-      if (surface->node[k] != UM_THERMAL_SPACE)
-        system->space[surface->node[k]] +=
-            UM_STEFAN_BOLTZMANN * surface->weight[k] * um_thermal_surface_emission(surface);
+  if (system->loads != NULL && system->options.aging != NULL) {
+    UM_TRY(um_core_allocate(system->context, system->n, sizeof(double), &system->space_links));
+    memcpy(system->space_links, system->space, system->n * sizeof *system->space);
   }
+  um_thermal_load_row_space_add(network, NULL, 0, system->space);
   return UM_OK;
 }
 
@@ -104,7 +104,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
   struct um_thermal_system *system = NULL;
   *out = NULL;
   UM_TRY(options_check(context, options));
-  if (loads != NULL) UM_TRY(um_thermal_system_loads_check(context, network, loads));
+  if (loads != NULL) UM_TRY(um_thermal_system_loads_check(context, network, loads, options->aging));
   UM_CHECK(um_core_allocate(context, 1, sizeof *system, &system));
   system->context = context;
   system->network = network;
@@ -151,10 +151,11 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
                          s->link_slot,
                          s->diagonal,
                          s->grid,
-                         s->share_start,
-                         s->share,
                          s->now.q,
-                         s->share_weight,
+                         s->planet,
+                         s->space_links,
+                         s->load_row[0].space,
+                         s->load_row[1].space,
                          s->load_row[0].sun,
                          s->load_row[1].sun,
                          s->load_row[0].earth,

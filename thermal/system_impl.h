@@ -17,6 +17,7 @@ struct um_thermal_load_row {
   size_t row;    /* of the table; (size_t)-1: empty */
   double *sun;   /* [n] absorbed per unit of irradiance in full sunlight [m^2] */
   double *earth; /* [n] absorbed albedo and planet, switches applied [W] */
+  double *space; /* [n] sigma R of the surfaces to space [W/K^4]; NULL where they do not age */
   double sun_total, albedo_total, planet_total; /* over nodes that are not boundary [m^2], [W] */
 };
 
@@ -85,7 +86,7 @@ struct um_thermal_system {
   uint32_t *other; /* [nlink] */
   double *linear;  /* [nlink] [W/K] */
   double *fourth;  /* [nlink] sigma R [W/K^4] */
-  double *space;   /* [n] sigma R to space [W/K^4] */
+  double *space;   /* [n] sigma R to space [W/K^4]; of the present instant where surfaces age */
 
   struct um_thermal_cluster *cluster; /* [ncluster] */
   size_t ncluster;
@@ -101,10 +102,9 @@ struct um_thermal_system {
   double *grid;             /* [ntime] loads->t - from [s] */
   size_t row_low, row_high; /* rows in force between two stops */
   size_t interval;          /* last one used */
-  size_t *share_start;      /* [n + 1] surfaces per node */
-  uint32_t *share;          /* [nshare] surface */
-  double *share_weight;     /* [nshare] weight times area [m^2] */
   struct um_thermal_load_row load_row[2];
+  double *planet;      /* [n] workspace of a row [W] */
+  double *space_links; /* [n] sigma R of the radiators alone; NULL where surfaces do not age */
   struct um_thermal_load_now now;
 
   /* heat made inside (system_heat.c) */
@@ -138,7 +138,8 @@ void um_thermal_system_clusters_destroy(struct um_thermal_system *system);
 enum um_status um_thermal_system_pattern_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
-                                             const struct um_irradiation_loads *loads);
+                                             const struct um_irradiation_loads *loads,
+                                             const struct um_thermal_aging *aging);
 enum um_status um_thermal_system_loads_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_heat_build(struct um_thermal_system *system);
 void um_thermal_system_heat_destroy(struct um_thermal_system *system);

@@ -1,14 +1,18 @@
 /* Loads on nodes at an instant. Every tabulated quantity is linear between grid times:
  *
- *   Q_i(t) = S(t) nu(t) sum_s w_is A_s (alpha_s - x_s) sun_s(t)
- *            + sum_s w_is A_s (alpha_s albedo_s(t) + eps_s planet_s(t))
+ *   Q_i(t) = S(t) nu(t) sun_i(t) + albedo_i(t) + planet_i(t)
  *
- * S irradiance, nu sunlit fraction, x extraction. The sums over surfaces are linear in the table,
- * so they are made once per grid row and interpolated as sums. */
+ * S irradiance, nu sunlit fraction, the sums over surfaces those of load_row_impl.h. They are
+ * linear in the table, so they are made once per grid row and interpolated as sums. Where surfaces
+ * age, so is what they emit to space. */
 #include "thermal/system_impl.h"
 
 #include <math.h>
 #include <string.h>
+
+#include "thermal/load_row_impl.h"
+
+#define ROUNDING 1e-12 /* of absorptances and emittances that reached 0 or 1 */
 
 static enum um_status column_check(struct um_context *context, const char *what, const double *t,
                                    const double *x, size_t count)
@@ -34,9 +38,37 @@ static enum um_status table_check(struct um_context *context, const char *what,
   return UM_OK;
 }
 
+/* What a surface absorbs and emits stays between nothing and everything. */
+static enum um_status aging_check(struct um_context *context,
+                                  const struct um_thermal_network *network,
+                                  const struct um_irradiation_loads *loads,
+                                  const struct um_thermal_aging *aging)
+{
+  if (aging == NULL) return UM_OK;
+  if (aging->ntime != loads->ntime)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "surfaces that age at %zu times with heat loads of %zu; accepted: as many",
+                        aging->ntime, loads->ntime);
+  for (size_t k = 0; k < aging->ntime; k++)
+    for (size_t s = 0; s < network->nsurface; s++) {
+      size_t at = k * aging->nmaterial + aging->material[s];
+      double absorptance = network->surface[s].absorptance + aging->absorptance[at];
+      double emittance = network->surface[s].emittance * aging->emittance[at];
+      if (!network->attached[s] || (absorptance >= -ROUNDING && absorptance <= 1.0 + ROUNDING &&
+                                    emittance >= -ROUNDING && emittance <= 1.0 + ROUNDING))
+        continue;
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "surface %zu at t = %.6f s has aged to an absorptance of %g and an "
+                          "emittance of %g; accepted: 0 to 1",
+                          s, loads->t[k], absorptance, emittance);
+    }
+  return UM_OK;
+}
+
 enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
-                                             const struct um_irradiation_loads *loads)
+                                             const struct um_irradiation_loads *loads,
+                                             const struct um_thermal_aging *aging)
 {
   if (loads->nsurface < network->nsurface)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -57,36 +89,7 @@ enum um_status um_thermal_system_loads_check(struct um_context *context,
   UM_TRY(table_check(context, "sun", loads, loads->sun));
   UM_TRY(table_check(context, "albedo", loads, loads->albedo));
   UM_TRY(table_check(context, "planet", loads, loads->planet));
-  return UM_OK;
-}
-
-/* Surfaces in rows per node. */
-static enum um_status shares_build(struct um_thermal_system *system)
-{
-  struct um_context *context = system->context;
-  const struct um_thermal_network *network = system->network;
-  size_t n = system->n;
-  UM_TRY(um_core_allocate(context, n + 1, sizeof(size_t), &system->share_start));
-  for (size_t s = 0; s < network->nsurface; s++)
-    for (int k = 0; k < 3 && network->attached[s]; k++)
-      if (network->surface[s].node[k] != UM_THERMAL_SPACE)
-        system->share_start[network->surface[s].node[k] + 1]++;
-  for (size_t i = 0; i < n; i++) system->share_start[i + 1] += system->share_start[i];
-  size_t count = system->share_start[n];
-  UM_TRY(um_core_allocate(context, count, sizeof(uint32_t), &system->share));
-  UM_TRY(um_core_allocate(context, count, sizeof(double), &system->share_weight));
-  for (size_t s = 0; s < network->nsurface; s++)
-    for (int k = 0; k < 3 && network->attached[s]; k++) {
-      uint32_t node = network->surface[s].node[k];
-      if (node == UM_THERMAL_SPACE) continue;
-      size_t at = system->share_start[node]++;
-      system->share[at] = (uint32_t)s;
-      system->share_weight[at] = network->surface[s].weight[k] * network->surface[s].area;
-    }
-  /* filling moved every start to its end: shift back */
-  for (size_t i = n; i > 0; i--) system->share_start[i] = system->share_start[i - 1];
-  system->share_start[0] = 0;
-  return UM_OK;
+  return aging_check(context, network, loads, aging);
 }
 
 enum um_status um_thermal_system_loads_build(struct um_thermal_system *system)
@@ -95,13 +98,15 @@ enum um_status um_thermal_system_loads_build(struct um_thermal_system *system)
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->now.q));
   system->now.t = NAN;
   if (system->loads == NULL) return UM_OK;
-  UM_TRY(shares_build(system));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->planet));
   UM_TRY(um_core_allocate(context, system->loads->ntime, sizeof(double), &system->grid));
   for (size_t k = 0; k < system->loads->ntime; k++)
     system->grid[k] = system->loads->t[k] - system->from;
   for (int k = 0; k < 2; k++) {
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].sun));
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].earth));
+    if (system->space_links != NULL)
+      UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].space));
     system->load_row[k].row = (size_t)-1;
   }
   system->row_high = system->loads->ntime - 1;
@@ -113,31 +118,22 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
 {
   struct um_thermal_load_row *r = &system->load_row[row % 2];
   if (r->row == row) return r;
-  const struct um_irradiation_loads *loads = system->loads;
-  const struct um_thermal_surface *surface = system->network->surface;
-  const float *sun = loads->sun + row * loads->nsurface;
-  const float *albedo = loads->albedo + row * loads->nsurface;
-  const float *planet = loads->planet + row * loads->nsurface;
   double albedo_on = system->options.albedo_on ? 1.0 : 0.0;
   double planet_on = system->options.planet_on ? 1.0 : 0.0;
+  um_thermal_load_row_sum(system->network, system->loads, system->options.aging, row, r->sun,
+                          r->earth, system->planet);
   r->sun_total = r->albedo_total = r->planet_total = 0.0;
   for (size_t i = 0; i < system->n; i++) {
-    double sun_sum = 0.0, albedo_sum = 0.0, planet_sum = 0.0;
-    for (size_t e = system->share_start[i]; e < system->share_start[i + 1]; e++) {
-      size_t s = system->share[e];
-      double a = system->share_weight[e];
-      sun_sum += a * (surface[s].absorptance - surface[s].extraction) * (double)sun[s];
-      albedo_sum += a * surface[s].absorptance * (double)albedo[s];
-      planet_sum += a * surface[s].emittance * (double)planet[s];
-    }
-    albedo_sum *= albedo_on;
-    planet_sum *= planet_on;
-    r->sun[i] = sun_sum;
-    r->earth[i] = albedo_sum + planet_sum;
+    double albedo = albedo_on * r->earth[i], planet = planet_on * system->planet[i];
+    r->earth[i] = albedo + planet;
     if (system->fixed[i]) continue;
-    r->sun_total += sun_sum;
-    r->albedo_total += albedo_sum;
-    r->planet_total += planet_sum;
+    r->sun_total += r->sun[i];
+    r->albedo_total += albedo;
+    r->planet_total += planet;
+  }
+  if (r->space != NULL) {
+    memcpy(r->space, system->space_links, system->n * sizeof *r->space);
+    um_thermal_load_row_space_add(system->network, system->options.aging, row, r->space);
   }
   r->row = row;
   return r;
@@ -187,6 +183,8 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t)
   double sa = irradiance * sunlit * (1.0 - u), sb = irradiance * sunlit * u;
   for (size_t i = 0; i < system->n; i++)
     now->q[i] = sa * a->sun[i] + sb * b->sun[i] + (1.0 - u) * a->earth[i] + u * b->earth[i];
+  for (size_t i = 0; system->space_links != NULL && i < system->n; i++)
+    system->space[i] = (1.0 - u) * a->space[i] + u * b->space[i];
   now->solar = sa * a->sun_total + sb * b->sun_total;
   now->albedo = (1.0 - u) * a->albedo_total + u * b->albedo_total;
   now->planet = (1.0 - u) * a->planet_total + u * b->planet_total;

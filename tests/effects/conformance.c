@@ -37,6 +37,7 @@ static const struct entry cases[] = {
     {"heat_capacity", "panel", 0.1, "vis", NULL},
     {"interior_capacity", "bus", 500.0, "panel", NULL},
     {"solar_absorptance", "grey_panel", 0.02, "vis", NULL},
+    {"contamination", "grey_panel", 10.0, "vis", NULL},
     {"emittance", "grey_panel", 0.05, "vis", NULL},
     {"panel_extraction", "panel", 0.05, "vis", NULL},
     {"through_conductance", "panel", 0.1, "vis", NULL},

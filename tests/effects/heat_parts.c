@@ -167,7 +167,7 @@ static void heat_capacity_acts_on_solids(void **state)
   (void)state;
   const struct um_effect *effect = um_effects_find("heat_capacity");
   const double value[] = {1.5};
-  const struct um_effect_use use = {effect, "tank", value};
+  const struct um_effect_use use = {.effect = effect, .target = "tank", .value = value};
   struct um_thermal_part_spec spec = {
       .kind = UM_THERMAL_SOLID, .density = 2700.0, .specific_heat = 900.0, .conductivity = 167.0};
   assert_int_equal(effect->hooks.part(NULL, &use, "other", &spec), UM_OK);

@@ -53,6 +53,14 @@ static const struct lab_world worlds[] = {
      .kelvin = 0.3,
      .place = {"bus.interior", "bus.-x"}},
 
+    /* What grows from day to day, seen six times a day from one direction. */
+    {.name = "days",
+     DUSK,
+     .set = {"observer={direction: {unit_gcrs: [0.6, 0.8, 0], range_km: 1000}}",
+             "time.start_utc=2026-03-20T18:40:00Z", "time.stop_utc=2026-03-24T18:40:00Z",
+             "time.step_s=14000", "time.exposure_s=0", "thermal.start=isothermal",
+             "thermal.orbits_before=0.5", "thermal.step_s=120"}},
+
     /* Internal power or MLI emittance: the skin of the MLI, alone and in one attitude, warms with
      * both; the interior warms with power and cools with a leak, and a radiator shows it. */
     {.name = "power-mli without",

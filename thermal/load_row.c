@@ -1,0 +1,69 @@
+/* See load_row_impl.h. */
+#include "thermal/load_row_impl.h"
+
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/interpolation.h"
+
+static double absorptance_of(const struct um_thermal_network *network,
+                             const struct um_thermal_aging *aging, size_t row, size_t s)
+{
+  double own = network->surface[s].absorptance;
+  return aging == NULL ? own
+                       : own + aging->absorptance[row * aging->nmaterial + aging->material[s]];
+}
+
+static double aged_emittance(const struct um_thermal_aging *aging, size_t row, size_t s)
+{
+  return aging == NULL ? 1.0 : aging->emittance[row * aging->nmaterial + aging->material[s]];
+}
+
+void um_thermal_load_row_sum(const struct um_thermal_network *network,
+                             const struct um_irradiation_loads *loads,
+                             const struct um_thermal_aging *aging, size_t row, double *sun,
+                             double *albedo, double *planet)
+{
+  size_t n = network->nnode, at = row * loads->nsurface;
+  memset(sun, 0, n * sizeof *sun);
+  memset(albedo, 0, n * sizeof *albedo);
+  memset(planet, 0, n * sizeof *planet);
+  for (size_t s = 0; s < network->nsurface; s++) {
+    const struct um_thermal_surface *surface = &network->surface[s];
+    if (!network->attached[s]) continue;
+    double absorptance = absorptance_of(network, aging, row, s);
+    double emittance = surface->emittance * aged_emittance(aging, row, s);
+    for (int k = 0; k < 3; k++) {
+      uint32_t node = surface->node[k];
+      if (node == UM_THERMAL_SPACE) continue;
+      double area = surface->weight[k] * surface->area;
+      sun[node] += area * (absorptance - surface->extraction) * (double)loads->sun[at + s];
+      albedo[node] += area * absorptance * (double)loads->albedo[at + s];
+      planet[node] += area * emittance * (double)loads->planet[at + s];
+    }
+  }
+}
+
+void um_thermal_load_row_space_add(const struct um_thermal_network *network,
+                                   const struct um_thermal_aging *aging, size_t row, double *space)
+{
+  for (size_t s = 0; s < network->nsurface; s++) {
+    const struct um_thermal_surface *surface = &network->surface[s];
+    for (int k = 0; k < 3 && network->attached[s]; k++)
+      if (surface->node[k] != UM_THERMAL_SPACE)
+        space[surface->node[k]] += UM_STEFAN_BOLTZMANN * surface->weight[k] *
+                                   um_thermal_surface_emission(surface) *
+                                   aged_emittance(aging, row, s);
+  }
+}
+
+struct um_thermal_load_interval
+um_thermal_load_interval_find(const struct um_irradiation_loads *loads, double t)
+{
+  size_t last = loads->ntime - 1;
+  size_t low = last > 0 ? um_core_interval_find(loads->t, loads->ntime, t) : 0;
+  size_t high = low < last ? low + 1 : low;
+  double width = loads->t[high] - loads->t[low];
+  double u = width > 0.0 ? (t - loads->t[low]) / width : 0.0;
+  return (struct um_thermal_load_interval){low, high, u < 0.0 ? 0.0 : u > 1.0 ? 1.0 : u};
+}
