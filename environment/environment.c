@@ -23,5 +23,7 @@ void um_environment_defaults(struct um_environment *out)
       .earth_reflection_on = true,
       .earthshine_factor = 1.0,
       .earth_reflection_factor = 1.0,
+      .absorptance_by_angle = true,
+      .emittance_by_temperature = true,
   };
 }

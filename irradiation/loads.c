@@ -137,7 +137,9 @@ static void trace_sun(const struct tracer *t, size_t k, const struct um_thermal_
   um_geometry_visibility_toward(scene->visibility, sun, t->nsample, fraction);
   for (size_t s = 0; s < nsurface; s++) {
     struct um_vec3 n = um_geometry_surface_normal(t->mesh, scene->pose, s);
-    out[s] = (float)(fraction[s] * fmax(um_vec3_dot(n, sun), 0.0));
+    double cosine = fmax(um_vec3_dot(n, sun), 0.0);
+    out[s] = (float)(fraction[s] * cosine);
+    t->loads->incidence[k * nsurface + s] = (float)cosine;
   }
 }
 

@@ -13,8 +13,9 @@ struct um_irradiation_loads {
   double *sunlit;     /* [ntime] fraction of the disc */
   double *irradiance; /* [ntime] solar irradiance outside the shadow [W/m^2] */
   float *sun;         /* [ntime][nsurface] free fraction * max(cos incidence, 0) [1] */
-  float *albedo;      /* [ntime][nsurface] incident [W/m^2]; switches not applied */
-  float *planet;      /* [ntime][nsurface] incident [W/m^2] */
+  float *incidence; /* [ntime][nsurface] max(cos incidence, 0) of the Sun; 0 in deep eclipse [1] */
+  float *albedo;    /* [ntime][nsurface] incident [W/m^2]; switches not applied */
+  float *planet;    /* [ntime][nsurface] incident [W/m^2] */
   float *view_factor; /* [ntime][nsurface] free view factor to the Earth [1] */
   double *edge;       /* [nedge] times at which the integrator must stop: eclipse edges */
   size_t nedge;

@@ -1,4 +1,4 @@
-/* Storage of a table of incident loads; thermal/loads.c fills it by rays. */
+/* Storage of a table of incident loads; loads.c fills it by rays. */
 #include "irradiation/loads.h"
 
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
@@ -22,6 +22,7 @@ enum um_status um_irradiation_loads_create(struct um_context *context, size_t nt
   UM_CHECK(um_core_allocate(context, ntime, sizeof(double), &loads->sunlit));
   UM_CHECK(um_core_allocate(context, ntime, sizeof(double), &loads->irradiance));
   UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->sun));
+  UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->incidence));
   UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->albedo));
   UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->planet));
   UM_CHECK(um_core_allocate(context, ntime * nsurface, sizeof(float), &loads->view_factor));
@@ -41,6 +42,7 @@ void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiat
   um_core_free(context, l->sunlit);
   um_core_free(context, l->irradiance);
   um_core_free(context, l->sun);
+  um_core_free(context, l->incidence);
   um_core_free(context, l->albedo);
   um_core_free(context, l->planet);
   um_core_free(context, l->view_factor);

@@ -1,6 +1,6 @@
 /* Integrals of the spectral reflectance that the thermal half needs.
  *
- * Solar absorptance at normal incidence: the spectral absorptance summed with the shares of the
+ * Solar absorptance by angle of incidence: the spectral absorptance summed with the shares of the
  * Sun's energy that the library was given, so that what the renderer reflects of that Sun is what
  * the heat network does not absorb.
  *
@@ -44,37 +44,69 @@ static void emittance_at(const struct um_materials_record *record, double temper
   *normal = n + before_n * (1.0 - before);
 }
 
+static double absorptance_toward(const struct um_materials_sun *sun,
+                                 const struct um_materials_record *record, double cosine)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < UM_MATERIALS_SUN; i++)
+    if (sun->share[i] > 0.0)
+      sum += sun->share[i] * um_materials_emissivity(record, NULL, sun->wavelength[i], cosine);
+  return sum;
+}
+
+/* At the nodes; 2 int alpha mu d mu = 4 int alpha u^3 du by Simpson's rule on them. */
+static void absorptance_build(const struct um_materials_sun *sun,
+                              struct um_materials_record *record)
+{
+  const int n = UM_MATERIALS_INCIDENCES;
+  double sum = 0.0, h = 1.0 / (n - 1);
+  bool diffuse = um_materials_emissivity_is_diffuse(record, NULL);
+  record->solar_absorptance = absorptance_toward(sun, record, 1.0);
+  for (int i = 0; i < n; i++) {
+    double u = i * h, weight = (i == 0 || i == n - 1 ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) * h / 3.0;
+    record->absorptance[i] =
+        diffuse || i == n - 1 ? record->solar_absorptance : absorptance_toward(sun, record, u * u);
+    sum += weight * 4.0 * u * u * u * record->absorptance[i];
+  }
+  record->diffuse_absorptance = diffuse ? record->solar_absorptance : sum;
+}
+
 void um_materials_integrals_build(const struct um_materials_sun *sun,
                                   struct um_materials_record *record)
 {
   if (record->grey) {
     record->solar_absorptance = record->explicit_values.solar_absorptance;
+    record->diffuse_absorptance = record->solar_absorptance;
+    for (size_t i = 0; i < UM_MATERIALS_INCIDENCES; i++)
+      record->absorptance[i] = record->solar_absorptance;
     for (size_t i = 0; i < TEMPERATURES; i++)
       record->emittance[i] = record->normal_emittance[i] = record->explicit_values.emittance;
     return;
   }
-  double sum = 0.0;
-  for (size_t i = 0; i < UM_MATERIALS_SUN; i++)
-    if (sun->share[i] > 0.0)
-      sum += sun->share[i] * um_materials_emissivity(record, NULL, sun->wavelength[i], 1.0);
-  record->solar_absorptance = sum;
+  absorptance_build(sun, record);
   for (size_t i = 0; i < TEMPERATURES; i++)
     emittance_at(record, temperature_node(i), &record->emittance[i], &record->normal_emittance[i]);
 }
 
-/* Cubic Lagrange in log T. */
-static double table_at(const double *table, double temperature)
+/* Cubic Lagrange at the place x of n nodes, constant outside. */
+static double cubic(const double *table, size_t n, double x)
 {
-  double x = log(temperature / UM_MATERIALS_COLDEST) /
-             log(UM_MATERIALS_HOTTEST / UM_MATERIALS_COLDEST) * (TEMPERATURES - 1);
   if (!(x > 0.0)) return table[0];
-  if (x >= TEMPERATURES - 1) return table[TEMPERATURES - 1];
+  if (x >= (double)(n - 1)) return table[n - 1];
   size_t j = (size_t)x;
-  j = j < 1 ? 1 : (j > TEMPERATURES - 3 ? TEMPERATURES - 3 : j);
+  j = j < 1 ? 1 : (j > n - 3 ? n - 3 : j);
   double s = x - (double)j;
   double w0 = -s * (s - 1.0) * (s - 2.0) / 6.0, w1 = (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0;
   double w2 = -(s + 1.0) * s * (s - 2.0) / 2.0, w3 = (s + 1.0) * s * (s - 1.0) / 6.0;
   return w0 * table[j - 1] + w1 * table[j] + w2 * table[j + 1] + w3 * table[j + 2];
+}
+
+/* In log T. */
+static double table_at(const double *table, double temperature)
+{
+  return cubic(table, TEMPERATURES,
+               log(temperature / UM_MATERIALS_COLDEST) /
+                   log(UM_MATERIALS_HOTTEST / UM_MATERIALS_COLDEST) * (TEMPERATURES - 1));
 }
 
 static double scaled(double emittance, const struct um_materials_adjustment *adjustment)
@@ -83,11 +115,32 @@ static double scaled(double emittance, const struct um_materials_adjustment *adj
   return fmax(0.0, fmin(1.0, emittance * adjustment->emittance_scale));
 }
 
+static double shifted(double absorptance, const struct um_materials_adjustment *adjustment)
+{
+  if (adjustment == NULL || adjustment->absorptance_shift == 0.0) return absorptance;
+  return fmax(0.0, fmin(1.0, absorptance + adjustment->absorptance_shift));
+}
+
 double um_materials_solar_absorptance(const struct um_materials_record *record,
                                       const struct um_materials_adjustment *adjustment)
 {
-  if (adjustment == NULL || adjustment->absorptance_shift == 0.0) return record->solar_absorptance;
-  return fmax(0.0, fmin(1.0, record->solar_absorptance + adjustment->absorptance_shift));
+  return shifted(record->solar_absorptance, adjustment);
+}
+
+double um_materials_solar_absorptance_toward(const struct um_materials_record *record,
+                                             const struct um_materials_adjustment *adjustment,
+                                             double cosine)
+{
+  double u = sqrt(fmax(0.0, fmin(1.0, cosine)));
+  return shifted(
+      cubic(record->absorptance, UM_MATERIALS_INCIDENCES, u * (UM_MATERIALS_INCIDENCES - 1)),
+      adjustment);
+}
+
+double um_materials_solar_absorptance_diffuse(const struct um_materials_record *record,
+                                              const struct um_materials_adjustment *adjustment)
+{
+  return shifted(record->diffuse_absorptance, adjustment);
 }
 
 double um_materials_emittance(const struct um_materials_record *record,

@@ -109,6 +109,12 @@ double um_materials_hemispherical_reflectance(const struct um_materials_record *
 /* Solar absorptance at normal incidence, over the library's Sun; explicit for a grey record. */
 double um_materials_solar_absorptance(const struct um_materials_record *record,
                                       const struct um_materials_adjustment *adjustment);
+/* The same at a cosine of the angle of incidence, and of what comes from all sides alike. */
+double um_materials_solar_absorptance_toward(const struct um_materials_record *record,
+                                             const struct um_materials_adjustment *adjustment,
+                                             double cosine);
+double um_materials_solar_absorptance_diffuse(const struct um_materials_record *record,
+                                              const struct um_materials_adjustment *adjustment);
 /* Hemispherical total emittance at a temperature [K]; explicit for a grey record. */
 double um_materials_emittance(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment, double temperature);

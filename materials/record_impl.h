@@ -13,6 +13,7 @@
 #define UM_MATERIALS_COSINES      49   /* nodes of the angular grid, cos = u^2, u uniform in 0..1 */
 #define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
 #define UM_MATERIALS_TEMPERATURES 49   /* nodes of the emittance tables, uniform in log T */
+#define UM_MATERIALS_INCIDENCES   25   /* nodes of the solar absorptance, cos = u^2, u uniform */
 #define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
 #define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
 
@@ -51,9 +52,10 @@ struct um_materials_record {
   double brightest; /* largest directional albedo of the lobe for F = 1; 1 without a lobe */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
-  struct um_materials_grey explicit_values; /* of a grey record */
-  struct um_materials_spectrum spectrum;    /* of the others */
-  double solar_absorptance;
+  struct um_materials_grey explicit_values;                         /* of a grey record */
+  struct um_materials_spectrum spectrum;                            /* of the others */
+  double solar_absorptance;                                         /* normal incidence */
+  double absorptance[UM_MATERIALS_INCIDENCES], diffuse_absorptance; /* by angle; from all sides */
   double emittance[UM_MATERIALS_TEMPERATURES], normal_emittance[UM_MATERIALS_TEMPERATURES];
 };
 

@@ -9,11 +9,12 @@
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */
 #define MEMORY_MOST    8e9 /* of one table [bytes] */
 
-/* Bytes of an instant of the loads: sample, grid, and four floats a surface (thermal/loads.h). */
+/* Bytes of an instant of the loads: sample, grid, and five floats a surface (irradiation/loads.h).
+ */
 static double load_row_bytes(const struct um_model *model)
 {
   double nsurface = (double)um_geometry_mesh(model->geometry)->nsurface;
-  return (double)sizeof(struct um_environment_sample) + 48.0 + 4.0 * sizeof(float) * nsurface;
+  return (double)sizeof(struct um_environment_sample) + 48.0 + 5.0 * sizeof(float) * nsurface;
 }
 
 /* The law that turns fastest, where a spin decides the grid; NULL: none spins. */

@@ -14,15 +14,19 @@ struct assembly {
   double *group_area; /* [ngroup] one side [m^2] */
 };
 
-/* Solar absorptance and total emittance of one side, effects included; zero where there is none. */
+/* Solar absorptance and total emittance of one side, effects included; zero where there is none.
+ * law: how they go with angle and temperature. */
 static void optics_of(const struct um_model *model, uint32_t material, double *absorptance,
-                      double *emittance)
+                      double *emittance, const struct um_thermal_surface_law **law)
 {
+  *absorptance = *emittance = 0.0;
+  *law = NULL;
   if (material == UM_GEOMETRY_NONE) return;
   const struct um_materials_record *record = model->material[material];
   const struct um_materials_adjustment *adjustment = &model->adjustment[material];
   *absorptance = um_materials_solar_absorptance(record, adjustment);
   *emittance = um_materials_emittance(record, adjustment, UM_MODEL_EMITTANCE_TEMPERATURE);
+  *law = model->surface_law[material];
 }
 
 /* Wall by explicit numbers, or by a bulk material and a thickness. */
@@ -141,8 +145,10 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
     to->power = own->power_W;
     UM_TRY(um_model_power_history(a->context, a->model, &own->at, own->power_file, &to->history));
   }
-  optics_of(a->model, group->front_material, &to->absorptance_front, &to->emittance_front);
-  optics_of(a->model, group->back_material, &to->absorptance_back, &to->emittance_back);
+  optics_of(a->model, group->front_material, &to->absorptance_front, &to->emittance_front,
+            &to->law_front);
+  optics_of(a->model, group->back_material, &to->absorptance_back, &to->emittance_back,
+            &to->law_back);
   if (group->front_material != UM_GEOMETRY_NONE) to->extraction_front = part->electrical_extraction;
   struct um_effect_use use;
   for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
@@ -360,6 +366,7 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
   struct um_thermal_contact *contacts = NULL;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
   size_t n = model->scenario->parts.count;
+  UM_CHECK(um_model_build_surface_laws(context, model));
   UM_CHECK(um_core_arena_allocate(context, &model->memory, um_geometry_group_count(model->geometry),
                                   sizeof *a.group_area, &a.group_area));
   for (size_t f = 0; f < mesh->nfacet; f++) a.group_area[mesh->facet_group[f]] += mesh->area[f];

@@ -79,6 +79,8 @@ struct um_model {
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment
       *adjustment; /* [material of the geometry] by effects, at time.start_utc */
+  const struct um_thermal_surface_law *
+      *surface_law; /* [material of the geometry]; NULL: constant */
   struct um_thermal_body *body;
   double *start_offset; /* [node] added to what a run begins with [K]; NULL: nothing */
   struct um_optics_band *band;

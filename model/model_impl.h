@@ -40,6 +40,8 @@ enum um_status um_model_build_start_offset(struct um_context *context, struct um
                                            const struct um_thermal_part_spec *parts, size_t npart);
 /* heat network (build_thermal.c). */
 enum um_status um_model_build_thermal(struct um_context *context, struct um_model *model);
+/* Into model->surface_law (surface_law.c). */
+enum um_status um_model_build_surface_laws(struct um_context *context, struct um_model *model);
 
 /* Path relative to the file of a mark; owned by the document. */
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,

@@ -212,6 +212,7 @@ static bool loads_equal(const struct um_irradiation_loads *a, const struct um_ir
          same(a->irradiance, b->irradiance, a->ntime, sizeof *a->irradiance) &&
          same(a->edge, b->edge, a->nedge, sizeof *a->edge) &&
          same(a->sun, b->sun, n, sizeof *a->sun) &&
+         same(a->incidence, b->incidence, n, sizeof *a->incidence) &&
          same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
          same(a->planet, b->planet, n, sizeof *a->planet);
 }

@@ -132,7 +132,8 @@ static enum um_status attach_surfaces(struct um_thermal_builder *b)
                                     .absorptance =
                                         back ? g->absorptance_back : g->absorptance_front,
                                     .emittance = back ? g->emittance_back : g->emittance_front,
-                                    .extraction = back ? g->extraction_back : g->extraction_front};
+                                    .extraction = back ? g->extraction_back : g->extraction_front,
+                                    .law = back ? g->law_back : g->law_front};
     const uint32_t *wall = back ? b->back[surface->facet] : b->front[surface->facet];
     uint32_t skin = back ? UM_THERMAL_SPACE : b->skin[surface->facet];
     if (skin != UM_THERMAL_SPACE || (wall[0] == wall[1] && wall[0] == wall[2])) {

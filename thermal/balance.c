@@ -3,13 +3,17 @@
 
 #include <math.h>
 
+void um_thermal_system_node_powers(struct um_thermal_system *system, size_t i)
+{
+  double t = system->temperature[i], a = fabs(t);
+  system->cube[i] = a * a * a;
+  system->power4[i] = system->cube[i] * t;
+  um_thermal_system_emission_set(system, i);
+}
+
 void um_thermal_system_powers(struct um_thermal_system *system)
 {
-  for (size_t i = 0; i < system->n; i++) {
-    double t = system->temperature[i], a = fabs(t);
-    system->cube[i] = a * a * a;
-    system->power4[i] = system->cube[i] * t;
-  }
+  for (size_t i = 0; i < system->n; i++) um_thermal_system_node_powers(system, i);
 }
 
 double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node)

@@ -45,6 +45,7 @@ struct um_thermal_group_spec {
   const struct um_thermal_power_history *history; /* added to it; NULL: none */
   double absorptance_front, emittance_front, extraction_front; /* from the material records */
   double absorptance_back, emittance_back, extraction_back;
+  const struct um_thermal_surface_law *law_front, *law_back; /* outlive the body; NULL: constant */
 };
 enum um_thermal_part_kind {
   UM_THERMAL_SHELL, /* FE shell, vertices shared within the part */

@@ -182,7 +182,7 @@ static void matrix_fill(const struct um_thermal_system *system, struct um_therma
   memset(cluster->matrix, 0, m * m * sizeof *cluster->matrix);
   for (size_t a = 0; a < m; a++) {
     uint32_t i = cluster->node[a];
-    double diagonal = 4.0 * system->space[i] * system->cube[i];
+    double diagonal = um_thermal_system_space_loss(system, i, system->cube);
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       uint32_t j = system->other[e];
       diagonal += system->linear[e] + 4.0 * system->fourth[e] * system->cube[i];
@@ -216,9 +216,7 @@ static bool cluster_solve(struct um_thermal_system *system, struct um_thermal_cl
       double step = fmax(-limit, fmin(limit, cluster->balance[a]));
       if (!(fabs(step) <= 1e-11 * fabs(t[i]) + 1e-12)) done = false;
       t[i] += step;
-      double b = fabs(t[i]);
-      system->cube[i] = b * b * b;
-      system->power4[i] = system->cube[i] * t[i];
+      um_thermal_system_node_powers(system, i);
     }
     if (done) return true;
   }

@@ -7,6 +7,25 @@
 #include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
+/* u times the emission to space at a row. */
+static void emission_add(const struct um_thermal_network *network,
+                         const struct um_thermal_aging *aging, size_t row, double u,
+                         const double *temperature, double space4, struct um_thermal_heat *out)
+{
+  for (size_t s = 0; s < network->nsurface; s++) {
+    const struct um_thermal_surface *surface = &network->surface[s];
+    for (int k = 0; k < 3 && network->attached[s]; k++) {
+      uint32_t node = surface->node[k];
+      double slope;
+      if (node == UM_THERMAL_SPACE) continue;
+      out[node].radiated -=
+          u * um_thermal_load_row_emission(network, aging, row, s, k) *
+          um_thermal_surface_law_emittance(surface->law, temperature[node], &slope) *
+          (pow(temperature[node], 4) - space4);
+    }
+  }
+}
+
 /* Loads at t, constant outside the table, and emission of the surfaces to space; equations in
  * load_row_impl.h. */
 static enum um_status surfaces_add(struct um_context *context,
@@ -20,16 +39,13 @@ static enum um_status surfaces_add(struct um_context *context,
   double *memory = NULL;
   const struct um_thermal_aging *aging = loads == NULL ? NULL : options->aging;
   struct um_thermal_load_interval at = {0, 0, 0.0};
-  UM_TRY(um_core_allocate(context, 4 * n, sizeof *memory, &memory));
-  double *sun = memory, *albedo = sun + n, *planet = albedo + n, *space = planet + n;
+  UM_TRY(um_core_allocate(context, 3 * n, sizeof *memory, &memory));
+  double *sun = memory, *albedo = sun + n, *planet = albedo + n;
   if (loads != NULL) at = um_thermal_load_interval_find(loads, t);
   for (int k = 0; k < 2; k++) {
     size_t row = k == 0 ? at.low : at.high;
     double u = k == 0 ? 1.0 - at.u : at.u;
-    memset(space, 0, n * sizeof *space);
-    um_thermal_load_row_space_add(network, aging, row, space);
-    for (size_t i = 0; i < n; i++)
-      out[i].radiated -= u * space[i] * (pow(temperature[i], 4) - space4);
+    emission_add(network, aging, row, u, temperature, space4, out);
     if (loads == NULL) break;
     double irradiance =
         (1.0 - at.u) * loads->irradiance[at.low] + at.u * loads->irradiance[at.high];

@@ -173,7 +173,7 @@ bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value)
   for (size_t k = 0; k < system->nunknown; k++) {
     size_t i = system->node[k];
     double inverse = 1.0 / system->capacity[i];
-    double loss = 4.0 * system->space[i] * cube[i];
+    double loss = um_thermal_system_space_loss(system, i, cube);
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       size_t j = system->other[e];
       loss += system->linear[e] + 4.0 * system->fourth[e] * cube[i];

@@ -33,28 +33,30 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
     if (!network->attached[s]) continue;
     double absorptance = absorptance_of(network, aging, row, s);
     double emittance = surface->emittance * aged_emittance(aging, row, s);
+    double taken = absorptance - surface->extraction;
+    if (surface->law != NULL) {
+      taken *= um_thermal_surface_law_absorptance(surface->law, (double)loads->incidence[at + s]);
+      absorptance *= surface->law->albedo;
+      emittance *= surface->law->planet;
+    }
     for (int k = 0; k < 3; k++) {
       uint32_t node = surface->node[k];
       if (node == UM_THERMAL_SPACE) continue;
       double area = surface->weight[k] * surface->area;
-      sun[node] += area * (absorptance - surface->extraction) * (double)loads->sun[at + s];
+      sun[node] += area * taken * (double)loads->sun[at + s];
       albedo[node] += area * absorptance * (double)loads->albedo[at + s];
       planet[node] += area * emittance * (double)loads->planet[at + s];
     }
   }
 }
 
-void um_thermal_load_row_space_add(const struct um_thermal_network *network,
-                                   const struct um_thermal_aging *aging, size_t row, double *space)
+double um_thermal_load_row_emission(const struct um_thermal_network *network,
+                                    const struct um_thermal_aging *aging, size_t row,
+                                    size_t surface, int k)
 {
-  for (size_t s = 0; s < network->nsurface; s++) {
-    const struct um_thermal_surface *surface = &network->surface[s];
-    for (int k = 0; k < 3 && network->attached[s]; k++)
-      if (surface->node[k] != UM_THERMAL_SPACE)
-        space[surface->node[k]] += UM_STEFAN_BOLTZMANN * surface->weight[k] *
-                                   um_thermal_surface_emission(surface) *
-                                   aged_emittance(aging, row, s);
-  }
+  const struct um_thermal_surface *at = &network->surface[surface];
+  return UM_STEFAN_BOLTZMANN * at->weight[k] * um_thermal_surface_emission(at) *
+         aged_emittance(aging, row, surface);
 }
 
 struct um_thermal_load_interval

@@ -8,20 +8,21 @@
 
 /* Sums over the surfaces of each node [nnode], set:
  *
- *   sun_i    = sum_s w_is A_s (alpha_s - x_s) sun_s          per unit of irradiance [m^2]
- *   albedo_i = sum_s w_is A_s alpha_s albedo_s               [W]
- *   planet_i = sum_s w_is A_s eps_s planet_s                 [W]
+ *   sun_i    = sum_s w_is A_s (alpha_s - x_s) k_s(theta) sun_s   per unit of irradiance [m^2]
+ *   albedo_i = sum_s w_is A_s alpha_s k_s,albedo albedo_s        [W]
+ *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W]
  *
- * with x the extraction and alpha, eps those of the row where surfaces age (aging NULL: they do
- * not). */
+ * with x the extraction, k the surface's law (surface_law.h), theta the angle of incidence, and
+ * alpha, eps those of the row where surfaces age (aging NULL: they do not). */
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
                              const struct um_thermal_aging *aging, size_t row, double *sun,
                              double *albedo, double *planet);
-/* Emission to space of the surfaces of each node at that row, added: sigma sum_s w_is A_s eps_s
- * (1 - blocked_s) [W/K^4]. */
-void um_thermal_load_row_space_add(const struct um_thermal_network *network,
-                                   const struct um_thermal_aging *aging, size_t row, double *space);
+/* Emission to space of share k of a surface at that row without its law [W/K^4]: sigma w A eps
+ * (1 - blocked). */
+double um_thermal_load_row_emission(const struct um_thermal_network *network,
+                                    const struct um_thermal_aging *aging, size_t row,
+                                    size_t surface, int k);
 
 /* Rows `low` and `high` around a time and the weight u of the second. */
 struct um_thermal_load_interval {

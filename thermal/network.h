@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "core/context.h"
+#include "thermal/surface_law.h"
 
 enum um_thermal_node_kind { UM_NODE_DIFFUSIVE, UM_NODE_ARITHMETIC, UM_NODE_BOUNDARY };
 
@@ -80,18 +81,21 @@ enum um_status um_thermal_network_radiator_add(struct um_thermal_network *networ
                                                uint32_t b, double radiator);
 /* Surface number `surface` [0, nsurface) lies on up to three nodes with weights of sum 1. It
  * absorbs area * (absorptance * (sun + albedo) + emittance * planet) and emits
- * area * emittance * sigma T^4 per node share. extraction: fraction of *direct* incident sunlight
- * turned into electricity. blocked: cosine-weighted share of the hemisphere that the satellite
- * itself covers; what is radiated there is taken to come back, so emission to space is 1 - blocked
- * of the above (incident loads have their own free shares). Each surface is attached once. */
+ * area * emittance * sigma T^4 per node share, each times what its law says of angle and
+ * temperature (the extraction goes with the absorptance). extraction: fraction of *direct* incident
+ * sunlight turned into electricity. blocked: cosine-weighted share of the hemisphere that the
+ * satellite itself covers; what is radiated there is taken to come back, so emission to space is 1
+ * - blocked of the above (incident loads have their own free shares). Each surface is attached
+ * once. */
 struct um_thermal_surface {
   uint32_t node[3]; /* unused entries UM_THERMAL_SPACE */
   double weight[3];
   double area;                               /* [m^2] */
   double absorptance, emittance, extraction; /* [1] */
   double blocked;                            /* [1] */
+  const struct um_thermal_surface_law *law; /* by angle and temperature; borrowed; NULL: constant */
 };
-/* Emission to space [m^2]: times sigma T^4. */
+/* Emission to space [m^2]: times sigma T^4, and what the law says at T. */
 static inline double um_thermal_surface_emission(const struct um_thermal_surface *surface)
 {
   return surface->area * surface->emittance * (1.0 - surface->blocked);

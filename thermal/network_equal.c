@@ -41,12 +41,21 @@ static bool links_equal(const struct um_thermal_link *a, const struct um_thermal
   return true;
 }
 
+static bool laws_equal(const struct um_thermal_surface_law *a,
+                       const struct um_thermal_surface_law *b)
+{
+  if (a == b || a == NULL || b == NULL) return a == b;
+  return a->albedo == b->albedo && a->planet == b->planet &&
+         numbers_equal(a->absorptance, b->absorptance, UM_THERMAL_LAW_ANGLES) &&
+         numbers_equal(a->emittance, b->emittance, UM_THERMAL_LAW_TEMPERATURES);
+}
+
 static bool surfaces_equal(const struct um_thermal_surface *a, const struct um_thermal_surface *b)
 {
   for (int k = 0; k < 3; k++)
     if (a->node[k] != b->node[k] || a->weight[k] != b->weight[k]) return false;
   return a->area == b->area && a->absorptance == b->absorptance && a->emittance == b->emittance &&
-         a->extraction == b->extraction && a->blocked == b->blocked;
+         a->extraction == b->extraction && a->blocked == b->blocked && laws_equal(a->law, b->law);
 }
 
 bool um_thermal_network_equal(const struct um_thermal_network *a,

@@ -8,10 +8,6 @@
 #include "thermal/system_impl.h"
 
 #include <math.h>
-#include <string.h>
-
-#include "core/constants.h"
-#include "thermal/load_row_impl.h"
 
 /* Sort the nodes into unknown, eliminated and fixed. */
 static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
@@ -58,22 +54,6 @@ static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
   return UM_OK;
 }
 
-/* Emission of the surfaces and radiators to space. */
-static enum um_status space_build(struct um_thermal_system *system)
-{
-  const struct um_thermal_network *network = system->network;
-  UM_TRY(um_core_allocate(system->context, system->n, sizeof(double), &system->space));
-  for (size_t r = 0; r < network->nradiator; r++)
-    if (network->radiator[r].b == UM_THERMAL_SPACE)
-      system->space[network->radiator[r].a] += UM_STEFAN_BOLTZMANN * network->radiator[r].value;
-  if (system->loads != NULL && system->options.aging != NULL) {
-    UM_TRY(um_core_allocate(system->context, system->n, sizeof(double), &system->space_links));
-    memcpy(system->space_links, system->space, system->n * sizeof *system->space);
-  }
-  um_thermal_load_row_space_add(network, NULL, 0, system->space);
-  return UM_OK;
-}
-
 static enum um_status options_check(struct um_context *context,
                                     const struct um_thermal_solve_options *options)
 {
@@ -115,7 +95,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
   system->n = network->nnode;
   system->kind = kind;
   UM_CHECK(nodes_sort(system, kind == UM_SYSTEM_STEADY));
-  UM_CHECK(space_build(system));
+  UM_CHECK(um_thermal_system_emission_build(system));
   UM_CHECK(um_thermal_system_links_build(system));
   UM_CHECK(um_thermal_system_clusters_build(system));
   UM_CHECK(um_thermal_system_heat_build(system));
@@ -153,7 +133,11 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
                          s->grid,
                          s->now.q,
                          s->planet,
-                         s->space_links,
+                         s->space_slope,
+                         s->emission,
+                         s->emission_start,
+                         s->emission_of,
+                         s->emission_held,
                          s->load_row[0].space,
                          s->load_row[1].space,
                          s->load_row[0].sun,

@@ -17,7 +17,7 @@ struct um_thermal_load_row {
   size_t row;    /* of the table; (size_t)-1: empty */
   double *sun;   /* [n] absorbed per unit of irradiance in full sunlight [m^2] */
   double *earth; /* [n] absorbed albedo and planet, switches applied [W] */
-  double *space; /* [n] sigma R of the surfaces to space [W/K^4]; NULL where they do not age */
+  double *space; /* emission of this row, as system->emission_held; NULL where nothing ages */
   double sun_total, albedo_total, planet_total; /* over nodes that are not boundary [m^2], [W] */
 };
 
@@ -82,11 +82,19 @@ struct um_thermal_system {
   double *power;     /* [n] [W] */
   bool *fixed;       /* [n] boundary */
 
-  size_t *start;   /* [n + 1] rows of the links */
-  uint32_t *other; /* [nlink] */
-  double *linear;  /* [nlink] [W/K] */
-  double *fourth;  /* [nlink] sigma R [W/K^4] */
-  double *space;   /* [n] sigma R to space [W/K^4]; of the present instant where surfaces age */
+  size_t *start;       /* [n + 1] rows of the links */
+  uint32_t *other;     /* [nlink] */
+  double *linear;      /* [nlink] [W/K] */
+  double *fourth;      /* [nlink] sigma R [W/K^4] */
+  double *space;       /* [n] sigma R to space at the present state [W/K^4] (system_emission.c) */
+  double *space_slope; /* [n] its derivative over the node's temperature [W/K^5]; NULL: 0 */
+
+  /* what nodes emit to space under laws, an entry for each law of a node; NULL: no laws */
+  const struct um_thermal_surface_law **emission; /* [nemission], borrowed; NULL: an unused entry */
+  size_t *emission_start;                         /* [n + 1] entries per node */
+  size_t nemission;
+  uint32_t *emission_of; /* [3 nsurface] entry of a share, or UM_THERMAL_NONE */
+  double *emission_held; /* [n + nemission] sigma R before laws; NULL: space never changes */
 
   struct um_thermal_cluster *cluster; /* [ncluster] */
   size_t ncluster;
@@ -103,8 +111,7 @@ struct um_thermal_system {
   size_t row_low, row_high; /* rows in force between two stops */
   size_t interval;          /* last one used */
   struct um_thermal_load_row load_row[2];
-  double *planet;      /* [n] workspace of a row [W] */
-  double *space_links; /* [n] sigma R of the radiators alone; NULL where surfaces do not age */
+  double *planet; /* [n] workspace of a row [W] */
   struct um_thermal_load_now now;
 
   /* heat made inside (system_heat.c) */
@@ -141,6 +148,20 @@ enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_irradiation_loads *loads,
                                              const struct um_thermal_aging *aging);
 enum um_status um_thermal_system_loads_build(struct um_thermal_system *system);
+/* system_emission.c. set: space and its slope of node i at its temperature. row: emission_held of a
+ * grid row. */
+enum um_status um_thermal_system_emission_build(struct um_thermal_system *system);
+void um_thermal_system_emission_set(struct um_thermal_system *system, size_t i);
+void um_thermal_system_emission_row(const struct um_thermal_system *system, size_t row,
+                                    double *held);
+/* Derivative of what node i emits to space over its temperature [W/K]; cube as in the Jacobian. */
+static inline double um_thermal_system_space_loss(const struct um_thermal_system *system, size_t i,
+                                                  const double *cube)
+{
+  double loss = 4.0 * system->space[i] * cube[i];
+  if (system->space_slope == NULL) return loss;
+  return loss + system->space_slope[i] * (system->power4[i] - system->space4);
+}
 enum um_status um_thermal_system_heat_build(struct um_thermal_system *system);
 void um_thermal_system_heat_destroy(struct um_thermal_system *system);
 
@@ -171,7 +192,9 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t);
 /* Put unknowns y[nunknown] and whatever follows from them at time t into system->temperature and
  * its powers. false: the eliminated nodes found no balance. */
 bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y);
-/* T^4 and |T|^3 of system->temperature; the odd extension |T|^3 T keeps Newton monotone. */
+/* T^4 and |T|^3 of system->temperature, and what it emits to space; the odd extension |T|^3 T keeps
+ * Newton monotone. Of one node, of all. */
+void um_thermal_system_node_powers(struct um_thermal_system *system, size_t i);
 void um_thermal_system_powers(struct um_thermal_system *system);
 /* Net heat into one node at the present state without its capacity [W]. */
 double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node);

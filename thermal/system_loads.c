@@ -105,8 +105,9 @@ enum um_status um_thermal_system_loads_build(struct um_thermal_system *system)
   for (int k = 0; k < 2; k++) {
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].sun));
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].earth));
-    if (system->space_links != NULL)
-      UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->load_row[k].space));
+    if (system->options.aging != NULL)
+      UM_TRY(um_core_allocate(context, system->n + system->nemission, sizeof(double),
+                              &system->load_row[k].space));
     system->load_row[k].row = (size_t)-1;
   }
   system->row_high = system->loads->ntime - 1;
@@ -131,10 +132,7 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
     r->albedo_total += albedo;
     r->planet_total += planet;
   }
-  if (r->space != NULL) {
-    memcpy(r->space, system->space_links, system->n * sizeof *r->space);
-    um_thermal_load_row_space_add(system->network, system->options.aging, row, r->space);
-  }
+  if (r->space != NULL) um_thermal_system_emission_row(system, row, r->space);
   r->row = row;
   return r;
 }
@@ -183,8 +181,8 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t)
   double sa = irradiance * sunlit * (1.0 - u), sb = irradiance * sunlit * u;
   for (size_t i = 0; i < system->n; i++)
     now->q[i] = sa * a->sun[i] + sb * b->sun[i] + (1.0 - u) * a->earth[i] + u * b->earth[i];
-  for (size_t i = 0; system->space_links != NULL && i < system->n; i++)
-    system->space[i] = (1.0 - u) * a->space[i] + u * b->space[i];
+  for (size_t i = 0; a->space != NULL && i < system->n + system->nemission; i++)
+    system->emission_held[i] = (1.0 - u) * a->space[i] + u * b->space[i];
   now->solar = sa * a->sun_total + sb * b->sun_total;
   now->albedo = (1.0 - u) * a->albedo_total + u * b->albedo_total;
   now->planet = (1.0 - u) * a->planet_total + u * b->planet_total;

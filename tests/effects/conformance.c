@@ -30,6 +30,8 @@ static const struct entry cases[] = {
     {"reflected_earth_ir", NULL, 0.0, "bus", "a switch"},
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
+    {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
+    {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},
@@ -71,7 +73,7 @@ static const struct entry cases[] = {
   "  - name: box\n"                                                                                \
   "    box: {size_m: [0.5, 0.5, 0.5]}\n"                                                           \
   "    pose: {position_m: [0, -2, 0]}\n"                                                           \
-  "    outside: grey_white\n"                                                                      \
+  "    outside: mli_kapton\n"                                                                      \
   "    shell: {areal_heat_capacity_J_m2_K: 3000}\n"                                                \
   "    mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 50}\n"                         \
   "    lumped: true\n"                                                                             \

@@ -68,9 +68,14 @@ static const struct {
 static const struct {
   const char *name;
   bool dusk, dawn;
-} switches[] = {{"albedo", true, true},      {"earth_ir", true, true},
-                {"earthshine", true, false}, {"reflected_earth_ir", true, true},
-                {"penumbra", true, true},    {"oblateness", true, true}};
+} switches[] = {{"albedo", true, true},
+                {"earth_ir", true, true},
+                {"earthshine", true, false},
+                {"reflected_earth_ir", true, true},
+                {"penumbra", true, true},
+                {"oblateness", true, true},
+                {"absorptance_angle", true, false},
+                {"emittance_temperature", true, false}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

@@ -21,6 +21,14 @@
           "thermal.orbits_before=0"}
 #define WITHOUT(s)                                                                                 \
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
+#define SPECTRAL(s)                                                                                \
+  {                                                                                                \
+    .name = "dusk-" s, DUSK, .without = s, .set = {                                                \
+      "parts.bus.outside=mli_kapton",                                                              \
+      "parts.array.front=cell_silicon",                                                            \
+      "parts.array.back=cfrp"                                                                      \
+    }                                                                                              \
+  }
 
 static const struct lab_world worlds[] = {
     {.name = "dusk", DUSK},
@@ -31,6 +39,10 @@ static const struct lab_world worlds[] = {
     WITHOUT("reflected_earth_ir"),
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
+
+    /* Only materials with spectra go with angle and temperature. */
+    SPECTRAL("absorptance_angle"),
+    SPECTRAL("emittance_temperature"),
 
     /* To the analyst there is hardly anything inside that stores heat. */
     {.name = "dusk-hollow", DUSK, .set = {"parts.bus.interior.capacity_J_K=3000"}},

@@ -1,0 +1,29 @@
+/* Absorptance by angle of incidence,
+ *
+ *   alpha(theta) = int S(lambda) (1 - rho(lambda, theta)) d lambda / int S(lambda) d lambda:
+ *
+ * cover glass and metals reflect more of what comes at grazing angles, and what a surface reflects
+ * it does not absorb. Albedo comes from all sides and is taken with the hemispherical mean. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->absorptance_by_angle = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_absorptance_angle = {
+    UM_EFFECT_ABI,
+    .name = "absorptance_angle",
+    .summary = "Surfaces absorb less of the sunlight that comes at grazing angles",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook, chapter 4; Fresnel",
+    .validity = "materials with spectra; grey ones state one absorptance for all angles. Off: that "
+                "of normal incidence. Electrical extraction goes with it",
+    .separated_by = "solar_absorptance and panel_extraction: temperatures at different angles of "
+                    "the Sun on one surface; at normal incidence it does nothing",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};

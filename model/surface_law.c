@@ -1,0 +1,60 @@
+/* From material records to how surfaces go with angle and temperature: ratios of the record's
+ * absorptance and emittance, effects included, to those that the heat network states (normal
+ * incidence, 300 K). Grey records and withheld effects have none. */
+#include <math.h>
+
+#include "core/constants.h"
+#include "model/aging_impl.h"
+#include "model/model_impl.h"
+
+static void by_angle(const struct um_materials_record *record,
+                     const struct um_materials_adjustment *adjustment,
+                     struct um_thermal_surface_law *law)
+{
+  double normal = um_materials_solar_absorptance(record, adjustment);
+  if (!(normal > 0.0)) return;
+  for (size_t i = 0; i < UM_THERMAL_LAW_ANGLES; i++) {
+    double u = (double)i / (UM_THERMAL_LAW_ANGLES - 1);
+    law->absorptance[i] = um_materials_solar_absorptance_toward(record, adjustment, u * u) / normal;
+  }
+  law->albedo = um_materials_solar_absorptance_diffuse(record, adjustment) / normal;
+}
+
+/* The Earth radiates as a black body of (OLR / sigma)^(1/4). */
+static void by_temperature(const struct um_materials_record *record,
+                           const struct um_materials_adjustment *adjustment, double longwave,
+                           struct um_thermal_surface_law *law)
+{
+  const double step = UM_THERMAL_LAW_HOTTEST / (UM_THERMAL_LAW_TEMPERATURES - 1);
+  double stated = um_materials_emittance(record, adjustment, UM_MODEL_EMITTANCE_TEMPERATURE);
+  double earth = sqrt(sqrt(longwave / UM_STEFAN_BOLTZMANN));
+  if (!(stated > 0.0)) return;
+  for (size_t i = 0; i < UM_THERMAL_LAW_TEMPERATURES; i++)
+    law->emittance[i] =
+        um_materials_emittance(record, adjustment, fmax((double)i, 0.5) * step) / stated;
+  law->planet = um_materials_emittance(record, adjustment, earth) / stated;
+}
+
+enum um_status um_model_build_surface_laws(struct um_context *context, struct um_model *model)
+{
+  const struct um_environment *environment = &model->environment;
+  size_t n = um_geometry_material_count(model->geometry);
+  UM_TRY(um_core_arena_allocate(context, &model->memory, n, sizeof *model->surface_law,
+                                &model->surface_law));
+  for (size_t m = 0; m < n; m++) {
+    const struct um_materials_record *record = model->material[m];
+    struct um_thermal_surface_law *law = NULL;
+    bool temperature = environment->emittance_by_temperature;
+    if (um_materials_is_grey(record) || !(environment->absorptance_by_angle || temperature))
+      continue;
+    UM_TRY(um_core_arena_allocate(context, &model->memory, 1, sizeof *law, &law));
+    law->albedo = law->planet = 1.0;
+    for (size_t i = 0; i < UM_THERMAL_LAW_ANGLES; i++) law->absorptance[i] = 1.0;
+    for (size_t i = 0; i < UM_THERMAL_LAW_TEMPERATURES; i++) law->emittance[i] = 1.0;
+    if (environment->absorptance_by_angle) by_angle(record, &model->adjustment[m], law);
+    if (temperature)
+      by_temperature(record, &model->adjustment[m], environment->outgoing_longwave, law);
+    model->surface_law[m] = law;
+  }
+  return UM_OK;
+}
