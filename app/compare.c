@@ -5,9 +5,11 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/figures.h"
+#include "compare/measurements.h"
+#include "compare/noise.h"
+#include "compare/plot.h"
 #include "compare/refine.h"
-#include "compare/series.h"
+#include "compare/report.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3

@@ -2,6 +2,7 @@
 #include "app/diagnosis.h"
 
 #include "app/terminal.h"
+#include "compare/measurements.h"
 
 enum um_status um_app_diagnosis_begin(struct um_context *context,
                                       const struct um_app_options *options,

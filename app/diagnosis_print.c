@@ -3,8 +3,9 @@
 #include <string.h>
 
 #include "app/diagnosis.h"
-#include "compare/figures.h"
+#include "compare/metrics.h"
 #include "compare/refine.h"
+#include "compare/time_text.h"
 #include "diagnosis/report/channels.h"
 #include "diagnosis/words.h"
 #include "orbit/time.h"

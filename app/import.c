@@ -4,7 +4,9 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/series.h"
+#include "compare/mmt.h"
+#include "compare/noise.h"
+#include "compare/write.h"
 
 int um_app_import(struct um_context *context, const struct um_app_options *options)
 {

@@ -3,7 +3,9 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
+#include "compare/measurements.h"
 #include "compare/period_report.h"
+#include "compare/period_write.h"
 #include "core/file.h"
 #include "orbit/time.h"
 

@@ -7,7 +7,7 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/compare.h"
+#include "compare/write.h"
 #include "core/csv.h"
 
 #define SEED_MAX 9007199254740992.0 /* 2^53: whole numbers that a double holds */

@@ -61,17 +61,6 @@ void um_compare_csv_number(FILE *file, double value)
 
 void um_compare_csv_text(FILE *file, const char *text) { um_core_csv_put(file, text, ""); }
 
-bool um_compare_is_magnitude(enum um_compare_quantity quantity)
-{
-  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
-}
-
-const char *um_compare_residual_unit(enum um_compare_quantity quantity)
-{
-  return um_compare_is_magnitude(quantity) ? "flux of magnitude 0"
-                                           : um_compare_quantity_unit(quantity);
-}
-
 void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size)
 {
   char quantity[64];

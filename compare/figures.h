@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "compare/metrics.h"
+#include "compare/set.h"
 
 /* Name, as in JSON and in headers of tables, and value of every figure but the count. */
 struct um_compare_figure {
@@ -25,12 +26,6 @@ void um_compare_csv_number(FILE *file, double value);
 /* A field by RFC 4180, in quotes where it needs them. */
 void um_compare_csv_text(FILE *file, const char *text);
 
-bool um_compare_is_magnitude(enum um_compare_quantity quantity);
-/* Unit of residuals: magnitudes are compared as flux. Borrowed. */
-const char *um_compare_residual_unit(enum um_compare_quantity quantity);
-/* UTC of a time as messages and files show it: milliseconds, or microseconds where it is not a
- * whole millisecond. */
-void um_compare_time_text(double t_tai, char out[40]);
 /* "band irradiance lwir", "AB magnitude vis" for a person. */
 void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size);
 /* The names of a channel as a file name: "band_irradiance_lwir"; the caller frees. */

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "compare/intervals_impl.h"
-#include "compare/series.h"
 
 #define WINDOWS  10
 #define SHORTEST 3 /* rows */

@@ -5,8 +5,6 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "compare/figures.h"
-#include "compare/series.h"
 #include "compare/statistics_impl.h"
 
 /* Rows in linear flux, gathered for one segment, and room for what is sorted. */

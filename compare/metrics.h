@@ -2,7 +2,10 @@
 #ifndef UMBRA_COMPARE_METRICS_H
 #define UMBRA_COMPARE_METRICS_H
 
-#include "compare/measurements.h"
+#include <stddef.h>
+
+#include "compare/quantity.h"
+#include "core/context.h"
 
 /* What does not exist is NaN, never 0: sd of one row, rms/mean where the mean measured flux is not
  * positive, chi-square without sigma. Residual r = measured - model. Units are those of the

@@ -1,10 +1,10 @@
 /* Import of text tracks of the Mini-MegaTORTORA survey. The format is described in series.h. */
+#include "compare/mmt.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/series.h"
 #include "compare/set_impl.h"
 #include "core/constants.h"
 #include "core/csv.h"

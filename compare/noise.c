@@ -1,34 +1,19 @@
-/* Linear flux and the noise model.
+/* The noise model.
  *
- *   F = 10^(-0.4 m),  dF = 0.4 ln 10 F dm                      (Pogson 1856)
  *   sigma^2 = (relative x value)^2 + floor^2 */
+#include "compare/noise.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "compare/series.h"
 #include "model/scenario.h"
 
 static const double LN10 = 2.30258509299404568402;
 
-static bool is_magnitude(enum um_compare_quantity quantity)
-{
-  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
-}
-
-void um_compare_linear(enum um_compare_quantity quantity, double value, double sigma, double *flux,
-                       double *flux_sigma)
-{
-  *flux = value;
-  *flux_sigma = sigma;
-  if (!is_magnitude(quantity)) return;
-  *flux = exp(-0.4 * LN10 * value);
-  *flux_sigma = 0.4 * LN10 * *flux * sigma;
-}
-
 double um_compare_noise_sigma(enum um_compare_quantity quantity,
                               const struct um_compare_noise *noise, double value)
 {
-  double scale = is_magnitude(quantity) ? 2.5 / LN10 : value;
+  double scale = um_compare_is_magnitude(quantity) ? 2.5 / LN10 : value;
   return hypot(noise->relative * scale, noise->floor);
 }
 

@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_PERIOD_REPORT_H
 #define UMBRA_COMPARE_PERIOD_REPORT_H
 
-#include "compare/series.h"
+#include "compare/period.h"
 
 #define UM_COMPARE_FOLD_BINS 40
 
@@ -27,9 +27,4 @@ enum um_status um_compare_period_report_create(struct um_context *context,
                                                struct um_compare_period_report **out);
 void um_compare_period_report_destroy(struct um_context *context,
                                       struct um_compare_period_report **report);
-/* periodogram.csv, folded.csv and, with plots, period_CHANNEL.png into a folder. UM_ERR_IO. */
-enum um_status um_compare_period_write(struct um_context *context,
-                                       const struct um_compare_period_report *report, bool plots,
-                                       const char *folder);
-
 #endif

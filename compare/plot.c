@@ -1,9 +1,9 @@
 /* A picture per channel by gnuplot, from residuals.csv. The script is kept beside it. */
+#include "compare/plot.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/compare.h"
 #include "compare/figures.h"
 #include "orbit/time.h"
 #include "plot/plot.h"

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/predict_impl.h"
-#include "compare/set_impl.h"
+#include "compare/predict_source_impl.h"
+#include "compare/time_text.h"
 #include "core/constants.h"
 #include "core/sort.h"
 

@@ -3,11 +3,8 @@
 #ifndef UMBRA_COMPARE_PREDICT_H
 #define UMBRA_COMPARE_PREDICT_H
 
-#include "compare/measurements.h"
+#include "compare/set.h"
 #include "model/model.h"
-
-/* An index that stands for nothing. */
-#define UM_COMPARE_NOWHERE ((size_t)-1)
 
 /* Which observation of a geometry precomputation, and which number of it, answers each row. It
  * depends on the times, names and exposures of the rows and on the names of bands and places, so it

@@ -2,7 +2,7 @@
 #include <stdint.h>
 
 #include "compare/places_impl.h"
-#include "compare/predict_impl.h"
+#include "compare/predict_source_impl.h"
 
 static size_t first_used(const struct um_compare_measurements *m, size_t channel)
 {

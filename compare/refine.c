@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "compare/series.h"
+#include "compare/noise.h"
 
 #define STEP_MAX 64.0
 #define CHECK    4    /* times the samples */

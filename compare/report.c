@@ -1,9 +1,10 @@
 /* compare.json, metrics.csv and residuals.csv. */
+#include "compare/report.h"
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/compare.h"
 #include "compare/figures.h"
+#include "compare/time_text.h"
 #include "core/json.h"
 
 #define ALL_LABEL "all"

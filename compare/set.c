@@ -1,4 +1,4 @@
-/* Measurement sets: names of quantities, memory, and the checks that hold between rows. */
+/* Measurement sets: memory, and the checks that hold between rows. */
 #include "compare/set_impl.h"
 
 #include <math.h>
@@ -6,46 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/time_text.h"
 #include "orbit/time.h"
-
-static const char *const quantity_names[UM_QUANTITY_COUNT] = {
-    [UM_QUANTITY_BAND_IRRADIANCE] = "band_irradiance",
-    [UM_QUANTITY_RADIANT_INTENSITY] = "radiant_intensity",
-    [UM_QUANTITY_MAGNITUDE_AB] = "magnitude_ab",
-    [UM_QUANTITY_MAGNITUDE_VEGA] = "magnitude_vega",
-    [UM_QUANTITY_COUNT_RATE] = "count_rate",
-    [UM_QUANTITY_TEMPERATURE] = "temperature"};
-
-static const char *const quantity_units[UM_QUANTITY_COUNT] = {
-    [UM_QUANTITY_BAND_IRRADIANCE] = "W/m^2", [UM_QUANTITY_RADIANT_INTENSITY] = "W/sr",
-    [UM_QUANTITY_MAGNITUDE_AB] = "mag",      [UM_QUANTITY_MAGNITUDE_VEGA] = "mag",
-    [UM_QUANTITY_COUNT_RATE] = "1/s",        [UM_QUANTITY_TEMPERATURE] = "K"};
-
-const char *um_compare_quantity_name(enum um_compare_quantity quantity)
-{
-  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_names[quantity] : "unknown quantity";
-}
-
-const char *um_compare_quantity_unit(enum um_compare_quantity quantity)
-{
-  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_units[quantity] : "";
-}
-
-void um_compare_time_text(double t_tai, char out[40])
-{
-  char head[32];
-  double t_head;
-  um_orbit_time_format(t_tai, head);
-  snprintf(out, 40, "%s", head);
-  /* the rest [us] behind the millisecond at or before t; a double of t_tai resolves 0.1 us */
-  if (um_orbit_time_parse(NULL, head, &t_head) != UM_OK) return;
-  long rest = lround(1e6 * (t_tai - t_head));
-  if (rest < 0) {
-    um_orbit_time_format(t_head - 0.001, head);
-    rest += 1000;
-  }
-  if (rest > 0) snprintf(out, 40, "%.23s%03uZ", head, (unsigned)rest % 1000U);
-}
 
 void um_compare_measurements_destroy(struct um_context *context,
                                      struct um_compare_measurements **measurements)

@@ -3,9 +3,8 @@
 #ifndef UMBRA_COMPARE_SET_IMPL_H
 #define UMBRA_COMPARE_SET_IMPL_H
 
-#include "compare/figures.h"
-#include "compare/measurements.h"
 #include "compare/names_impl.h"
+#include "compare/set.h"
 
 struct um_compare_set {
   struct um_compare_measurements *made;

@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "compare/places_impl.h"
-#include "compare/series.h"
 #include "compare/set_impl.h"
 #include "core/sampling.h"
 

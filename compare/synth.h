@@ -4,7 +4,6 @@
 
 #include <stdint.h>
 
-#include "compare/measurements.h"
 #include "compare/refine.h"
 #include "model/model.h"
 

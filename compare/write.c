@@ -1,5 +1,6 @@
 /* The writer of measurement files: beside the place under a temporary name, then renamed, so that a
  * reader never meets half a file. Something that is not a regular file (a pipe) is written into. */
+#include "compare/write.h"
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
@@ -10,7 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/set_impl.h"
+#include "compare/measurements.h"
+#include "compare/time_text.h"
 #include "core/constants.h"
 #include "core/csv.h"
 #include "core/file.h"

@@ -4,7 +4,7 @@
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSE_H
 #define UMBRA_DIAGNOSIS_DIAGNOSE_H
 
-#include "compare/compare.h"
+#include "compare/segments.h"
 #include "inference/score.h"
 #include "missing_heat/residual.h"
 #include "missing_heat/unexplained.h"

@@ -8,7 +8,6 @@
  * bend). */
 #include <math.h>
 
-#include "compare/series.h"
 #include "inference/algebra.h"
 #include "missing_heat/heat_impl.h"
 

@@ -12,7 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/series.h"
 #include "missing_heat/heat_impl.h"
 
 #define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */

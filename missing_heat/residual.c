@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "compare/compare.h"
+
 /* One channel, weighed by the sigma that the diagnosis weighs by. */
 struct weighed {
   double chi2, mean, excess, count;

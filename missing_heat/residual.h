@@ -3,7 +3,7 @@
 #ifndef UMBRA_MISSING_HEAT_RESIDUAL_H
 #define UMBRA_MISSING_HEAT_RESIDUAL_H
 
-#include "compare/compare.h"
+#include "compare/comparison.h"
 #include "sensitivity/forward.h"
 
 struct um_missing_heat_residual {

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "compare/refine.h"
-#include "compare/series.h"
 #include "core/file.h"
 #include "core/words.h"
 #include "sensitivity/forward_impl.h"

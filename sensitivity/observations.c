@@ -2,7 +2,7 @@
  * the model's own sampling in quadrature. */
 #include <math.h>
 
-#include "compare/series.h"
+#include "compare/noise.h"
 #include "sensitivity/forward_impl.h"
 
 static enum um_status allocate(struct um_context *context, struct um_sensitivity_forward *f)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "compare/figures.h"
+#include "compare/metrics.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/report/report_impl.h"
 

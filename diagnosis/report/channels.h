@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_CHANNELS_H
 #define UMBRA_DIAGNOSIS_REPORT_CHANNELS_H
 
+#include "compare/metrics.h"
 #include "diagnosis/diagnose.h"
 
 /* Channel c of the measurements. */

@@ -1,7 +1,7 @@
 /* Pieces of diagnosis.json: texts, times, uses of effects with their values. */
 #include <math.h>
 
-#include "compare/figures.h"
+#include "compare/time_text.h"
 #include "core/json.h"
 #include "diagnosis/report/json_impl.h"
 #include "diagnosis/words.h"

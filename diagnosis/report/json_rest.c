@@ -2,7 +2,6 @@
  * next, missing heat, cost. */
 #include <math.h>
 
-#include "compare/figures.h"
 #include "core/json.h"
 #include "diagnosis/report/json_impl.h"
 #include "diagnosis/report/report_impl.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/figures.h"
+#include "compare/time_text.h"
 #include "core/file.h"
 #include "diagnosis/report/report_impl.h"
 

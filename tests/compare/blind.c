@@ -8,6 +8,9 @@
  * No row may be off by one of them; the mean square of the rows is then far below 1. */
 #include "model_test.h"
 
+#include "compare/comparison.h"
+#include "compare/metrics.h"
+#include "compare/set.h"
 #include "core/csv.h"
 
 #define ACCEPTED_SQUARE 0.05 /* mean square of residual over sigma, all channels */

@@ -2,6 +2,7 @@
  * the result is known beforehand. */
 #include "model_test.h"
 
+#include "compare/compare.h"
 #include "compare/correlation_impl.h"
 #include "orbit/time.h"
 

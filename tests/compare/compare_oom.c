@@ -1,6 +1,9 @@
 /* Memory that runs out while a plan, a comparison or synthetic measurements are made: every
  * allocation fails once; each time the call returns UM_ERR_MEMORY, hands nothing out and leaves
  * nothing behind. */
+#include "compare/compare.h"
+#include "compare/measurements.h"
+#include "compare/synth.h"
 #include "model_test.h"
 #include "tests/support/allocator.h"
 

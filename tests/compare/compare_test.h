@@ -9,7 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/measurements.h"
 #include "core/constants.h"
 #include "core/sampling.h"
 #include "tests/support/cmocka_all.h"

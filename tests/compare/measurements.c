@@ -3,7 +3,10 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include "compare/measurements.h"
+#include "compare/write.h"
 #include "compare_test.h"
+#include "core/constants.h"
 #include "core/file.h"
 #include "orbit/time.h"
 

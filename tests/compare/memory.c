@@ -1,7 +1,11 @@
 /* Memory that runs out: every allocation fails once, at each place in turn. Each time the call
  * returns UM_ERR_MEMORY, hands nothing out and leaves nothing behind. */
+#include "compare/measurements.h"
 #include "compare/metrics.h"
+#include "compare/mmt.h"
+#include "compare/period.h"
 #include "compare/series.h"
+#include "compare/write.h"
 #include "compare_test.h"
 #include "tests/support/allocator.h"
 

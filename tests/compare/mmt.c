@@ -1,7 +1,10 @@
 /* Survey tracks. The texts have the shape that the survey's site writes; the numbers are made up.
  */
-#include "compare/series.h"
+#include "compare/mmt.h"
+#include "compare/measurements.h"
+#include "compare/write.h"
 #include "compare_test.h"
+#include "core/constants.h"
 #include "orbit/time.h"
 
 static const char track[] = "# satellite: 12345 SOME BODY / XX\n"

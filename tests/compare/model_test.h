@@ -5,6 +5,7 @@
 #define UMBRA_TESTS_COMPARE_MODEL_H
 
 #include "compare/compare.h"
+#include "compare/measurements.h"
 #include "compare/synth.h"
 #include "tests/compare/compare_test.h"
 

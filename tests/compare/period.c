@@ -4,7 +4,9 @@
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
 
+#include "compare/period.h"
 #include "compare_test.h"
+#include "core/constants.h"
 
 #define ROWS 120
 

@@ -7,6 +7,7 @@
  *   station                m = -2.5 log10(E_lambda lambda^2 / (c 3631 Jy))
  */
 #include "compare/compare.h"
+#include "compare/measurements.h"
 #include "compare_test.h"
 #include "environment/environment.h"
 #include "orbit/time.h"

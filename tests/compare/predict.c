@@ -1,6 +1,9 @@
 /* Model values of measured rows: the right number of the right instant, and what is refused. */
 #include "model_test.h"
 
+#include "compare/comparison.h"
+#include "compare/measurements.h"
+#include "compare/predict.h"
 #include "orbit/time.h"
 
 /* Every quantity once, out of the order of the channels, tracks interleaved; flagged rows may be

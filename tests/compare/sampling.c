@@ -2,7 +2,10 @@
  * missing, so that chi-square has to say so. The panel stands half a metre before the box and turns
  * with it: it hides and shades faces that are one facet each, so that few points err by per cents.
  * Truth, noise and comparison go the way of umbra synth and umbra compare. */
+#include "compare/compare.h"
 #include "compare/refine.h"
+#include "compare/synth.h"
+#include "compare/write.h"
 #include "model_test.h"
 
 static const int numbers[] = {1, 4, 16, 64, 4096};

@@ -2,6 +2,8 @@
  * and 2.5 / ln 10 = 1.0857362047581296. */
 #include "compare/series.h"
 
+#include "compare/measurements.h"
+#include "compare/noise.h"
 #include "compare_test.h"
 
 static const char text[] = "time_utc,quantity,of,value,sigma,flag,track\n"

@@ -2,8 +2,10 @@
  * rare as stated, and an error of one sigma is one. Fixed streams of noise; acceptance by the
  * Kolmogorov distribution or the binomial at a false-alarm rate of 1e-3 or less for each check. */
 #include "compare/metrics.h"
+#include "compare/period.h"
 #include "compare/series.h"
 #include "compare_test.h"
+#include "core/constants.h"
 
 #define TRIALS 2000
 

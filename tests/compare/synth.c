@@ -3,6 +3,10 @@
  * it. Seeds are fixed, so that a run is like any other; bands are stated as if they were not. */
 #include "model_test.h"
 
+#include "compare/compare.h"
+#include "compare/measurements.h"
+#include "compare/synth.h"
+#include "compare/write.h"
 #include "orbit/time.h"
 
 #define SEEDS 20

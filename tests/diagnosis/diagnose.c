@@ -3,6 +3,7 @@
  * numbers are repeatable; the laboratory does the same on other meshes, many times. */
 #include "diagnosis/diagnose.h"
 
+#include "compare/write.h"
 #include "tests/sensitivity/forward_test.h"
 
 /* Every 20 s: 33 times above the horizon; candidates of several kinds. */

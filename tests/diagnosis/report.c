@@ -7,7 +7,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "compare/measurements.h"
 #include "compare/synth.h"
+#include "compare/write.h"
 #include "core/csv.h"
 #include "core/file.h"
 #include "diagnosis/report/channels.h"

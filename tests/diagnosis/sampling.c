@@ -3,6 +3,7 @@
  * each, so that few points err by per cents. Without the model's own error in chi-square, and
  * without more points, those per cents are taken for an effect. */
 #include "compare/refine.h"
+#include "compare/write.h"
 #include "diagnosis/diagnose.h"
 #include "missing_heat/unexplained.h"
 #include "sensitivity/forward_impl.h"

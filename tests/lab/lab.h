@@ -13,7 +13,6 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "compare/measurements.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/report/report.h"
 #include "model/model.h"

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/predict.h"
 #include "diagnosis/request.h"
 #include "effects/effects.h"
 #include "tests/lab/lab.h"

@@ -8,6 +8,7 @@
  * 14.7 K (Earth infrared) are measured. What is withheld and added again as an effect must give the
  * complete model back to 1 mK, the integrator's tolerance. */
 #include "compare/compare.h"
+#include "compare/measurements.h"
 #include "core/csv.h"
 #include "tests/scenarios/support.h"
 

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "compare/measurements.h"
 #include "core/constants.h"
 #include "core/csv.h"
 #include "materials/bsdf.h"

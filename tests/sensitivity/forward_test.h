@@ -3,7 +3,6 @@
 #ifndef UMBRA_TESTS_SENSITIVITY_FORWARD_TEST_H
 #define UMBRA_TESTS_SENSITIVITY_FORWARD_TEST_H
 
-#include "compare/series.h"
 #include "effects/effects.h"
 #include "sensitivity/candidates.h"
 #include "tests/compare/model_test.h"

@@ -1,8 +1,9 @@
-/* Steps of a plan. Private to compare/. */
-#ifndef UMBRA_COMPARE_PREDICT_IMPL_H
-#define UMBRA_COMPARE_PREDICT_IMPL_H
+/* What of a model answers a channel. Private to compare/. */
+#ifndef UMBRA_COMPARE_PREDICT_SOURCE_IMPL_H
+#define UMBRA_COMPARE_PREDICT_SOURCE_IMPL_H
 
-#include "compare/predict.h"
+#include "compare/set.h"
+#include "model/model.h"
 
 /* Band or place of a channel; UM_COMPARE_NOWHERE when no row of it is in use. UM_ERR_INPUT names
  * file and line of its first row. */

@@ -1,0 +1,52 @@
+/* Quantities, and their values in linear flux.
+ *
+ *   F = 10^(-0.4 m),  dF = 0.4 ln 10 F dm                      (Pogson 1856) */
+#include "compare/quantity.h"
+
+#include <math.h>
+
+static const double LN10 = 2.30258509299404568402;
+
+static const char *const quantity_names[UM_QUANTITY_COUNT] = {
+    [UM_QUANTITY_BAND_IRRADIANCE] = "band_irradiance",
+    [UM_QUANTITY_RADIANT_INTENSITY] = "radiant_intensity",
+    [UM_QUANTITY_MAGNITUDE_AB] = "magnitude_ab",
+    [UM_QUANTITY_MAGNITUDE_VEGA] = "magnitude_vega",
+    [UM_QUANTITY_COUNT_RATE] = "count_rate",
+    [UM_QUANTITY_TEMPERATURE] = "temperature"};
+
+static const char *const quantity_units[UM_QUANTITY_COUNT] = {
+    [UM_QUANTITY_BAND_IRRADIANCE] = "W/m^2", [UM_QUANTITY_RADIANT_INTENSITY] = "W/sr",
+    [UM_QUANTITY_MAGNITUDE_AB] = "mag",      [UM_QUANTITY_MAGNITUDE_VEGA] = "mag",
+    [UM_QUANTITY_COUNT_RATE] = "1/s",        [UM_QUANTITY_TEMPERATURE] = "K"};
+
+const char *um_compare_quantity_name(enum um_compare_quantity quantity)
+{
+  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_names[quantity] : "unknown quantity";
+}
+
+const char *um_compare_quantity_unit(enum um_compare_quantity quantity)
+{
+  return (unsigned)quantity < UM_QUANTITY_COUNT ? quantity_units[quantity] : "";
+}
+
+bool um_compare_is_magnitude(enum um_compare_quantity quantity)
+{
+  return quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
+}
+
+const char *um_compare_residual_unit(enum um_compare_quantity quantity)
+{
+  return um_compare_is_magnitude(quantity) ? "flux of magnitude 0"
+                                           : um_compare_quantity_unit(quantity);
+}
+
+void um_compare_linear(enum um_compare_quantity quantity, double value, double sigma, double *flux,
+                       double *flux_sigma)
+{
+  *flux = value;
+  *flux_sigma = sigma;
+  if (!um_compare_is_magnitude(quantity)) return;
+  *flux = exp(-0.4 * LN10 * value);
+  *flux_sigma = 0.4 * LN10 * *flux * sigma;
+}

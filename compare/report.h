@@ -1,0 +1,19 @@
+/* A comparison in files. */
+#ifndef UMBRA_COMPARE_REPORT_H
+#define UMBRA_COMPARE_REPORT_H
+
+#include <stdio.h>
+
+#include "compare/comparison.h"
+#include "core/file.h"
+
+/* compare.json, metrics.csv and residuals.csv into a folder in the making; docs/files.md tells what
+ * stands in them. command and version: for the record. UM_ERR_IO. */
+enum um_status um_compare_write(struct um_context *context,
+                                const struct um_compare_comparison *comparison, const char *command,
+                                const char *version, struct um_core_folder *folder);
+/* compare.json to a stream; the caller looks for its errors. */
+void um_compare_write_json(const struct um_compare_comparison *comparison, const char *command,
+                           const char *version, FILE *file);
+
+#endif
