@@ -53,10 +53,10 @@ static enum um_status print_channels(struct um_context *context, const struct um
 /* How much of sigma is the model's own, and what was done about it. */
 static void print_sampling(const struct um_sensitivity_forward *f)
 {
-  if (f->model_share > UM_COMPARE_SHARE_SHOWN)
+  if (f->observations.model_share > UM_COMPARE_SHARE_SHOWN)
     printf(
         "  the model's own sampling error is %.2g %% of the variance, and stands in chi-square\n",
-        100.0 * f->model_share);
+        100.0 * f->observations.model_share);
   if (f->samples != f->samples_before)
     printf("  optics.samples %d in place of the scenario's %d, so that this error stays small\n",
            f->samples, f->samples_before);
@@ -280,7 +280,7 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
   const struct um_diagnosis *d = diagnosis;
   const struct um_sensitivity_forward *f = d->forward;
   printf("%s against %s: %zu rows", f->model->scenario->name, f->measurements->path,
-         f->nobservation);
+         f->observations.count);
   if (d->candidates != NULL) printf(", %zu candidates", d->candidates->count);
   printf("\n\nbaseline: reduced chi-square %.4g (%.6g of %.6g degrees of freedom)\n",
          d->chi2_reduced, d->chi2, d->dof);

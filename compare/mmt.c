@@ -1,5 +1,6 @@
 /* Import of text tracks of the Mini-MegaTORTORA survey. The format is described in series.h. */
 #include "compare/mmt.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -11,6 +11,7 @@
  *   tau = gamma(N-1) W (1-z)^((N-4)/2) sqrt((N-1) z / 2),  W = F sqrt(4 pi var t)
  *   gamma(n) = sqrt(2/n) Gamma(n/2) / Gamma((n-1)/2) */
 #include "compare/period.h"
+
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
 /* A picture per channel by gnuplot, from residuals.csv. The script is kept beside it. */
 #include "compare/plot.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* compare.json, metrics.csv and residuals.csv. */
 #include "compare/report.h"
+
 #include <math.h>
 #include <stdio.h>
 

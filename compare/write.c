@@ -1,6 +1,7 @@
 /* The writer of measurement files: beside the place under a temporary name, then renamed, so that a
  * reader never meets half a file. Something that is not a regular file (a pipe) is written into. */
 #include "compare/write.h"
+
 #include <errno.h>
 #include <locale.h>
 #include <math.h>

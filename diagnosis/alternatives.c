@@ -21,13 +21,13 @@ static enum um_status jacobian_with(struct um_context *context,
                                     const struct um_diagnosis_state *state, const size_t *candidate,
                                     size_t ncandidate, double **out)
 {
-  size_t n = work->forward->nobservation, columns = state->nparameter, at = 0;
+  size_t n = work->forward->observations.count, columns = state->nparameter, at = 0;
   for (size_t i = 0; i < ncandidate; i++)
     columns += um_diagnosis_block_of(work, candidate[i]).nfree;
   UM_TRY(um_core_allocate(context, columns * n, sizeof **out, out));
   for (; at < state->nparameter; at++)
     for (size_t j = 0; j < n; j++)
-      (*out)[at * n + j] = state->fit->jacobian[at * n + j] * work->forward->sigma[j];
+      (*out)[at * n + j] = state->fit->jacobian[at * n + j] * work->forward->observations.sigma[j];
   for (size_t i = 0; i < ncandidate; i++) {
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
     for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
@@ -156,7 +156,7 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
                         const struct um_diagnosis_state *state, size_t nunidentified,
                         const struct um_diagnosis_alternative *ahead)
 {
-  double n = (double)work->forward->nobservation;
+  double n = (double)work->forward->observations.count;
   if (ahead == NULL) return false;
   return ahead->chi2 - (double)nunidentified * log(n) <
          n - (double)(state->nparameter + nunidentified + 1);
@@ -201,7 +201,8 @@ enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
     const struct um_diagnosis_alternative *ahead = best_fitted(step);
     bool all = until < tried + work->alternatives;
     tried = until;
-    if (all || (ahead != NULL && ahead->chi2 < GOOD_ENOUGH * (double)work->forward->nobservation))
+    if (all ||
+        (ahead != NULL && ahead->chi2 < GOOD_ENOUGH * (double)work->forward->observations.count))
       break;
   }
   sort_fitted(step->alternative, tried);

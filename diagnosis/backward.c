@@ -23,13 +23,14 @@ static enum um_status jacobian_without(struct um_context *context,
                                        const struct um_diagnosis_state *state, size_t omit,
                                        double **out)
 {
-  size_t n = work->forward->nobservation, kept = 0;
+  size_t n = work->forward->observations.count, kept = 0;
   UM_TRY(um_core_allocate(context, state->nparameter * n, sizeof **out, out));
   for (size_t b = 0, k = 0; b < state->nblock; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
       if (b == omit) continue;
       for (size_t j = 0; j < n; j++)
-        (*out)[kept * n + j] = state->fit->jacobian[k * n + j] * work->forward->sigma[j];
+        (*out)[kept * n + j] =
+            state->fit->jacobian[k * n + j] * work->forward->observations.sigma[j];
       kept++;
     }
   return UM_OK;

@@ -33,14 +33,14 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
 {
   const struct um_sensitivity_forward *f = work->forward;
   double first = INFINITY, last = -INFINITY;
-  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *work->fold, &work->fold));
-  for (size_t j = 0; j < f->nobservation; j++) {
-    first = fmin(first, f->t[j]);
-    last = fmax(last, f->t[j]);
+  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *work->fold, &work->fold));
+  for (size_t j = 0; j < f->observations.count; j++) {
+    first = fmin(first, f->observations.t[j]);
+    last = fmax(last, f->observations.t[j]);
   }
   work->nfold = FOLDS;
-  for (size_t j = 0; j < f->nobservation && last > first; j++) {
-    size_t fold = (size_t)(FOLDS * (f->t[j] - first) / (last - first));
+  for (size_t j = 0; j < f->observations.count && last > first; j++) {
+    size_t fold = (size_t)(FOLDS * (f->observations.t[j] - first) / (last - first));
     work->fold[j] = fold < FOLDS ? fold : FOLDS - 1;
   }
   return UM_OK;
@@ -50,7 +50,7 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
 static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nobservation;
+  size_t n = work->forward->observations.count;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
   if (!(um_diagnosis_free_parameters(state) < (double)n))
     return um_core_fail(
@@ -77,7 +77,7 @@ static enum um_status keep_ranking(struct um_context *context, const struct um_d
 static enum um_status go_forward(struct um_context *context, const struct um_diagnosis_work *work,
                                  struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nobservation;
+  size_t n = work->forward->observations.count;
   UM_TRY(um_core_allocate(context, work->steps_max, sizeof *d->step, &d->step));
   for (bool added = true; added && d->nstep < work->steps_max;) {
     struct um_diagnosis_step *step = &d->step[d->nstep];
@@ -117,7 +117,7 @@ static void ends_free(struct um_context *context, struct um_diagnosis *d)
 static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
-  size_t n = work->forward->nobservation, added = state->nblock - state->nnuisance;
+  size_t n = work->forward->observations.count, added = state->nblock - state->nnuisance;
   ends_free(context, d);
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition, &d->addition));
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition_sigma, &d->addition_sigma));
@@ -277,13 +277,13 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
                                         struct um_diagnosis **out)
 {
   enum um_status status;
-  struct um_sensitivity_candidates none = {.nobservation = forward->nobservation};
+  struct um_sensitivity_candidates none = {.nobservation = forward->observations.count};
   struct um_diagnosis_work work = {0};
   struct um_diagnosis_state state = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
   UM_CHECK(begin(context, forward, &none, options, &work, &d));
-  UM_CHECK(um_core_allocate(context, forward->nobservation, sizeof *none.base, &none.base));
+  UM_CHECK(um_core_allocate(context, forward->observations.count, sizeof *none.base, &none.base));
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, NULL, 0, none.base));
   UM_CHECK(baseline(context, &work, &state, d));
   for (size_t i = 0; i < nwanted; i++) {
@@ -291,11 +291,12 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
     UM_CHECK(um_diagnosis_block_wanted(context, &work, &wanted[i], INFINITY, &block));
     UM_CHECK(um_diagnosis_state_append(context, &state, &block));
   }
-  if (!(um_diagnosis_free_parameters(&state) < (double)forward->nobservation)) {
-    status = um_core_fail(
-        context, UM_ERR_INPUT,
-        "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-        forward->measurements->path, forward->nobservation, um_diagnosis_free_parameters(&state));
+  if (!(um_diagnosis_free_parameters(&state) < (double)forward->observations.count)) {
+    status =
+        um_core_fail(context, UM_ERR_INPUT,
+                     "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
+                     forward->measurements->path, forward->observations.count,
+                     um_diagnosis_free_parameters(&state));
     goto done;
   }
   um_core_progress_begin(context, "fitting", 1);

@@ -52,7 +52,7 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
                                             struct um_diagnosis_directions *d)
 {
   const struct um_sensitivity_candidates *all = work->candidates;
-  size_t n = work->forward->nobservation, columns = 0, at = 0;
+  size_t n = work->forward->observations.count, columns = 0, at = 0;
   for (size_t i = 0; i < all->count; i++) columns += all->candidate[i].ncolumn;
   UM_TRY(um_core_allocate(context, all->count, sizeof *d->direction, &d->direction));
   UM_TRY(um_core_allocate(context, columns * n, sizeof *d->column, &d->column));
@@ -65,8 +65,9 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
     bounds_of(c, low, high, prior, slope);
     for (size_t k = 0; k < c->ncolumn; k++)
       for (size_t j = 0; j < n; j++)
-        d->column[(at + k) * n + j] =
-            c->insensitive ? 0.0 : slope[k] * c->signature[k * n + j] / work->forward->sigma[j];
+        d->column[(at + k) * n + j] = c->insensitive ? 0.0
+                                                     : slope[k] * c->signature[k * n + j] /
+                                                           work->forward->observations.sigma[j];
     d->direction[i] =
         (struct um_inference_direction){c->ncolumn, d->column + at * n, low, high, prior};
     at += c->ncolumn;

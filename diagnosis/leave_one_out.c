@@ -107,7 +107,7 @@ static enum um_status fill_series(struct um_context *context, const struct um_di
                                   const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   enum um_status status = UM_OK;
-  size_t n = work->forward->nobservation;
+  size_t n = work->forward->observations.count;
   struct um_diagnosis_state now = {0};
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];

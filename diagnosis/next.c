@@ -42,10 +42,12 @@ static double measured_sigma(const struct um_sensitivity_forward *f, bool temper
                              const char *of)
 {
   double sum = 0.0, rows = 0.0;
-  for (size_t j = 0; j < f->nobservation; j++) {
-    const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
+  for (size_t j = 0; j < f->observations.count; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
     if ((c->quantity == UM_QUANTITY_TEMPERATURE) != temperature || strcmp(c->of, of) != 0) continue;
-    sum += temperature ? f->sigma[j] : f->sigma[j] / fmax(fabs(f->measured[j]), f->sigma[j]);
+    sum += temperature ? f->observations.sigma[j]
+                       : f->observations.sigma[j] /
+                             fmax(fabs(f->observations.measured[j]), f->observations.sigma[j]);
     rows += 1.0;
   }
   return rows > 0.0 ? sum / rows : NAN;

@@ -39,8 +39,8 @@ static double straight(const struct um_diagnosis_work *work, const struct um_dia
                        const struct um_sensitivity_candidate *c)
 {
   double dot = 0.0, square = 0.0;
-  for (size_t j = 0; j < work->forward->nobservation; j++) {
-    double s = c->signature[j] / work->forward->sigma[j];
+  for (size_t j = 0; j < work->forward->observations.count; j++) {
+    double s = c->signature[j] / work->forward->observations.sigma[j];
     dot += s * state->fit->residual[j];
     square += s * s;
   }
@@ -66,8 +66,8 @@ static enum um_status chi2_at(struct um_context *context, const struct um_diagno
     *out = INFINITY;
     return UM_OK;
   }
-  for (size_t j = 0; j < f->nobservation && status == UM_OK; j++)
-    *out += pow((f->measured[j] - value[j]) / f->sigma[j], 2);
+  for (size_t j = 0; j < f->observations.count && status == UM_OK; j++)
+    *out += pow((f->observations.measured[j] - value[j]) / f->observations.sigma[j], 2);
   return status;
 }
 
@@ -85,11 +85,11 @@ static enum um_status measured_shape(struct um_context *context,
   double *t = NULL;
   size_t n = 0;
   *out = (struct unidentified){NAN, NAN};
-  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *t, &t));
-  for (size_t j = 0; j < f->nobservation; j++) {
-    const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
+  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *t, &t));
+  for (size_t j = 0; j < f->observations.count; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
     if (c->quantity == UM_QUANTITY_TEMPERATURE && target != NULL && strcmp(c->of, target) == 0)
-      t[n++] = f->measured[j];
+      t[n++] = f->observations.measured[j];
   }
   qsort(t, n, sizeof *t, um_core_order_double);
   if (n >= ROWS_MIN) {
@@ -125,7 +125,7 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
   struct unidentified measured;
   double *rows = NULL;
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *all, &all));
-  UM_CHECK(um_core_allocate(context, work->forward->nobservation, sizeof *rows, &rows));
+  UM_CHECK(um_core_allocate(context, work->forward->observations.count, sizeof *rows, &rows));
   UM_CHECK(measured_shape(context, work->forward, c->target, &measured));
   for (size_t s = 0; s < c->nunidentified; s++)
     if (c->effect->parameters[c->unidentified[s]].is_temperature)
@@ -323,8 +323,8 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
   search.others = state->fit->chi2_prior -
                   prior_of(&state->block[b], state->fit->x + first_parameter(state, b));
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *search.all, &search.all));
-  UM_CHECK(
-      um_core_allocate(context, work->forward->nobservation, sizeof *search.value, &search.value));
+  UM_CHECK(um_core_allocate(context, work->forward->observations.count, sizeof *search.value,
+                            &search.value));
   UM_CHECK(search_from(&search));
   UM_CHECK(um_diagnosis_state_fit(context, work, &trial, NULL, NULL));
   if (trial.fit->bic < state->fit->bic) {

@@ -44,7 +44,7 @@ static enum um_status left_make(struct um_context *context, const struct um_diag
                                 const struct um_diagnosis_directions *d, struct left *left)
 {
   enum um_status status;
-  size_t rows = work->forward->nobservation, count = work->candidates->count, columns = 0;
+  size_t rows = work->forward->observations.count, count = work->candidates->count, columns = 0;
   struct um_inference_projection projection = {0};
   double *residual = NULL;
   UM_CHECK(um_core_allocate(context, count, sizeof *left->at, &left->at));
@@ -132,7 +132,7 @@ static enum um_status find_pairs(struct um_context *context, const struct um_dia
   enum um_status status;
   struct um_diagnosis_directions d = {0};
   struct left left = {0};
-  double *matrix = NULL, *rotated = NULL, penalty = log((double)work->forward->nobservation);
+  double *matrix = NULL, *rotated = NULL, penalty = log((double)work->forward->observations.count);
   *count = 0;
   UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
   UM_CHECK(left_make(context, work, state, &d, &left));

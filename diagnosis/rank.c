@@ -31,7 +31,7 @@ sort_alternatives(struct um_context *context, const struct um_diagnosis_work *wo
                   struct um_diagnosis_alternative *alternative, size_t *nalternative)
 {
   const struct um_sensitivity_candidates *all = work->candidates;
-  double penalty = log((double)work->forward->nobservation);
+  double penalty = log((double)work->forward->observations.count);
   struct predicted_reduction *predicted_reduction = NULL;
   UM_TRY(um_core_allocate(context, all->count, sizeof *predicted_reduction, &predicted_reduction));
   *nalternative = 0;
@@ -60,7 +60,7 @@ enum um_status um_diagnosis_rank(struct um_context *context, const struct um_dia
                                  struct um_diagnosis_alternative *alternative, size_t *nalternative)
 {
   enum um_status status;
-  size_t n = work->forward->nobservation, count = work->candidates->count;
+  size_t n = work->forward->observations.count, count = work->candidates->count;
   struct um_diagnosis_directions d = {0};
   struct um_inference_score *score = NULL;
   double *residual = NULL;
@@ -145,8 +145,8 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
   double *chi2_difference = NULL;
   UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
   UM_CHECK(um_core_allocate(context, count, sizeof *chi2_difference, &chi2_difference));
-  UM_CHECK(um_inference_chi2_difference(context, work->forward->nobservation, signal, &d.nuisance,
-                                        count, d.direction, chi2_difference));
+  UM_CHECK(um_inference_chi2_difference(context, work->forward->observations.count, signal,
+                                        &d.nuisance, count, d.direction, chi2_difference));
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
   size_t plausible = 0, tied = 0;
   for (size_t i = 0; i < step->nalternative; i++) {

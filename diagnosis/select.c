@@ -14,7 +14,7 @@ enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       struct um_diagnosis_step *step)
 {
   enum um_status status;
-  size_t n = work->forward->nobservation;
+  size_t n = work->forward->observations.count;
   double *signal = NULL;
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
   step->candidate = winner->candidate;
@@ -29,7 +29,7 @@ enum um_status um_diagnosis_step_fill(struct um_context *context,
   UM_CHECK(um_diagnosis_state_held_out(context, work, state, &step->held_out_before));
   UM_CHECK(um_core_allocate(context, n, sizeof *signal, &signal));
   for (size_t j = 0; j < n; j++)
-    signal[j] = (best->fit->value[j] - state->fit->value[j]) / work->forward->sigma[j];
+    signal[j] = (best->fit->value[j] - state->fit->value[j]) / work->forward->observations.sigma[j];
   UM_CHECK(um_diagnosis_rank_groups(context, work, state, signal, step));
 done:
   um_core_free(context, signal);

@@ -129,7 +129,7 @@ static size_t iterations(const struct um_diagnosis_work *work,
 static double prune_above(const struct um_diagnosis_work *work,
                           const struct um_diagnosis_state *state)
 {
-  double penalty = (double)state->nparameter * log((double)work->forward->nobservation);
+  double penalty = (double)state->nparameter * log((double)work->forward->observations.count);
   return isfinite(state->prune_above) ? fmax(0.0, state->prune_above - penalty) : 0.0;
 }
 
@@ -145,10 +145,10 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *e.addition, &e.addition));
   UM_CHECK(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
   parameters_of(state, parameter);
-  struct um_inference_fit_problem problem = {.nobservation = work->forward->nobservation,
+  struct um_inference_fit_problem problem = {.nobservation = work->forward->observations.count,
                                              .nparameter = state->nparameter,
-                                             .measured = work->forward->measured,
-                                             .sigma = work->forward->sigma,
+                                             .measured = work->forward->observations.measured,
+                                             .sigma = work->forward->observations.sigma,
                                              .parameter = parameter,
                                              .evaluate = evaluate,
                                              .user = &e,
@@ -195,10 +195,10 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
   struct um_inference_fit_parameter *parameter = NULL;
   UM_TRY(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
   parameters_of(state, parameter);
-  struct um_inference_fit_problem problem = {.nobservation = work->forward->nobservation,
+  struct um_inference_fit_problem problem = {.nobservation = work->forward->observations.count,
                                              .nparameter = state->nparameter,
-                                             .measured = work->forward->measured,
-                                             .sigma = work->forward->sigma,
+                                             .measured = work->forward->observations.measured,
+                                             .sigma = work->forward->observations.sigma,
                                              .parameter = parameter};
   status = um_inference_fit_held_out(context, &problem, state->fit, work->fold, work->nfold, out);
   um_core_free(context, parameter);
@@ -225,20 +225,21 @@ enum um_status um_diagnosis_state_whiteness(struct um_context *context,
   const struct um_sensitivity_forward *f = work->forward;
   size_t *order = NULL, *channel = NULL;
   double *sorted = NULL;
-  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *order, &order));
-  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *channel, &channel));
-  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *sorted, &sorted));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *order, &order));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *channel, &channel));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *sorted, &sorted));
   /* observations are in order of time within a track; insertion is quick where they nearly are */
-  for (size_t j = 0; j < f->nobservation; j++) {
+  for (size_t j = 0; j < f->observations.count; j++) {
     size_t at = j;
-    for (; at > 0 && f->t[order[at - 1]] > f->t[j]; at--) order[at] = order[at - 1];
+    for (; at > 0 && f->observations.t[order[at - 1]] > f->observations.t[j]; at--)
+      order[at] = order[at - 1];
     order[at] = j;
   }
-  for (size_t j = 0; j < f->nobservation; j++) {
+  for (size_t j = 0; j < f->observations.count; j++) {
     sorted[j] = state->fit->residual[order[j]];
-    channel[j] = f->channel[order[j]];
+    channel[j] = f->observations.channel[order[j]];
   }
-  UM_CHECK(um_inference_whiteness_test(context, f->nobservation, sorted, channel,
+  UM_CHECK(um_inference_whiteness_test(context, f->observations.count, sorted, channel,
                                        f->measurements->nchannel,
                                        um_diagnosis_free_parameters(state), out));
 done:

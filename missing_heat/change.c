@@ -53,7 +53,7 @@ enum um_status um_missing_heat_change(struct um_context *context,
                                       double to, double *power, double *chi2)
 {
   enum um_status status;
-  size_t nobservation = base->forward->nobservation, nleft = projection->nleft;
+  size_t nobservation = base->forward->observations.count, nleft = projection->nleft;
   double *cold = NULL, *value = NULL, *left = NULL;
   UM_CHECK(um_core_allocate(context, nobservation, sizeof *cold, &cold));
   UM_CHECK(um_core_allocate(context, nobservation, sizeof *value, &value));

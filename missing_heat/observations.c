@@ -28,10 +28,11 @@ enum um_status um_missing_heat_predict(struct um_context *context,
   double *whole = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *whole, &whole));
   UM_CHECK(um_compare_predict(context, f->plan, base->precomputed, result, whole));
-  for (size_t j = 0; j < f->nobservation; j++) {
+  for (size_t j = 0; j < f->observations.count; j++) {
     double unused;
-    um_compare_linear(m->channel[f->channel[j]].quantity, whole[f->row[j]], NAN, &out[j], &unused);
-    out[j] /= f->sigma[j];
+    um_compare_linear(m->channel[f->observations.channel[j]].quantity,
+                      whole[f->observations.row[j]], NAN, &out[j], &unused);
+    out[j] /= f->observations.sigma[j];
   }
 done:
   um_core_free(context, whole);
@@ -40,7 +41,7 @@ done:
 
 static bool is_light(const struct um_sensitivity_forward *f, size_t row)
 {
-  return f->measurements->channel[f->channel[row]].quantity != UM_QUANTITY_TEMPERATURE;
+  return f->measurements->channel[f->observations.channel[row]].quantity != UM_QUANTITY_TEMPERATURE;
 }
 
 /* Number of the region of every surface. */
@@ -63,7 +64,7 @@ static enum um_status find_slope(struct um_context *context, struct um_missing_h
                                  size_t region, double *offset, const double *cold)
 {
   size_t nsurface = um_geometry_mesh(base->model->geometry)->nsurface, n = 0;
-  double *slope = base->slope + region * base->forward->nobservation;
+  double *slope = base->slope + region * base->forward->observations.count;
   struct um_model_result *result = NULL;
   for (size_t s = 0; s < nsurface; s++) {
     offset[s] = base->region[s] == region ? WARMER : 0.0;
@@ -74,7 +75,7 @@ static enum um_status find_slope(struct um_context *context, struct um_missing_h
   base->forward->evaluations++;
   enum um_status status = um_missing_heat_predict(context, base, result, slope);
   um_model_result_destroy(context, &result);
-  for (size_t j = 0; j < base->forward->nobservation; j++)
+  for (size_t j = 0; j < base->forward->observations.count; j++)
     slope[j] = is_light(base->forward, j) ? (slope[j] - cold[j]) / WARMER : 0.0;
   return status;
 }
@@ -85,11 +86,11 @@ static enum um_status find_slopes(struct um_context *context, struct um_missing_
   const struct um_sensitivity_forward *f = base->forward;
   double *cold = NULL, *offset = NULL;
   bool light = false;
-  for (size_t j = 0; j < f->nobservation; j++) light |= is_light(f, j);
-  UM_CHECK(um_core_allocate(context, base->nregion * f->nobservation, sizeof *base->slope,
+  for (size_t j = 0; j < f->observations.count; j++) light |= is_light(f, j);
+  UM_CHECK(um_core_allocate(context, base->nregion * f->observations.count, sizeof *base->slope,
                             &base->slope));
   if (!light || base->precomputed->view == NULL) goto done;
-  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *cold, &cold));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cold, &cold));
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->model->geometry)->nsurface,
                             sizeof *offset, &offset));
   UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
@@ -106,12 +107,13 @@ static enum um_status sort_rows(struct um_context *context, struct um_missing_he
   const struct um_sensitivity_forward *f = base->forward;
   size_t nobs = base->precomputed->nobs, *first;
   UM_TRY(um_core_allocate(context, nobs + 2, sizeof *base->first, &base->first));
-  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *base->row, &base->row));
+  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *base->row, &base->row));
   first = base->first; /* counts two places on, starts one place on, then ends there */
-  for (size_t j = 0; j < f->nobservation; j++) first[f->plan->observation[f->row[j]] + 2]++;
+  for (size_t j = 0; j < f->observations.count; j++)
+    first[f->plan->observation[f->observations.row[j]] + 2]++;
   for (size_t k = 2; k < nobs + 2; k++) first[k] += first[k - 1];
-  for (size_t j = 0; j < f->nobservation; j++)
-    base->row[first[f->plan->observation[f->row[j]] + 1]++] = j;
+  for (size_t j = 0; j < f->observations.count; j++)
+    base->row[first[f->plan->observation[f->observations.row[j]] + 1]++] = j;
   return UM_OK;
 }
 
@@ -220,7 +222,7 @@ static double temperature_change(const struct um_missing_heat_base *base, size_t
 {
   const struct um_sensitivity_forward *f = base->forward;
   const struct um_thermal_body *body = base->model->body;
-  size_t source = f->plan->source[f->channel[row]];
+  size_t source = f->plan->source[f->observations.channel[row]];
   double sum = 0.0, area = 0.0;
   if (source < body->nplace) {
     const struct um_thermal_place *place = &body->place[source];
@@ -245,7 +247,7 @@ static double light_change(const struct taker *t, size_t row, const double *regi
 {
   double sum = 0.0;
   for (size_t g = 0; g < t->base->nregion; g++)
-    sum += t->base->slope[g * t->base->forward->nobservation + row] * region[g];
+    sum += t->base->slope[g * t->base->forward->observations.count + row] * region[g];
   return sum;
 }
 
@@ -272,9 +274,10 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
     }
     for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++) {
       size_t row = base->row[i];
-      t->column[b * f->nobservation + row] +=
-          share * (is_light(f, row) ? light_change(t, row, mean)
-                                    : temperature_change(base, row, s) / f->sigma[row]);
+      t->column[b * f->observations.count + row] +=
+          share * (is_light(f, row)
+                       ? light_change(t, row, mean)
+                       : temperature_change(base, row, s) / f->observations.sigma[row]);
     }
   }
   return UM_OK;
@@ -294,7 +297,7 @@ enum um_status um_missing_heat_columns(struct um_context *context,
   struct um_thermal_response_source *source = NULL;
   /* steps end where bins do */
   const struct um_thermal_response_options how = {.longest_step = edge[nbin] - edge[0]};
-  memset(column, 0, nbin * base->forward->nobservation * sizeof *column);
+  memset(column, 0, nbin * base->forward->observations.count * sizeof *column);
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->model->geometry)->nsurface,
                             sizeof *t.weight, &t.weight));
   UM_CHECK(um_core_allocate(context, base->nregion, sizeof *t.sum, &t.sum));

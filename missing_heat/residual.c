@@ -16,9 +16,9 @@ static struct weighed weigh(const struct um_sensitivity_forward *f,
                             const struct um_compare_comparison *comparison, size_t channel)
 {
   struct weighed w = {0};
-  for (size_t j = 0; j < f->nobservation; j++) {
-    if (f->channel[j] != channel) continue;
-    double r = comparison->residual[f->row[j]] / f->sigma[j];
+  for (size_t j = 0; j < f->observations.count; j++) {
+    if (f->observations.channel[j] != channel) continue;
+    double r = comparison->residual[f->observations.row[j]] / f->observations.sigma[j];
     w.chi2 += r * r;
     w.mean += r;
     w.count += 1.0;

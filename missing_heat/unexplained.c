@@ -79,12 +79,13 @@ static enum um_status project(struct um_context *context, struct search *s, cons
   enum um_status status;
   const struct um_sensitivity_forward *f = s->base.forward;
   double *whole = NULL, *width = NULL;
-  UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *whole, &whole));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *whole, &whole));
   UM_CHECK(um_core_allocate(context, nnuisance, sizeof *width, &width));
   for (size_t j = 0; j < nnuisance; j++) width[j] = INFINITY;
-  for (size_t j = 0; j < f->nobservation; j++) whole[j] = (f->measured[j] - value[j]) / f->sigma[j];
+  for (size_t j = 0; j < f->observations.count; j++)
+    whole[j] = (f->observations.measured[j] - value[j]) / f->observations.sigma[j];
   struct um_inference_nuisance n = {nnuisance, nuisance, width};
-  UM_CHECK(um_inference_projection_create(context, f->nobservation, &n, &s->projection));
+  UM_CHECK(um_inference_projection_create(context, f->observations.count, &n, &s->projection));
   UM_CHECK(um_core_allocate(context, s->projection.nleft, sizeof *s->residual, &s->residual));
   um_inference_projection_apply(&s->projection, whole, s->residual);
   *chi2 = um_inference_dot(s->projection.nleft, s->residual, s->residual);
@@ -115,7 +116,7 @@ static enum um_status find_edges(struct um_context *context, struct search *s)
 static enum um_status bins_of(struct um_context *context, struct search *s, size_t place,
                               size_t nbin, const double *edge, struct um_missing_heat_bins *out)
 {
-  UM_TRY(um_core_reallocate(context, nbin * s->base.forward->nobservation, sizeof *s->column,
+  UM_TRY(um_core_reallocate(context, nbin * s->base.forward->observations.count, sizeof *s->column,
                             &s->column));
   UM_TRY(um_missing_heat_columns(context, &s->base, &s->place[place], nbin, edge, s->column));
   return um_missing_heat_bins_create(context, &s->projection, s->residual, nbin, edge, s->column,
@@ -300,7 +301,7 @@ enum um_status um_missing_heat_unexplained_create(struct um_context *context,
   if (!s.base.precomputed->points && s.base.precomputed->nobs > 1)
     UM_CHECK(find_heat(context, &s, u));
   u->chi2_after = u->chi2_before - (u->nheat > 0 ? u->heat[0].chi2_explained : 0.0);
-  u->found = is_found(u, s.nbin, (double)forward->nobservation - (double)nnuisance);
+  u->found = is_found(u, s.nbin, (double)forward->observations.count - (double)nnuisance);
   *out = u;
   u = NULL;
 done:

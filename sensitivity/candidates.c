@@ -6,9 +6,11 @@
 
 #include "core/words.h"
 #include "effects/effects.h"
-#include "sensitivity/candidates_impl.h"
 #include "sensitivity/forward_impl.h"
+#include "sensitivity/scan_impl.h"
+#include "sensitivity/signature_impl.h"
 #include "sensitivity/stated.h"
+#include "sensitivity/targets_impl.h"
 
 /* --- which ----------------------------------------------------------------------------------- */
 
@@ -209,7 +211,7 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
   struct um_sensitivity_point point = {forward, addition, naddition, NULL, 0.0};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *list, &list));
-  list->nobservation = forward->nobservation;
+  list->nobservation = forward->observations.count;
   UM_CHECK(make_list(context, forward, addition, naddition, options, list));
   UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *list->base, &list->base));
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));

@@ -11,6 +11,7 @@
 #include "core/file.h"
 #include "core/words.h"
 #include "sensitivity/forward_impl.h"
+#include "sensitivity/observations_impl.h"
 #include "sensitivity/variant_impl.h"
 
 static void cached_clear(struct um_context *context, struct um_sensitivity_cached *cached)
@@ -119,7 +120,7 @@ static enum um_status variant_make(struct um_context *context,
   UM_CHECK(um_model_variant_create(context, forward->model, addition, naddition, &v->model));
   v->used = v->model;
   UM_CHECK(um_core_allocate(context, naddition, sizeof *key, &key));
-  nkey = um_sensitivity_variant_key(forward, v->model, addition, naddition, key);
+  nkey = um_sensitivity_variant_key(forward->model, v->model, addition, naddition, key);
   UM_CHECK(find_precomputed(context, forward, &key, nkey, v, &cached));
   cached->used = forward->evaluations + 1;
   v->precomputed = cached->precomputed;
@@ -149,16 +150,16 @@ static enum um_status gather(struct um_context *context,
                              const struct um_sensitivity_forward *forward, double *value)
 {
   const struct um_compare_measurements *m = forward->measurements;
-  for (size_t j = 0; j < forward->nobservation; j++) {
+  for (size_t j = 0; j < forward->observations.count; j++) {
     double unused;
-    size_t row = forward->row[j];
-    um_compare_linear(m->channel[forward->channel[j]].quantity, forward->cache->predicted[row], NAN,
-                      &value[j], &unused);
+    size_t row = forward->observations.row[j];
+    um_compare_linear(m->channel[forward->observations.channel[j]].quantity,
+                      forward->cache->predicted[row], NAN, &value[j], &unused);
     if (!isfinite(value[j]))
-      return um_core_fail(context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g", m->path,
-                          m->row[row].line,
-                          um_compare_quantity_name(m->channel[forward->channel[j]].quantity),
-                          m->channel[forward->channel[j]].of, value[j]);
+      return um_core_fail(
+          context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g", m->path, m->row[row].line,
+          um_compare_quantity_name(m->channel[forward->observations.channel[j]].quantity),
+          m->channel[forward->observations.channel[j]].of, value[j]);
   }
   return UM_OK;
 }
@@ -187,7 +188,7 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
   enum um_status status = UM_OK;
   if (naddition == 0) {
     forward->cache->fresh_heat = false;
-    memcpy(value, forward->cache->base, forward->nobservation * sizeof *value);
+    memcpy(value, forward->cache->base, forward->observations.count * sizeof *value);
   } else {
     um_core_quiet_begin(context);
     status = evaluate(context, forward, addition, naddition, value);
@@ -221,10 +222,11 @@ enum um_status um_sensitivity_forward_noise(struct um_context *context,
   *out = forward->cache->noise;
   if (!isnan(*out)) return UM_OK;
   um_core_quiet_begin(context);
-  UM_CHECK(um_core_allocate(context, forward->nobservation, sizeof *value, &value));
+  UM_CHECK(um_core_allocate(context, forward->observations.count, sizeof *value, &value));
   UM_CHECK(repeat(context, forward, value));
-  for (size_t j = 0; j < forward->nobservation; j++)
-    largest = fmax(largest, fabs(value[j] - forward->cache->base[j]) / forward->sigma[j]);
+  for (size_t j = 0; j < forward->observations.count; j++)
+    largest =
+        fmax(largest, fabs(value[j] - forward->cache->base[j]) / forward->observations.sigma[j]);
   *out = forward->cache->noise = largest;
 done:
   um_core_quiet_end(context);
@@ -278,7 +280,10 @@ static enum um_status first_evaluation(struct um_context *context,
   UM_CHECK(first_run(context, forward, &result));
   UM_CHECK(
       um_compare_predict(context, forward->plan, cache->own.precomputed, result, cache->predicted));
-  UM_CHECK(um_sensitivity_observations_create(context, forward, result));
+  UM_CHECK(um_sensitivity_observations_create(context, forward->plan, forward->model->scenario,
+                                              result, cache->predicted, &forward->observations));
+  UM_CHECK(
+      um_core_allocate(context, forward->observations.count, sizeof *cache->base, &cache->base));
   UM_CHECK(gather(context, forward, cache->base));
   forward->evaluations = 1;
   forward->seconds = forward->seconds_first = omp_get_wtime() - begin;
@@ -328,13 +333,7 @@ void um_sensitivity_forward_destroy(struct um_context *context,
     um_core_free(context, f->cache->base);
     um_core_free(context, f->cache);
   }
-  um_core_free(context, f->row);
-  um_core_free(context, f->channel);
-  um_core_free(context, f->t);
-  um_core_free(context, f->measured);
-  um_core_free(context, f->sigma);
-  um_core_free(context, f->stated_sigma);
-  um_core_free(context, f->model_sigma);
+  um_sensitivity_observations_release(context, &f->observations);
   um_compare_plan_destroy(context, &f->plan);
   um_model_destroy(context, &f->model);
   if (f->holds_files) um_core_files_let_go(context);

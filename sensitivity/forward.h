@@ -6,6 +6,7 @@
 
 #include "compare/predict.h"
 #include "model/model.h"
+#include "sensitivity/observations.h"
 
 struct um_sensitivity_forward {
   bool holds_files; /* everything is built from what was read first */
@@ -16,18 +17,7 @@ struct um_sensitivity_forward {
   const struct um_model_precomputed *precomputed;           /* its geometry; of the cache */
   const struct um_model_thermal_solution *thermal_solution; /* its heat; of the cache */
   struct um_compare_plan *plan;
-  /* observations in use (flag 0), in file order */
-  size_t nobservation;
-  size_t *row;      /* [nobservation] of the set */
-  size_t *channel;  /* [nobservation] of the set's channels */
-  double *t;        /* [nobservation] t_tai [s] */
-  double *measured; /* [nobservation] linear unit: magnitudes as flux relative to magnitude 0 */
-  /* [nobservation] linear unit. stated: of the measurement, or of the scenario's noise model.
-   * model: of the model's own sampling, at the scenario as it stands; 0 of temperatures. sigma:
-   * both in quadrature, what every residual is weighed by; it stays while effects come and go, so
-   * that chi-square is smooth in their parameters. */
-  double *sigma, *stated_sigma, *model_sigma;
-  double model_share;          /* mean of model_sigma^2 / sigma^2 [1] */
+  struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
   size_t evaluations;          /* how often a model was computed */
   double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and

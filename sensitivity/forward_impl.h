@@ -31,10 +31,4 @@ struct um_sensitivity_forward_cache {
  * where it ended: how well heat that is integrated repeats. Computed once. */
 enum um_status um_sensitivity_forward_noise(struct um_context *context,
                                             struct um_sensitivity_forward *forward, double *out);
-/* Observations in use with their sigma, from the scenario's own values in cache->predicted and the
- * run that they are of. */
-enum um_status um_sensitivity_observations_create(struct um_context *context,
-                                                  struct um_sensitivity_forward *forward,
-                                                  const struct um_model_result *result);
-
 #endif

@@ -1,12 +1,13 @@
 /* Where to look for a parameter that does nothing by itself: the temperature at which a thermostat
  * switches is one that its place has. Where the place was measured, the coldest measurement is near
  * it (the heater kept it from growing colder); else a cold quarter of the model's own range. */
+#include "sensitivity/scan_impl.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/order.h"
-#include "sensitivity/candidates_impl.h"
 
 #define COLD_SHARE 0.25 /* of the range, from its cold end */
 #define COLDEST    0.05 /* quantile of the measurements: the coldest one is noise */
@@ -25,10 +26,11 @@ static enum um_status measured_cold(struct um_context *context,
   double *value = NULL;
   size_t n = 0;
   *out = NAN;
-  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *value, &value));
-  for (size_t j = 0; j < f->nobservation; j++) {
-    const struct um_compare_channel *c = &f->measurements->channel[f->channel[j]];
-    if (c->quantity == UM_QUANTITY_TEMPERATURE && is_of(c->of, target)) value[n++] = f->measured[j];
+  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *value, &value));
+  for (size_t j = 0; j < f->observations.count; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && is_of(c->of, target))
+      value[n++] = f->observations.measured[j];
   }
   if (n > 0) {
     qsort(value, n, sizeof *value, um_core_order_double);

@@ -10,11 +10,12 @@
  * A parameter that changes nothing alone, while another one of the effect does, is unidentified
  * under the null (a period, a delay): it is not free but stays at its default value. Where no
  * parameter changes anything alone, each is tried with the others at their default value. */
+#include "sensitivity/signature_impl.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "effects/effects.h"
-#include "sensitivity/candidates_impl.h"
 #include "sensitivity/forward_impl.h"
 
 #define SHARE_OF_PRIOR 0.2
@@ -50,14 +51,14 @@ static enum um_status step_to(struct um_context *context, const struct um_sensit
   memcpy(all[point->naddition].value, values, c->effect->nparameter * sizeof *values);
   UM_CHECK(um_sensitivity_forward_evaluate(context, f, all, point->naddition + 1, difference));
   *out = (struct change){.fresh = f->cache->fresh_heat};
-  for (size_t j = 0; j < f->nobservation; j++) {
+  for (size_t j = 0; j < f->observations.count; j++) {
     difference[j] -= point->base[j];
-    double d = fabs(difference[j]) / f->sigma[j];
+    double d = fabs(difference[j]) / f->observations.sigma[j];
     out->largest = fmax(out->largest, d);
     out->length += d * d;
   }
   out->length = sqrt(out->length);
-  out->rms = out->length / sqrt((double)f->nobservation);
+  out->rms = out->length / sqrt((double)f->observations.count);
 done:
   um_core_free(context, all);
   return status;
@@ -206,7 +207,7 @@ static enum um_status make_columns(struct um_context *context,
                                    const struct um_sensitivity_point *point, const double *at,
                                    struct um_sensitivity_candidate *c)
 {
-  size_t n = point->forward->nobservation;
+  size_t n = point->forward->observations.count;
   c->ncolumn = 0;
   for (size_t p = 0; p < c->effect->nparameter; p++) {
     struct change change;
@@ -269,7 +270,7 @@ static enum um_status find_amplitude(struct um_context *context,
     const struct mover mover = {context, point, c, at, p, c->signature};
     UM_TRY(difference(&mover, &step, &change));
     if (!alive(&change, point->noise)) continue;
-    divide(c->signature, point->forward->nobservation, step);
+    divide(c->signature, point->forward->observations.count, step);
     memcpy(c->null_value, at, n * sizeof *at);
     c->ncolumn = 1;
     c->parameter[0] = p;
@@ -311,13 +312,13 @@ enum um_status um_sensitivity_signature_create(struct um_context *context,
                                                struct um_sensitivity_candidate *c)
 {
   size_t columns = c->is_switch ? 1 : c->effect->nparameter;
-  UM_TRY(um_core_allocate(context, columns * point->forward->nobservation, sizeof *c->signature,
-                          &c->signature));
+  UM_TRY(um_core_allocate(context, columns * point->forward->observations.count,
+                          sizeof *c->signature, &c->signature));
   enum um_status status = c->insensitive ? UM_OK : make(context, point, c);
   if (status != UM_OK) status = refused(context, c, status);
   if (c->insensitive) {
     c->ncolumn = columns;
-    memset(c->signature, 0, columns * point->forward->nobservation * sizeof *c->signature);
+    memset(c->signature, 0, columns * point->forward->observations.count * sizeof *c->signature);
     for (size_t k = 0; k < columns; k++) c->parameter[k] = k;
   }
   return status;
@@ -327,7 +328,7 @@ enum um_status um_sensitivity_signature_renew(struct um_context *context,
                                               const struct um_sensitivity_point *point,
                                               struct um_sensitivity_candidate *c)
 {
-  size_t n = point->forward->nobservation;
+  size_t n = point->forward->observations.count;
   if (c->is_switch) return make_switch(context, point, c);
   for (size_t k = 0; k < c->ncolumn; k++) {
     struct change change;

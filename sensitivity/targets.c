@@ -1,10 +1,11 @@
 /* What an effect may be attached to in a model that is built: parts, their groups where there is
  * more than one, materials, bands; for contacts the places they join. One thing under two names is
  * listed once. */
+#include "sensitivity/targets_impl.h"
+
 #include <stdint.h>
 #include <string.h>
 
-#include "sensitivity/candidates_impl.h"
 #include "thermal/body.h"
 
 static enum um_status add(struct um_context *context, struct um_sensitivity_targets *to,

@@ -15,12 +15,11 @@ static bool same_light(const struct um_environment *a, const struct um_environme
          a->limb_darkening == b->limb_darkening;
 }
 
-size_t um_sensitivity_variant_key(const struct um_sensitivity_forward *forward,
-                                  const struct um_model *variant,
+size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,
                                   const struct um_model_addition *addition, size_t naddition,
                                   struct um_model_addition *key)
 {
-  bool lit = !same_light(&forward->model->environment, &variant->environment);
+  bool lit = !same_light(&scenario->environment, &variant->environment);
   size_t count = 0;
   for (size_t i = 0; i < naddition; i++) {
     uint32_t reach = um_effects_reach(addition[i].effect);

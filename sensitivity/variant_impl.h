@@ -2,12 +2,11 @@
 #ifndef UMBRA_SENSITIVITY_VARIANT_IMPL_H
 #define UMBRA_SENSITIVITY_VARIANT_IMPL_H
 
-#include "sensitivity/forward.h"
+#include "model/model.h"
 
-/* The additions that the scenario's own geometry precomputation does not serve, 0 when it serves;
- * key: room for [naddition]. */
-size_t um_sensitivity_variant_key(const struct um_sensitivity_forward *forward,
-                                  const struct um_model *variant,
+/* The additions that the geometry precomputation of the scenario as it stands does not serve, 0
+ * when it serves; key: room for [naddition]. */
+size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,
                                   const struct um_model_addition *addition, size_t naddition,
                                   struct um_model_addition *key);
 /* Do both keys ask for the same precomputation, number for number? */

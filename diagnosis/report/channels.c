@@ -33,9 +33,10 @@ enum um_status um_diagnosis_report_channel_rows(struct um_context *context,
   struct timed *timed = NULL;
   *out = NULL;
   *count = 0;
-  UM_TRY(um_core_allocate(context, f->nobservation, sizeof *timed, &timed));
-  for (size_t i = 0; i < f->nobservation; i++)
-    if (f->channel[i] == c) timed[(*count)++] = (struct timed){f->t[i], i};
+  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *timed, &timed));
+  for (size_t i = 0; i < f->observations.count; i++)
+    if (f->observations.channel[i] == c)
+      timed[(*count)++] = (struct timed){f->observations.t[i], i};
   qsort(timed, *count, sizeof *timed, by_time);
   enum um_status status = um_core_allocate(context, *count, sizeof **out, out);
   for (size_t i = 0; status == UM_OK && i < *count; i++) (*out)[i] = timed[i].row;
@@ -58,14 +59,14 @@ enum um_status um_diagnosis_report_channel_metrics(struct um_context *context,
   double *measured = columns, *model = columns + n, *sigma = columns + 2 * n;
   double *model_sigma = columns + 3 * n;
   for (size_t i = 0; i < n; i++) {
-    measured[i] = f->measured[row[i]];
+    measured[i] = f->observations.measured[row[i]];
     model[i] = value[row[i]];
-    sigma[i] = f->stated_sigma[row[i]];
-    model_sigma[i] = f->model_sigma[row[i]];
+    sigma[i] = f->observations.stated_sigma[row[i]];
+    model_sigma[i] = f->observations.model_sigma[row[i]];
   }
   /* observations are linear already: magnitudes pass as a flux */
   if (quantity != UM_QUANTITY_TEMPERATURE) quantity = UM_QUANTITY_RADIANT_INTENSITY;
-  double fitted = ((double)f->nobservation - dof) * (double)n / (double)f->nobservation;
+  double fitted = ((double)f->observations.count - dof) * (double)n / (double)f->observations.count;
   UM_CHECK(um_compare_metrics_compute(context, quantity, n, measured, model, sigma, model_sigma,
                                       NULL, 0, fmax(fitted, 0.0), NULL, out));
 done:

@@ -39,7 +39,8 @@ static enum um_status gap_of(struct um_context *context, const struct um_diagnos
   *out = INFINITY;
   if (status == UM_OK && *count > 2) {
     size_t n = *count - 1;
-    for (size_t i = 0; i < n; i++) step[i] = d->forward->t[row[i + 1]] - d->forward->t[row[i]];
+    for (size_t i = 0; i < n; i++)
+      step[i] = d->forward->observations.t[row[i + 1]] - d->forward->observations.t[row[i]];
     qsort(step, n, sizeof *step, um_core_order_double);
     *out = GAP * step[n / 2];
   }
@@ -83,8 +84,10 @@ static double largest_residual(const struct um_diagnosis *d, size_t c, const dou
 {
   const struct um_sensitivity_forward *f = d->forward;
   double largest = 1.0;
-  for (size_t i = 0; i < f->nobservation; i++)
-    if (f->channel[i] == c) largest = fmax(largest, fabs(f->measured[i] - value[i]) / f->sigma[i]);
+  for (size_t i = 0; i < f->observations.count; i++)
+    if (f->observations.channel[i] == c)
+      largest =
+          fmax(largest, fabs(f->observations.measured[i] - value[i]) / f->observations.sigma[i]);
   double power = pow(10.0, floor(log10(largest))), lead = largest / power;
   static const double round[] = {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0};
   size_t i = 0;
@@ -96,9 +99,9 @@ static double largest_value(const struct um_diagnosis *d, size_t c)
 {
   const struct um_sensitivity_forward *f = d->forward;
   double largest = 0.0;
-  for (size_t i = 0; i < f->nobservation; i++)
-    if (f->channel[i] == c)
-      largest = fmax(largest, fmax(fabs(f->measured[i]),
+  for (size_t i = 0; i < f->observations.count; i++)
+    if (f->observations.channel[i] == c)
+      largest = fmax(largest, fmax(fabs(f->observations.measured[i]),
                                    fmax(fabs(d->value_before[i]), fabs(d->value_after[i]))));
   return largest;
 }
@@ -215,9 +218,9 @@ static enum um_status put_script(struct um_context *context, const struct um_dia
 {
   const struct um_sensitivity_forward *forward = d->forward;
   double first = INFINITY, last = -INFINITY;
-  for (size_t i = 0; i < forward->nobservation; i++) {
-    first = fmin(first, forward->t[i]);
-    last = fmax(last, forward->t[i]);
+  for (size_t i = 0; i < forward->observations.count; i++) {
+    first = fmin(first, forward->observations.t[i]);
+    last = fmax(last, forward->observations.t[i]);
   }
   struct um_plot_time time = um_diagnosis_report_plot_time(first, last);
   for (size_t c = 0, row = 1, count; c < forward->measurements->nchannel; c++, row += count)

@@ -77,10 +77,10 @@ static void write_ranking(const struct um_diagnosis *d, FILE *file)
 static double row_sigma(const struct um_sensitivity_forward *f, size_t i,
                         enum um_compare_quantity quantity)
 {
-  double given = f->measurements->row[f->row[i]].sigma;
+  double given = f->measurements->row[f->observations.row[i]].sigma;
   if (!isnan(given) || !um_compare_is_magnitude(quantity))
-    return isnan(given) ? f->stated_sigma[i] : given;
-  return 2.5 / log(10.0) * f->stated_sigma[i] / fabs(f->measured[i]);
+    return isnan(given) ? f->observations.stated_sigma[i] : given;
+  return 2.5 / log(10.0) * f->observations.stated_sigma[i] / fabs(f->observations.measured[i]);
 }
 
 static void fit_row(const struct um_diagnosis *d, size_t c, size_t i, FILE *file)
@@ -88,15 +88,17 @@ static void fit_row(const struct um_diagnosis *d, size_t c, size_t i, FILE *file
   const struct um_sensitivity_forward *f = d->forward;
   const struct um_compare_channel *channel = um_diagnosis_report_channel(d, c);
   char time[40];
-  um_compare_time_text(f->t[i], time);
+  um_compare_time_text(f->observations.t[i], time);
   fprintf(file, "%s,%s,", time, um_compare_quantity_name(channel->quantity));
   um_compare_csv_text(file, channel->of);
-  um_compare_csv_number(file, f->measurements->row[f->row[i]].value);
+  um_compare_csv_number(file, f->measurements->row[f->observations.row[i]].value);
   um_compare_csv_number(file, row_sigma(f, i, channel->quantity));
   um_compare_csv_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_before[i]));
   um_compare_csv_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_after[i]));
-  um_compare_csv_number(file, (f->measured[i] - d->value_before[i]) / f->sigma[i]);
-  um_compare_csv_number(file, (f->measured[i] - d->value_after[i]) / f->sigma[i]);
+  um_compare_csv_number(file, (f->observations.measured[i] - d->value_before[i]) /
+                                  f->observations.sigma[i]);
+  um_compare_csv_number(file, (f->observations.measured[i] - d->value_after[i]) /
+                                  f->observations.sigma[i]);
   fputc('\n', file);
 }
 

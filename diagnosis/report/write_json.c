@@ -181,7 +181,7 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   um_diagnosis_report_json_text(file, ",\n  ", "verdict", um_diagnosis_verdict_name(d->verdict));
   um_diagnosis_report_json_text(file, ",\n  ", "sentence", d->sentence);
   um_core_json_field(file, ",\n  ", "level", d->level);
-  um_core_json_field(file, ",\n  ", "model_share", d->forward->model_share);
+  um_core_json_field(file, ",\n  ", "model_share", d->forward->observations.model_share);
   fprintf(file, ", \"optics_samples\": %d, \"optics_samples_of_scenario\": %d", d->forward->samples,
           d->forward->samples_before);
   UM_TRY(json_level(context, file, d, "baseline", false));

@@ -93,7 +93,7 @@ static void groups_with(double widths, double behind, bool logarithmic,
     out[i].value[0] = 2.0;
   }
   out[1].value[0] = logarithmic ? 2.0 * exp(0.1 * widths) : 2.0 + 0.1 * widths;
-  struct um_sensitivity_forward forward = {.nobservation = ROWS, .sigma = sigma};
+  struct um_sensitivity_forward forward = {.observations = {.count = ROWS, .sigma = sigma}};
   const struct um_sensitivity_candidates candidates = {
       .count = 2, .nobservation = ROWS, .candidate = candidate};
   const struct um_diagnosis_work work = {.forward = &forward, .candidates = &candidates};

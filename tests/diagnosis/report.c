@@ -173,8 +173,8 @@ static void measure(void)
 static double chi2_of(const struct um_sensitivity_forward *f, const double *value)
 {
   double sum = 0.0;
-  for (size_t i = 0; i < f->nobservation; i++)
-    sum += pow((f->measured[i] - value[i]) / f->sigma[i], 2.0);
+  for (size_t i = 0; i < f->observations.count; i++)
+    sum += pow((f->observations.measured[i] - value[i]) / f->observations.sigma[i], 2.0);
   return sum;
 }
 
@@ -195,7 +195,7 @@ static void candidate(struct world *w, size_t i, const char *effect, char *targe
 
 static void unexplained(struct world *w)
 {
-  double first = w->forward->t[0];
+  double first = w->forward->observations.t[0];
   for (int i = 0; i <= 40; i++) w->edge[i] = first + 9.0 * i;
   for (int i = 0; i < 40; i++) {
     w->history[i] = 60.0 * exp(-pow((i - 18.0) / 5.0, 2.0)) + 3.0 * sin(2.3 * i);
@@ -235,7 +235,7 @@ static void world_make(struct world *w)
   assert_ok(
       um_sensitivity_forward_create(context, "scene", &changes, w->measurements, 1.0, &w->forward));
   struct um_diagnosis *d = &w->d;
-  size_t n = w->forward->nobservation;
+  size_t n = w->forward->observations.count;
   w->addition[0] = (struct um_model_addition){effect_named("internal_power"), "bus", {41.5}};
   w->addition[1] = (struct um_model_addition){effect_named("panel_extraction"), "panel", {0.1875}};
   w->nuisance[0] = (struct um_model_addition){effect_named("zero_point"), "lwir", {1.0078125}};
@@ -298,8 +298,8 @@ static void world_make(struct world *w)
                                           .airmass = NAN,
                                           .sigma = 0.3,
                                           .chi2_difference = 12.0,
-                                          .from = w->forward->t[0],
-                                          .to = w->forward->t[0] + 60.0,
+                                          .from = w->forward->observations.t[0],
+                                          .to = w->forward->observations.t[0] + 60.0,
                                           .candidate = 1};
   w->next[1] = (struct um_diagnosis_next){
       .airmass = NAN, .from = NAN, .to = NAN, .candidate = 2, .told_apart_by = "stars in frames"};
@@ -419,7 +419,7 @@ static void test_tables(const struct world *w)
   struct um_core_csv *csv;
   double sum[2] = {0.0, 0.0}, value;
   assert_ok(um_core_csv_read(context, "out/fit.csv", &csv));
-  assert_int_equal(um_core_csv_rows(csv), w->forward->nobservation);
+  assert_int_equal(um_core_csv_rows(csv), w->forward->observations.count);
   for (size_t i = 0; i < um_core_csv_rows(csv); i++)
     for (size_t k = 0; k < 2; k++) {
       assert_ok(um_core_csv_number(context, csv, i, 7 + k, &value));
@@ -491,9 +491,10 @@ static void test_improved(void **state)
   assert_ok(
       um_sensitivity_forward_create(context, "out/improved", NULL, w.measurements, 1.0, &again));
   double *value;
-  assert_ok(um_core_allocate(context, again->nobservation, sizeof *value, &value));
+  assert_ok(um_core_allocate(context, again->observations.count, sizeof *value, &value));
   assert_ok(um_sensitivity_forward_evaluate(context, again, NULL, 0, value));
-  for (size_t i = 0; i < again->nobservation; i++) /* effects come in another order: rounding */
+  for (size_t i = 0; i < again->observations.count;
+       i++) /* effects come in another order: rounding */
     assert_close(value[i], w.d.value_after[i], 1e-9 * fabs(w.d.value_after[i]));
   um_core_free(context, value);
   um_sensitivity_forward_destroy(context, &again);

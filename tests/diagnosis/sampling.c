@@ -61,15 +61,16 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
   assert_int_equal(run.model->scenario->optics->samples, f->samples);
   struct um_compare_run compared = {run.model, f->plan, run.precomputed, run.result};
   assert_ok(um_compare_create(context, &compared, 0.0, &c));
-  for (size_t j = 0; j < f->nobservation; j++) {
-    double residual = (f->measured[j] - f->cache->base[j]) / f->sigma[j];
+  for (size_t j = 0; j < f->observations.count; j++) {
+    double residual = (f->observations.measured[j] - f->cache->base[j]) / f->observations.sigma[j];
     chi2 += residual * residual;
-    assert_close(f->sigma[j], hypot(c->sigma[f->row[j]], c->model_sigma[f->row[j]]),
-                 1e-3 * f->sigma[j]);
-    assert_true(f->stated_sigma[j] == c->sigma[f->row[j]]);
+    assert_close(f->observations.sigma[j],
+                 hypot(c->sigma[f->observations.row[j]], c->model_sigma[f->observations.row[j]]),
+                 1e-3 * f->observations.sigma[j]);
+    assert_true(f->observations.stated_sigma[j] == c->sigma[f->observations.row[j]]);
   }
   assert_close(chi2, c->chi2, 1e-3 * c->chi2);
-  assert_close(f->model_share, c->model_share, 1e-3 * c->model_share);
+  assert_close(f->observations.model_share, c->model_share, 1e-3 * c->model_share);
   um_compare_destroy(context, &c);
   um_sensitivity_forward_run_release(context, &run);
 }
@@ -84,11 +85,12 @@ static void withhold(struct um_sensitivity_forward *f)
   assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
   assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
   um_model_result_destroy(context, &result);
-  for (size_t j = 0; j < f->nobservation; j++) {
+  for (size_t j = 0; j < f->observations.count; j++) {
     double unused;
-    um_compare_linear(f->measurements->channel[f->channel[j]].quantity,
-                      f->cache->predicted[f->row[j]], NAN, &f->cache->base[j], &unused);
-    f->sigma[j] = f->stated_sigma[j];
+    um_compare_linear(f->measurements->channel[f->observations.channel[j]].quantity,
+                      f->cache->predicted[f->observations.row[j]], NAN, &f->cache->base[j],
+                      &unused);
+    f->observations.sigma[j] = f->observations.stated_sigma[j];
   }
 }
 
@@ -131,10 +133,11 @@ static void test_complete_at_any_samples(void **state)
     double with, without;
     size_t nstep;
     print_message("%d samples -> %d, share of the model %.2g\n", number[i], f->samples,
-                  f->model_share);
+                  f->observations.model_share);
     assert_int_equal(f->samples_before, number[i]);
     assert_true(f->samples > number[i]);
-    assert_true(f->model_share > 0.0 && f->model_share <= UM_COMPARE_MODEL_SHARE);
+    assert_true(f->observations.model_share > 0.0 &&
+                f->observations.model_share <= UM_COMPARE_MODEL_SHARE);
     assert_as_compared(f);
     assert_int_equal(diagnose(f, &with, &nstep), UM_VERDICT_COMPLETE);
     assert_true(with >= 0.8 && with <= 1.25);

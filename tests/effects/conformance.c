@@ -147,8 +147,9 @@ static double product(const struct um_sensitivity_forward *f, const double *a, c
                       const double *base)
 {
   double sum = 0.0;
-  for (size_t j = 0; j < f->nobservation; j++)
-    sum += (a[j] - base[j]) * (b[j] - base[j]) / (f->sigma[j] * f->sigma[j]);
+  for (size_t j = 0; j < f->observations.count; j++)
+    sum +=
+        (a[j] - base[j]) * (b[j] - base[j]) / (f->observations.sigma[j] * f->observations.sigma[j]);
   return sum;
 }
 
@@ -227,7 +228,7 @@ static void test_physics(void **state)
   put_satellite();
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
-  assert_int_equal(f->nobservation, 48);
+  assert_int_equal(f->observations.count, 48);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
   for (size_t i = 0; i < um_effects_count(); i++) {
     const struct um_effect *effect = um_effects_at(i);

@@ -30,9 +30,9 @@ static double worst_rms(const struct um_sensitivity_forward *f, const double *va
   for (size_t c = 0; c < f->measurements->nchannel; c++) {
     double sum = 0.0;
     size_t n = 0;
-    for (size_t j = 0; j < f->nobservation; j++) {
-      if (f->channel[j] != c) continue;
-      double r = (f->measured[j] - value[j]) / f->sigma[j];
+    for (size_t j = 0; j < f->observations.count; j++) {
+      if (f->observations.channel[j] != c) continue;
+      double r = (f->observations.measured[j] - value[j]) / f->observations.sigma[j];
       sum += r * r;
       n++;
     }

@@ -112,7 +112,7 @@ static int run_world(const struct shop *shop, const struct lab_case *cases, size
     return 1;
   }
   fprintf(stderr, "world '%s': %zu candidates, %zu rows, %zu models in %.0f s\n",
-          cases[0].world->name, desk.candidates->count, desk.forward->nobservation,
+          cases[0].world->name, desk.candidates->count, desk.forward->observations.count,
           desk.forward->evaluations, desk.forward->seconds);
   give(shop);
   for (size_t from = 0; from < count; from += job_length(cases + from, count - from))

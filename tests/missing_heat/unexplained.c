@@ -63,7 +63,7 @@ static size_t true_values(const struct um_model_options *options, double *value)
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(options, m, 1.0);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
-  size_t n = f->nobservation;
+  size_t n = f->observations.count;
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);
   return n;
@@ -110,8 +110,8 @@ static struct um_missing_heat_unexplained *look(bool nuisance)
   struct um_sensitivity_forward *f = forward_of(NULL, m, 1.0);
   struct um_missing_heat_unexplained *u;
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
-  for (size_t i = 0; i < f->nobservation; i++)
-    column[i] = value[i] < 1.0 ? value[i] / f->sigma[i] : 0.0;
+  for (size_t i = 0; i < f->observations.count; i++)
+    column[i] = value[i] < 1.0 ? value[i] / f->observations.sigma[i] : 0.0;
   assert_ok(
       um_missing_heat_unexplained_create(context, f, NULL, 0, value, column, nuisance ? 1 : 0, &u));
   um_sensitivity_forward_destroy(context, &f);
@@ -150,8 +150,8 @@ static void test_columns(void **state)
     while (strcmp(place[at].name, p.place) != 0) assert_true(++at < nplace);
     const double edge[2] = {day0() + p.from, day0() + p.to};
     assert_ok(um_missing_heat_columns(context, &base, &place[at], 1, edge, column));
-    for (size_t j = 0; j < f->nobservation; j++) {
-      double change = (f->measured[j] - value[j]) / f->sigma[j];
+    for (size_t j = 0; j < f->observations.count; j++) {
+      double change = (f->observations.measured[j] - value[j]) / f->observations.sigma[j];
       most = fmax(most, fabs(change));
       off = fmax(off, fabs(change - p.power * column[j]));
     }

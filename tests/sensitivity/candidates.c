@@ -1,4 +1,5 @@
 /* Which candidates there are, and that their signatures are derivatives. */
+#include "sensitivity/candidates.h"
 #include "sensitivity/stated.h"
 #include "tests/sensitivity/forward_test.h"
 
@@ -103,8 +104,8 @@ static void test_linear(void **state)
   struct um_sensitivity_candidates *list = candidates_of(f, only, 2);
   const double *zero = named(list, "zero_point:lwir")->signature;
   const double *background = named(list, "background:lwir")->signature;
-  for (size_t j = 0; j < f->nobservation; j++) {
-    bool lwir = strcmp(m->channel[f->channel[j]].of, "lwir") == 0;
+  for (size_t j = 0; j < f->observations.count; j++) {
+    bool lwir = strcmp(m->channel[f->observations.channel[j]].of, "lwir") == 0;
     assert_true(fabs(zero[j] - (lwir ? list->base[j] : 0.0)) <= 1e-12 * fabs(list->base[j]));
     assert_true(fabs(background[j] - (lwir ? 1.0 : 0.0)) <= 1e-12);
   }
@@ -136,11 +137,11 @@ static void test_central(void **state)
     assert_ok(fresh_values(NULL, f, &a, 1, low));
     a.value[0] = c->null_value[0] + h;
     assert_ok(fresh_values(NULL, f, &a, 1, high));
-    for (size_t j = 0; j < f->nobservation; j++) {
-      double central = (high[j] - low[j]) / f->sigma[j];
-      double own = c->signature[j] * 2.0 * h / f->sigma[j];
-      off += (own - central) * (own - central) / (double)f->nobservation;
-      length += central * central / (double)f->nobservation;
+    for (size_t j = 0; j < f->observations.count; j++) {
+      double central = (high[j] - low[j]) / f->observations.sigma[j];
+      double own = c->signature[j] * 2.0 * h / f->observations.sigma[j];
+      off += (own - central) * (own - central) / (double)f->observations.count;
+      length += central * central / (double)f->observations.count;
     }
     if (!(sqrt(off) <= 0.1 * sqrt(length) + 0.04))
       fail_msg("%s: %g of %g sigma", c->name, sqrt(off), sqrt(length));
@@ -176,8 +177,8 @@ static void test_steps(void **state)
   assert_ok(um_sensitivity_candidates_create(context, f, &a, 1, &o, &list));
   const struct um_sensitivity_candidate *zero = named(list, "zero_point:vis");
   assert_true(zero->signature[45] != before);
-  for (size_t j = 0; j < f->nobservation; j++)
-    if (strcmp(m->channel[f->channel[j]].of, "vis") == 0)
+  for (size_t j = 0; j < f->observations.count; j++)
+    if (strcmp(m->channel[f->observations.channel[j]].of, "vis") == 0)
       assert_true(fabs(zero->signature[j] - base[j]) <= 1e-12 * base[j]);
   um_sensitivity_candidates_destroy(context, &list);
   um_sensitivity_forward_destroy(context, &f);

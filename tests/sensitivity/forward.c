@@ -30,8 +30,8 @@ static double largest_difference(const struct um_sensitivity_forward *f, const d
                                  const double *b)
 {
   double largest = 0.0;
-  for (size_t j = 0; j < f->nobservation; j++)
-    largest = fmax(largest, fabs(a[j] - b[j]) / f->sigma[j]);
+  for (size_t j = 0; j < f->observations.count; j++)
+    largest = fmax(largest, fabs(a[j] - b[j]) / f->observations.sigma[j]);
   return largest;
 }
 
@@ -46,7 +46,7 @@ static void test_same_bits(void **state)
   put_world("");
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
-  assert_int_equal(f->nobservation, 48);
+  assert_int_equal(f->observations.count, 48);
   double base[48], expected[48], value[48], again[48];
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
   assert_ok(fresh_values(&options, f, NULL, 0, expected));
@@ -115,9 +115,9 @@ static void test_run(void **state)
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, false, &run));
   assert_ok(um_compare_predict(context, f->plan, run.precomputed, run.result, rows));
-  for (size_t j = 0; j < f->nobservation; j++)
-    if (m->channel[f->channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
-      assert_true(rows[f->row[j]] == value[j]);
+  for (size_t j = 0; j < f->observations.count; j++)
+    if (m->channel[f->observations.channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
+      assert_true(rows[f->observations.row[j]] == value[j]);
   um_sensitivity_forward_run_release(context, &run);
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
   assert_int_equal(run.precomputed->nobs, 181); /* 12 minutes, every 4 s */
@@ -172,12 +172,14 @@ static void test_rows(void **state)
   put_world("effects:\n  - {effect: zero_point, target: vis, factor: 0.8}\n");
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(NULL, m, 30.0);
-  assert_int_equal(f->row[1], 1);
-  assert_int_equal(f->row[4], 5); /* the flagged observation is left out */
-  assert_true(fabs(f->measured[1] / 2.5118864315095801e-4 - 1.0) < 1e-14);
-  assert_true(fabs(f->stated_sigma[1] / (0.4 * log(10.0) * 2.5118864315095801e-4 * 0.02) - 1.0) <
-              1e-14);
-  assert_true(f->measured[0] == 3e-12 && f->stated_sigma[0] == 3e-14 && f->t[0] == m->row[0].t_tai);
+  assert_int_equal(f->observations.row[1], 1);
+  assert_int_equal(f->observations.row[4], 5); /* the flagged observation is left out */
+  assert_true(fabs(f->observations.measured[1] / 2.5118864315095801e-4 - 1.0) < 1e-14);
+  assert_true(
+      fabs(f->observations.stated_sigma[1] / (0.4 * log(10.0) * 2.5118864315095801e-4 * 0.02) -
+           1.0) < 1e-14);
+  assert_true(f->observations.measured[0] == 3e-12 && f->observations.stated_sigma[0] == 3e-14 &&
+              f->observations.t[0] == m->row[0].t_tai);
   assert_true(f->evaluations == 1 && f->seconds_first > 0.0 && f->seconds == f->seconds_first);
   /* values as the scenario has them; an addition takes the place of its own use */
   double now[UM_EFFECT_PARAMETERS_MAX], base[48], value[48];
@@ -220,9 +222,9 @@ static void test_noise(void **state)
   f = forward_of(NULL, m, 30.0);
   double value[3];
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
-  assert_true(fabs(f->stated_sigma[0] / hypot(0.03 * value[0], 1e-14) - 1.0) < 1e-14);
-  assert_true(fabs(f->stated_sigma[1] / (0.05 * value[1]) - 1.0) < 1e-14);
-  assert_true(f->sigma[2] == 0.5);
+  assert_true(fabs(f->observations.stated_sigma[0] / hypot(0.03 * value[0], 1e-14) - 1.0) < 1e-14);
+  assert_true(fabs(f->observations.stated_sigma[1] / (0.05 * value[1]) - 1.0) < 1e-14);
+  assert_true(f->observations.sigma[2] == 0.5);
   um_sensitivity_forward_destroy(context, &f);
   put_world("measurements:\n  noise:\n    - {quantity: temperature, of: bus.interior}\n");
   put("m.csv", rows);

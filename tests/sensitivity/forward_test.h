@@ -4,7 +4,7 @@
 #define UMBRA_TESTS_SENSITIVITY_FORWARD_TEST_H
 
 #include "effects/effects.h"
-#include "sensitivity/candidates.h"
+#include "sensitivity/forward.h"
 #include "tests/compare/model_test.h"
 
 #define CONTACTS                                                                                   \
@@ -111,10 +111,10 @@ static inline enum um_status fresh_values(const struct um_model_options *options
   assert_ok(um_compare_plan_trace(context, model, forward->plan, &precomputed));
   assert_ok(um_model_run(context, model, precomputed, &result));
   assert_ok(um_compare_predict(context, forward->plan, precomputed, result, rows));
-  for (size_t j = 0; j < forward->nobservation; j++) {
+  for (size_t j = 0; j < forward->observations.count; j++) {
     double unused;
-    um_compare_linear(forward->measurements->channel[forward->channel[j]].quantity,
-                      rows[forward->row[j]], 1.0, &value[j], &unused);
+    um_compare_linear(forward->measurements->channel[forward->observations.channel[j]].quantity,
+                      rows[forward->observations.row[j]], 1.0, &value[j], &unused);
   }
   free(rows);
   for (size_t i = 0; i < all.nwith; i++) free(text[i]);
