@@ -6,10 +6,11 @@
  *
  * until it moves by less than a hundredth (secant steps: what is then wrong is that times the
  * bend). */
+#include "missing_heat/change_impl.h"
+
 #include <math.h>
 
 #include "inference/algebra.h"
-#include "missing_heat/heat_impl.h"
 
 #define STEPS   3
 #define SETTLED 0.01 /* of the power */

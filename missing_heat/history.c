@@ -7,11 +7,12 @@
  * number of observations, or, where the best history leaves more, that and a unit for each of its
  * bins. sigma: of the posterior, (D'D + lambda L'L)^-1; what is damped is taken to be smooth in
  * truth. */
+#include "missing_heat/history_impl.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "inference/algebra.h"
-#include "missing_heat/heat_impl.h"
 
 #define TOLERANCE 1e-13 /* of the rank: lambda is the one that decides */
 #define DECADES   14    /* of lambda about the ratio of the geometry precomputations, either way */

@@ -9,10 +9,10 @@
  * projected area that the observer sees. That is exact where a region has one temperature or its
  * dB/dT varies little. A surface at the fourth-power mean of its nodes answers by
  * dT_s = sum w_n (T_n / T_s)^3 dT_n. */
+#include "missing_heat/observations_impl.h"
+
 #include <math.h>
 #include <string.h>
-
-#include "missing_heat/heat_impl.h"
 
 #define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
 

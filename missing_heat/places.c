@@ -2,9 +2,9 @@
  * as power_W of a group does, by area over its structure: the wall under MLI, else what radiates,
  * both layers alike where it has two. Where MLI wraps the interior there is no wall; the place is
  * then the MLI's skin, since heat may be missing there as well. */
-#include <string.h>
+#include "missing_heat/places_impl.h"
 
-#include "missing_heat/heat_impl.h"
+#include <string.h>
 
 /* Nodes of a body's place "part.group<suffix>", with their weights times `share`. */
 static void append(const struct um_thermal_place *from, double share,

@@ -12,7 +12,8 @@
 
 #include "inference/algebra.h"
 #include "inference/distributions.h"
-#include "missing_heat/heat_impl.h"
+#include "missing_heat/change_impl.h"
+#include "missing_heat/history_impl.h"
 #include "missing_heat/residual.h"
 
 #define BINS_MAX 60

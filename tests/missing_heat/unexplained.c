@@ -3,7 +3,7 @@
  * the linear response, the search and the history; the laboratory has other meshes. */
 #include "missing_heat/unexplained.h"
 
-#include "missing_heat/heat_impl.h"
+#include "missing_heat/observations_impl.h"
 #include "tests/inference/observations_test.h"
 #include "tests/sensitivity/forward_test.h"
 #include "tests/support/allocator.h"
