@@ -3,6 +3,9 @@
 
 #include "app/terminal.h"
 #include "compare/measurements.h"
+#include "diagnosis/report/plot.h"
+#include "diagnosis/report/write.h"
+#include "diagnosis/report/write_json.h"
 
 enum um_status um_app_diagnosis_begin(struct um_context *context,
                                       const struct um_app_options *options,

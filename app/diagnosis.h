@@ -4,8 +4,7 @@
 
 #include "app/app.h"
 #include "core/file.h"
-#include "diagnosis/diagnose.h"
-#include "diagnosis/report/report.h"
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/request.h"
 
 struct um_app_diagnosis {

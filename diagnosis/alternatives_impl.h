@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 #define UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* The state with candidates added at their null values and all fitted, pruned where it is far

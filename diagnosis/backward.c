@@ -18,40 +18,6 @@ static bool is_clear(const struct um_diagnosis_state *state, size_t b)
   return false;
 }
 
-static enum um_status jacobian_without(struct um_context *context,
-                                       const struct um_diagnosis_work *work,
-                                       const struct um_diagnosis_state *state, size_t omit,
-                                       double **out)
-{
-  size_t n = work->forward->observations.count, kept = 0;
-  UM_TRY(um_core_allocate(context, state->nparameter * n, sizeof **out, out));
-  for (size_t b = 0, k = 0; b < state->nblock; b++)
-    for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
-      if (b == omit) continue;
-      for (size_t j = 0; j < n; j++)
-        (*out)[kept * n + j] =
-            state->fit->jacobian[k * n + j] * work->forward->observations.sigma[j];
-      kept++;
-    }
-  return UM_OK;
-}
-
-enum um_status um_diagnosis_without(struct um_context *context,
-                                    const struct um_diagnosis_work *work,
-                                    const struct um_diagnosis_state *state, size_t b,
-                                    struct um_diagnosis_state *out)
-{
-  enum um_status status;
-  double *jacobian = NULL;
-  UM_CHECK(um_diagnosis_state_copy(context, state, b, out));
-  UM_CHECK(jacobian_without(context, work, state, b, &jacobian));
-  UM_CHECK(um_diagnosis_state_fit(context, work, out, NULL, jacobian));
-done:
-  um_core_free(context, jacobian);
-  if (status != UM_OK) um_diagnosis_state_release(context, out);
-  return status;
-}
-
 static enum um_status try_without(struct um_context *context, const struct um_diagnosis_work *work,
                                   struct um_diagnosis_state *state, size_t b, bool *removed)
 {

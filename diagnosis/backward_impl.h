@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_BACKWARD_IMPL_H
 #define UMBRA_DIAGNOSIS_BACKWARD_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* Take out effects that are no longer needed; marks their steps. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "diagnosis/backward_impl.h"
+#include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
 #include "diagnosis/next_impl.h"
 #include "diagnosis/nuisance_impl.h"
@@ -101,24 +102,11 @@ static enum um_status go_forward(struct um_context *context, const struct um_dia
   return UM_OK;
 }
 
-static void ends_free(struct um_context *context, struct um_diagnosis *d)
-{
-  um_core_free(context, d->addition);
-  um_core_free(context, d->addition_sigma);
-  um_core_free(context, d->nuisance);
-  um_core_free(context, d->nuisance_sigma);
-  um_core_free(context, d->value_after);
-  d->addition = d->nuisance = NULL;
-  d->addition_sigma = d->nuisance_sigma = NULL;
-  d->value_after = NULL;
-  d->naddition = d->nnuisance = 0;
-}
-
 static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   size_t n = work->forward->observations.count, added = state->nblock - state->nnuisance;
-  ends_free(context, d);
+  um_diagnosis_end_clear(context, d);
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition, &d->addition));
   UM_TRY(um_core_allocate(context, added, sizeof *d->addition_sigma, &d->addition_sigma));
   UM_TRY(um_core_allocate(context, state->nnuisance, sizeof *d->nuisance, &d->nuisance));
@@ -315,22 +303,4 @@ done:
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   return status;
-}
-
-void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis)
-{
-  if (diagnosis == NULL || *diagnosis == NULL) return;
-  struct um_diagnosis *d = *diagnosis;
-  um_diagnosis_steps_clear(context, d);
-  ends_free(context, d);
-  um_core_free(context, d->sentence);
-  um_core_free(context, d->step);
-  um_core_free(context, d->value_before);
-  um_core_free(context, d->ranking);
-  um_diagnosis_next_clear(context, d);
-  um_missing_heat_residual_release(context, &d->residual);
-  um_core_free(context, d->superseded);
-  um_missing_heat_unexplained_destroy(context, &d->unexplained);
-  um_core_free(context, d);
-  *diagnosis = NULL;
 }

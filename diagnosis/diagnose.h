@@ -4,153 +4,17 @@
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSE_H
 #define UMBRA_DIAGNOSIS_DIAGNOSE_H
 
-#include "compare/segments.h"
-#include "inference/score.h"
-#include "missing_heat/residual.h"
-#include "missing_heat/unexplained.h"
-#include "sensitivity/candidates.h"
-
-/* Something that is uncertain anyway: its direction is projected out and it is fitted along. */
-struct um_diagnosis_nuisance_effect {
-  const struct um_effect *effect;
-  const char *target;
-  double sigma;    /* prior width of its parameters about the scenario's values; INFINITY: free */
-  const char *per; /* NULL or "set"; "observation" is refused: it fits anything */
-};
-
-struct um_diagnosis_options {
-  struct um_sensitivity_candidates_options candidates;
-  const struct um_diagnosis_nuisance_effect *nuisance; /* [nnuisance] */
-  size_t nnuisance;
-  double level;        /* family-wise false-alarm rate; 0: 0.01 */
-  size_t steps_max;    /* effects added at most; 0: 4 */
-  size_t alternatives; /* candidates fitted at each step at most; 0: 8 */
-  bool no_next;        /* do not look for the next measurement */
-  bool no_heat;        /* do not reconstruct heat */
-};
-
-/* A candidate that was tested, and fitted where its score was among the best. */
-struct um_diagnosis_alternative {
-  size_t candidate; /* of the candidates */
-  struct um_inference_score score;
-  bool fitted;
-  bool converged; /* false: pruned on the way, so its best BIC is at most `bic` */
-  double value[UM_EFFECT_PARAMETERS_MAX],
-      sigma[UM_EFFECT_PARAMETERS_MAX]; /* of the effect's parameters */
-  double chi2, bic, held_out;          /* with it added; NaN when not fitted */
-  double chi2_prior;                   /* of all priors, within bic */
-  double chi2_difference;              /* expected chi-square between the winner and it */
-  bool indistinguishable; /* from the winner, by evidence or by expected chi-square difference */
-  bool implausible;       /* further than 3 prior widths from its null value */
-  bool same_effect;       /* the winner's effect on the winner's target: a switch on otherwise */
-  /* not tied, but only since its prior or the end of its range keeps it from the values that these
-   * observations want: it would fit as well */
-  bool excluded_by_prior, excluded_by_range;
-};
-
-/* How well an effect of a step is known. */
-enum um_diagnosis_standing {
-  UM_STANDING_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
-  UM_STANDING_ONE_OF_GROUP, /* it or one of those that do as well */
-  UM_STANDING_SMALL         /* it explains so little that what it is cannot be known */
-};
-const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
-
-/* Differences of BIC: what decides (odds of 150 to 1), up to where the next best is worth its name,
- * and below what the whole of a step is small, since an effect of half its worth is tied with it.
- */
-#define UM_DIAGNOSIS_EVIDENCE  10.0
-#define UM_DIAGNOSIS_NEXT_BEST 15.0
-#define UM_DIAGNOSIS_SMALL     20.0
-
-struct um_diagnosis_step {
-  size_t candidate;
-  struct um_model_addition addition; /* as of this step, all effects fitted together */
-  double sigma[UM_EFFECT_PARAMETERS_MAX];
-  double p_value;   /* corrected */
-  double delta_bic; /* below 0: better */
-  double held_out_before, held_out;
-  double chi2, dof, chi2_reduced;
-  double *value; /* [nobservation] model values as of this step, linear unit; NULL: not kept */
-  size_t nalternative;
-  struct um_diagnosis_alternative *alternative; /* by BIC, then by score; [0] is the winner */
-  bool by_prior;                       /* only the priors tell the winner from its alternatives */
-  bool removed;                        /* by the backward check */
-  enum um_diagnosis_standing standing; /* once the verdict is made */
-};
-
-/* An effect of an earlier step that does not stay: others took its place. */
-struct um_diagnosis_superseded {
-  struct um_model_addition addition; /* as fitted then */
-  double sigma[UM_EFFECT_PARAMETERS_MAX];
-  double chi2, bic; /* with it and what was there before it */
-  bool alone;       /* nothing was there before it but nuisances */
-};
-
-enum um_diagnosis_verdict {
-  UM_VERDICT_COMPLETE,
-  UM_VERDICT_FOUND,
-  UM_VERDICT_NOT_IDENTIFIABLE,
-  UM_VERDICT_UNEXPLAINED
-};
-const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict);
-
-/* What would tell the winner of a step from one of its alternatives. */
-struct um_diagnosis_next {
-  char *what; /* "temperature of body.+y in the umbra"; NULL: nothing that this scenario has */
-  enum um_compare_quantity quantity;
-  char *of; /* band or place */
-  enum um_compare_segment segment;
-  double airmass;            /* the rows lie above it; NaN: any does */
-  double sigma;              /* assumed of one observation, unit of the quantity */
-  double chi2_difference;    /* expected chi-square per observation */
-  double from, to;           /* t_tai of the window of the scenario it was computed in */
-  size_t step, candidate;    /* the step, and the candidate that is told from its winner */
-  const char *told_apart_by; /* in the words of the effects, where nothing of the scenario helps; or
-                                NULL; borrowed */
-};
-
-struct um_diagnosis {
-  enum um_diagnosis_verdict verdict;
-  char *sentence;                               /* the verdict in words, for a person */
-  double level;                                 /* family-wise false-alarm rate that was used */
-  struct um_sensitivity_forward *forward;       /* borrowed */
-  struct um_sensitivity_candidates *candidates; /* borrowed */
-  double chi2, dof, chi2_reduced;               /* of the baseline, nuisances at their values */
-  struct um_inference_whiteness baseline_whiteness, final_whiteness;
-  size_t nstep;
-  struct um_diagnosis_step *step; /* [nstep] */
-  size_t naddition;
-  struct um_model_addition *addition;                 /* what stayed, final values */
-  double (*addition_sigma)[UM_EFFECT_PARAMETERS_MAX]; /* [naddition] */
-  size_t nnuisance;
-  struct um_model_addition *nuisance; /* as fitted at the end */
-  double (*nuisance_sigma)[UM_EFFECT_PARAMETERS_MAX];
-  double *value_before, *value_after; /* [nobservation] linear unit */
-  double chi2_after, dof_after, chi2_reduced_after;
-  struct um_diagnosis_alternative *ranking; /* [nranking] of all candidates on the baseline, by p */
-  size_t nranking;
-  double bic_after;
-  bool allowance; /* what is left is not quite noise, and was accepted all the same */
-  struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,
-                                               nor where the model is complete */
-  size_t nsuperseded;
-  struct um_diagnosis_superseded *superseded; /* [nsuperseded] */
-  size_t nnext;
-  struct um_diagnosis_next *next_of; /* [nnext] a row per alternative of a step with a group */
-  struct um_diagnosis_next *next; /* the one of those hardest to tell; NULL: nothing is ambiguous */
-  struct um_missing_heat_unexplained *unexplained; /* NULL: nothing is */
-};
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/options.h"
 
 /* candidates: made once by um_sensitivity_candidates_create without additions, may serve many sets
  * of the same times. UM_ERR_INPUT: fewer observations than free parameters, a nuisance per
- * observation. Progress is reported. The caller destroys. */
+ * observation. Progress is reported. The caller destroys (um_diagnosis_destroy). */
 enum um_status um_diagnosis_create(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    struct um_sensitivity_candidates *candidates,
                                    const struct um_diagnosis_options *options,
                                    struct um_diagnosis **out);
-void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis);
 
 /* Only the fit of chosen effects (umbra fit): one step without tests. value of each: start. */
 enum um_status um_diagnosis_fit_effects(struct um_context *context,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "diagnosis/alternatives_impl.h"
+#include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/select_impl.h"
@@ -77,15 +78,6 @@ done:
   um_diagnosis_state_release(context, &best);
   um_diagnosis_state_release(context, &without);
   return status;
-}
-
-void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
-{
-  for (size_t s = 0; s < d->nstep; s++) {
-    um_core_free(context, d->step[s].alternative);
-    um_core_free(context, d->step[s].value);
-  }
-  d->nstep = 0;
 }
 
 /* The effect whose absence costs most comes first. */

@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_LEAVE_ONE_OUT_IMPL_H
 #define UMBRA_DIAGNOSIS_LEAVE_ONE_OUT_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* Steps anew, each effect as the last one beside the others that stayed: its alternatives, its
@@ -10,8 +11,5 @@
 enum um_status um_diagnosis_leave_one_out(struct um_context *context,
                                           const struct um_diagnosis_work *work,
                                           struct um_diagnosis_state *state, struct um_diagnosis *d);
-
-/* No steps any more. */
-void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d);
 
 #endif

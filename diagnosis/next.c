@@ -304,14 +304,3 @@ enum um_status um_diagnosis_next_find(struct um_context *context,
   if (d->next == NULL && d->nnext > 0) d->next = &d->next_of[0];
   return UM_OK;
 }
-
-void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d)
-{
-  for (size_t i = 0; i < d->nnext; i++) {
-    um_core_free(context, d->next_of[i].what);
-    um_core_free(context, d->next_of[i].of);
-  }
-  um_core_free(context, d->next_of);
-  d->next_of = d->next = NULL;
-  d->nnext = 0;
-}

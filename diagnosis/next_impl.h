@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_NEXT_IMPL_H
 #define UMBRA_DIAGNOSIS_NEXT_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* What would tell the winner of each step with a group from its alternatives, one row for each, and
@@ -10,6 +11,5 @@ enum um_status um_diagnosis_next_find(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       const struct um_diagnosis_state *state,
                                       struct um_diagnosis *d);
-void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d);
 
 #endif

@@ -2,7 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_PULSE_BIC_IMPL_H
 #define UMBRA_DIAGNOSIS_PULSE_BIC_IMPL_H
 
-#include "diagnosis/state_impl.h"
+#include "inference/fit.h"
+#include "missing_heat/unexplained.h"
 
 /* BIC of a fitted state with the best pulse of heat beside it. */
 double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,

@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_RANK_IMPL_H
 #define UMBRA_DIAGNOSIS_RANK_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* Test all candidates on the residual of the state; alternative: [count of candidates], by their

@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_SELECT_IMPL_H
 #define UMBRA_DIAGNOSIS_SELECT_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* Figures of a step from the state before it to the best one after, and the winner's group. */

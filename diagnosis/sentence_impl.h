@@ -2,7 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
 #define UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
 
-#include "diagnosis/diagnose.h"
+#include "diagnosis/diagnosis.h"
 
 enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
                                      char **out);

@@ -1,9 +1,10 @@
-/* What is fitted together, and the work it is part of. Private to diagnosis/. */
+/* What is fitted together. Private to diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_STATE_IMPL_H
 #define UMBRA_DIAGNOSIS_STATE_IMPL_H
 
-#include "diagnosis/diagnose.h"
+#include "diagnosis/work_impl.h"
 #include "inference/fit.h"
+#include "inference/score.h"
 
 /* An effect whose parameters are fitted: a nuisance, an accepted effect or an alternative. */
 struct um_diagnosis_block {
@@ -25,17 +26,6 @@ struct um_diagnosis_state {
   size_t nparameter;
   double prune_above; /* BIC that its next fit has to come below to be of use; 0: any is */
   struct um_inference_fit *fit;
-};
-
-/* The whole work, passed around. */
-struct um_diagnosis_work {
-  struct um_sensitivity_forward *forward;
-  const struct um_sensitivity_candidates *candidates;
-  const struct um_diagnosis_options *options;
-  double level;
-  size_t steps_max, alternatives;
-  size_t *fold; /* [nobservation] blocks of time that are held out in turn */
-  size_t nfold;
 };
 
 /* A block of a candidate at its null values. */

@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 #define UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* Every step so far, before they are judged anew. */

@@ -1,4 +1,4 @@
-/* The verdict on a diagnosis, and its words. */
+/* The verdict on a diagnosis. */
 #include <math.h>
 
 #include "diagnosis/state_impl.h"
@@ -8,18 +8,6 @@
 #define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice .. */
 #define BAD_PART  2.0  /* .. and that of a channel */
 #define MOVED     5.0  /* sigmas by which a free nuisance has taken up something */
-
-const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
-{
-  static const char *const name[] = {"complete", "found", "not_identifiable", "unexplained"};
-  return name[verdict];
-}
-
-const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
-{
-  static const char *const name[] = {"certain", "one_of_group", "small"};
-  return name[standing];
-}
 
 /* A free nuisance that moved far took up something: a calibration, or an effect that resembles it.
  */

@@ -2,6 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_VERDICT_IMPL_H
 #define UMBRA_DIAGNOSIS_VERDICT_IMPL_H
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
 /* White noise of the stated sigma. */

@@ -2,7 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_WORDS_H
 #define UMBRA_DIAGNOSIS_WORDS_H
 
-#include "diagnosis/diagnose.h"
+#include "sensitivity/candidate.h"
+#include "sensitivity/forward.h"
 
 /* "200 +- 2.4 instead of 237 W/m^2" and what it is of, "outgoing longwave radiation". */
 struct um_diagnosis_whole {

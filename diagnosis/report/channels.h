@@ -3,7 +3,7 @@
 #define UMBRA_DIAGNOSIS_REPORT_CHANNELS_H
 
 #include "compare/metrics.h"
-#include "diagnosis/diagnose.h"
+#include "diagnosis/diagnosis.h"
 
 /* Channel c of the measurements. */
 const struct um_compare_channel *um_diagnosis_report_channel(const struct um_diagnosis *diagnosis,
@@ -32,5 +32,13 @@ const double *um_diagnosis_report_step_values(const struct um_diagnosis *diagnos
 /* "41.50 +- 0.70": both to the second digit of sigma; the value alone where sigma is not finite.
  * between: what stands between them, "+-". Does not fail. */
 void um_diagnosis_report_value_text(double value, double sigma, const char *between, char out[80]);
+
+/* A model value in the unit of the channel's quantity, from the linear one; NaN for a magnitude of
+ * no light. */
+double um_diagnosis_report_in_unit(enum um_compare_quantity quantity, double linear);
+/* Linear estimate of column k and its sigma in the parameter's unit. */
+void um_diagnosis_report_estimate(const struct um_sensitivity_candidate *candidate,
+                                  const struct um_inference_score *score, size_t k, double *value,
+                                  double *sigma);
 
 #endif

@@ -2,6 +2,8 @@
  *
  * The text is the user's own with its comments; --set, --with and --without stand in it, names of
  * files lead from the new folder, fitted nuisances and effects are entries of `effects`. */
+#include "diagnosis/report/improved_impl.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +14,6 @@
 #include "core/csv.h"
 #include "core/file.h"
 #include "core/words.h"
-#include "diagnosis/report/report_impl.h"
 
 /* Texts that are overrides of a document. */
 struct overrides {

@@ -1,9 +1,10 @@
 /* Pieces of diagnosis.json: texts, times, uses of effects with their values. */
+#include "diagnosis/report/json_pieces_impl.h"
+
 #include <math.h>
 
 #include "compare/time_text.h"
 #include "core/json.h"
-#include "diagnosis/report/json_impl.h"
 #include "diagnosis/words.h"
 
 void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,

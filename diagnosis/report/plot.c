@@ -1,5 +1,7 @@
 /* Pictures of a diagnosis by gnuplot: per channel data with the model before and after and the
  * residuals of both. The script is kept beside them. */
+#include "diagnosis/report/plot.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,9 +10,9 @@
 
 #include "compare/figures.h"
 #include "core/order.h"
+#include "diagnosis/report/channels.h"
 #include "diagnosis/report/plot_frame_impl.h"
 #include "diagnosis/report/plot_ranking_impl.h"
-#include "diagnosis/report/report_impl.h"
 #include "orbit/time.h"
 
 #define GAP 8.0 /* median steps over which a curve is not drawn */

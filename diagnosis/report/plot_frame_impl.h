@@ -3,7 +3,7 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
 
-#include "diagnosis/diagnose.h"
+#include "diagnosis/diagnosis.h"
 #include "plot/plot.h"
 
 /* Pixels. */

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "diagnosis/report/channels.h"
 #include "diagnosis/report/plot_frame_impl.h"
 #include "diagnosis/report/plot_ranking_impl.h"
-#include "diagnosis/report/report_impl.h"
 #include "inference/distributions.h"
 
 #define BARS 15

@@ -2,7 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
 
-#include "diagnosis/diagnose.h"
+#include "diagnosis/diagnosis.h"
 #include "plot/plot.h"
 
 /* ranking.png: chi-square that the best candidates explain of the baseline, by a fit or by a

@@ -1,4 +1,6 @@
 /* The files of a diagnosis: diagnosis.json, ranking.csv, fit.csv, heat.csv, improved/. */
+#include "diagnosis/report/write.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +8,9 @@
 #include "compare/figures.h"
 #include "compare/time_text.h"
 #include "core/file.h"
-#include "diagnosis/report/report_impl.h"
+#include "diagnosis/report/channels.h"
+#include "diagnosis/report/improved_impl.h"
+#include "diagnosis/report/write_json.h"
 
 static const char *state_of(const struct um_sensitivity_candidate *candidate,
                             const struct um_inference_score *score)

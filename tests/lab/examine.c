@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "core/words.h"
+#include "diagnosis/diagnose.h"
 #include "diagnosis/request.h"
 #include "tests/lab/lab.h"
 

@@ -13,9 +13,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "diagnosis/diagnose.h"
-#include "diagnosis/report/report.h"
 #include "model/model.h"
+#include "sensitivity/candidates.h"
 
 #define LAB_TEXT     256
 #define LAB_KEYS     8

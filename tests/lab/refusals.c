@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "diagnosis/diagnose.h"
 #include "diagnosis/request.h"
 #include "effects/effects.h"
 #include "tests/lab/lab.h"

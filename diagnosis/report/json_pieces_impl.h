@@ -1,10 +1,10 @@
-/* diagnosis.json in pieces. Private to diagnosis/report/. */
-#ifndef UMBRA_DIAGNOSIS_REPORT_JSON_IMPL_H
-#define UMBRA_DIAGNOSIS_REPORT_JSON_IMPL_H
+/* Members that diagnosis.json is made of. Private to diagnosis/report/. */
+#ifndef UMBRA_DIAGNOSIS_REPORT_JSON_PIECES_IMPL_H
+#define UMBRA_DIAGNOSIS_REPORT_JSON_PIECES_IMPL_H
 
 #include <stdio.h>
 
-#include "diagnosis/diagnose.h"
+#include "diagnosis/diagnosis.h"
 
 /* before, "key": value; a text NULL or a time that is not finite is null. */
 void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
@@ -21,12 +21,5 @@ void um_diagnosis_report_json_parameter(FILE *file, const struct um_effect_param
 void um_diagnosis_report_json_parameters(FILE *file, const struct um_diagnosis *d,
                                          const struct um_effect *effect, const char *target,
                                          const double *value, const double *sigma);
-
-/* Members of the whole object, each with its comma before. */
-void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d);
-void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
-void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
-void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
-void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);
 
 #endif

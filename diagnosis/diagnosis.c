@@ -1,0 +1,65 @@
+/* A diagnosis as it is kept. */
+#include "diagnosis/diagnosis_impl.h"
+
+const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
+{
+  static const char *const name[] = {"complete", "found", "not_identifiable", "unexplained"};
+  return name[verdict];
+}
+
+const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
+{
+  static const char *const name[] = {"certain", "one_of_group", "small"};
+  return name[standing];
+}
+
+void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
+{
+  for (size_t s = 0; s < d->nstep; s++) {
+    um_core_free(context, d->step[s].alternative);
+    um_core_free(context, d->step[s].value);
+  }
+  d->nstep = 0;
+}
+
+void um_diagnosis_end_clear(struct um_context *context, struct um_diagnosis *d)
+{
+  um_core_free(context, d->addition);
+  um_core_free(context, d->addition_sigma);
+  um_core_free(context, d->nuisance);
+  um_core_free(context, d->nuisance_sigma);
+  um_core_free(context, d->value_after);
+  d->addition = d->nuisance = NULL;
+  d->addition_sigma = d->nuisance_sigma = NULL;
+  d->value_after = NULL;
+  d->naddition = d->nnuisance = 0;
+}
+
+void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d)
+{
+  for (size_t i = 0; i < d->nnext; i++) {
+    um_core_free(context, d->next_of[i].what);
+    um_core_free(context, d->next_of[i].of);
+  }
+  um_core_free(context, d->next_of);
+  d->next_of = d->next = NULL;
+  d->nnext = 0;
+}
+
+void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis)
+{
+  if (diagnosis == NULL || *diagnosis == NULL) return;
+  struct um_diagnosis *d = *diagnosis;
+  um_diagnosis_steps_clear(context, d);
+  um_diagnosis_end_clear(context, d);
+  um_core_free(context, d->sentence);
+  um_core_free(context, d->step);
+  um_core_free(context, d->value_before);
+  um_core_free(context, d->ranking);
+  um_diagnosis_next_clear(context, d);
+  um_missing_heat_residual_release(context, &d->residual);
+  um_core_free(context, d->superseded);
+  um_missing_heat_unexplained_destroy(context, &d->unexplained);
+  um_core_free(context, d);
+  *diagnosis = NULL;
+}

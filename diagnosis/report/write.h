@@ -1,0 +1,16 @@
+/* A diagnosis in files. */
+#ifndef UMBRA_DIAGNOSIS_REPORT_WRITE_H
+#define UMBRA_DIAGNOSIS_REPORT_WRITE_H
+
+#include "core/file.h"
+#include "diagnosis/diagnosis.h"
+
+/* diagnosis.json, ranking.csv, fit.csv (observations: time_utc, quantity, of, measured, sigma,
+ * before, after), improved/scenario.yaml (runs in place: the user's scenario with its paths made to
+ * fit and the effects added), heat.csv where heat was reconstructed, into a folder in the making.
+ */
+enum um_status um_diagnosis_report_write(struct um_context *context,
+                                         const struct um_diagnosis *diagnosis, const char *command,
+                                         const char *version, struct um_core_folder *folder);
+
+#endif

@@ -1,0 +1,19 @@
+/* The work that every step is part of. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_WORK_IMPL_H
+#define UMBRA_DIAGNOSIS_WORK_IMPL_H
+
+#include "diagnosis/options.h"
+#include "sensitivity/forward.h"
+
+/* What is diagnosed, and how; passed around. */
+struct um_diagnosis_work {
+  struct um_sensitivity_forward *forward;
+  const struct um_sensitivity_candidates *candidates;
+  const struct um_diagnosis_options *options;
+  double level;
+  size_t steps_max, alternatives;
+  size_t *fold; /* [nobservation] blocks of time that are held out in turn */
+  size_t nfold;
+};
+
+#endif
