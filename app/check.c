@@ -4,6 +4,8 @@
 
 #include "app/app.h"
 #include "core/constants.h"
+#include "model/build.h"
+#include "model/timeline.h"
 #include "orbit/time.h"
 
 #define ROOM 300.0 /* temperature of the emittances [K] */

@@ -10,6 +10,8 @@
 #include "compare/plot.h"
 #include "compare/refine.h"
 #include "compare/report.h"
+#include "model/build.h"
+#include "model/precompute.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3

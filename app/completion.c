@@ -4,7 +4,7 @@
 
 #include "app/app.h"
 #include "effects/effects.h"
-#include "model/scenario.h"
+#include "model/scenario_schema.h"
 
 /* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
 static const char *offer(enum um_app_offers offers)

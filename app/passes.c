@@ -4,6 +4,8 @@
 
 #include "app/app.h"
 #include "core/constants.h"
+#include "model/build.h"
+#include "model/timeline.h"
 #include "orbit/time.h"
 
 static const char *event_text(enum um_environment_event_kind kind)

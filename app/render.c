@@ -4,6 +4,11 @@
 #include <sys/stat.h>
 
 #include "app/app.h"
+#include "model/bands.h"
+#include "model/build.h"
+#include "model/picture.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
 

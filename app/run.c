@@ -7,6 +7,10 @@
 #include "app/app.h"
 #include "app/terminal.h"
 #include "core/constants.h"
+#include "model/build.h"
+#include "model/picture.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
 

@@ -9,6 +9,8 @@
 #include "app/terminal.h"
 #include "compare/write.h"
 #include "core/csv.h"
+#include "model/build.h"
+#include "model/precompute.h"
 
 #define SEED_MAX 9007199254740992.0 /* 2^53: whole numbers that a double holds */
 

@@ -17,7 +17,10 @@
 #include <string.h>
 
 #include "bench/bench.h"
+#include "model/build.h"
 #include "model/model.h"
+#include "model/precompute.h"
+#include "model/run.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 #define RUNS     5

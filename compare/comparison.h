@@ -6,6 +6,8 @@
 #include "compare/metrics.h"
 #include "compare/predict.h"
 #include "compare/segments.h"
+#include "model/precomputed.h"
+#include "model/result.h"
 
 #define UM_COMPARE_WORST 3 /* intervals per channel */
 

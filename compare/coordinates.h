@@ -3,6 +3,7 @@
 #define UMBRA_COMPARE_COORDINATES_H
 
 #include "model/model.h"
+#include "model/precomputed.h"
 
 struct um_compare_coordinate {
   char *name;    /* with unit, as in the header of residuals.csv: "elevation_deg" */

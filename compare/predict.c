@@ -10,6 +10,8 @@
 #include "compare/time_text.h"
 #include "core/constants.h"
 #include "core/sort.h"
+#include "model/points.h"
+#include "model/precompute.h"
 
 #define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
 

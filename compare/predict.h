@@ -5,6 +5,9 @@
 
 #include "compare/set.h"
 #include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
+#include "model/timeline.h"
 
 /* Which observation of a geometry precomputation, and which number of it, answers each row. It
  * depends on the times, names and exposures of the rows and on the names of bands and places, so it

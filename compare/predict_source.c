@@ -3,6 +3,7 @@
 
 #include "compare/places_impl.h"
 #include "compare/predict_source_impl.h"
+#include "model/bands.h"
 
 static size_t first_used(const struct um_compare_measurements *m, size_t channel)
 {

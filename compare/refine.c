@@ -11,6 +11,9 @@
 #include <math.h>
 
 #include "compare/noise.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "model/thermal_solution.h"
 
 #define STEP_MAX 64.0
 #define CHECK    4    /* times the samples */

@@ -3,6 +3,7 @@
 #define UMBRA_COMPARE_REFINE_H
 
 #include "compare/predict.h"
+#include "model/thermal_solution.h"
 
 /* Share of the variance sigma^2 + model_sigma^2, mean over a channel, that the model may have. All
  * instants look at the same points of the body, so the error moves slowly from observation to

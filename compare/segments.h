@@ -3,6 +3,7 @@
 #define UMBRA_COMPARE_SEGMENTS_H
 
 #include "model/model.h"
+#include "model/precomputed.h"
 
 /* The first three exclude each other, so do the last two. */
 enum um_compare_segment {

@@ -8,6 +8,8 @@
 #include "core/words.h"
 #include "diagnosis/nuisance_impl.h"
 #include "effects/effects.h"
+#include "model/effect_files.h"
+#include "model/effects.h"
 
 static enum um_status find_effect(struct um_context *context, const struct um_model *model,
                                   const char *name, const struct um_effect **out)

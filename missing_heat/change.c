@@ -11,6 +11,9 @@
 #include <math.h>
 
 #include "inference/algebra.h"
+#include "model/build.h"
+#include "model/run.h"
+#include "model/thermal_solution.h"
 
 #define STEPS   3
 #define SETTLED 0.01 /* of the power */

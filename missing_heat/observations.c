@@ -14,6 +14,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "model/run_response.h"
+#include "model/thermal_solution.h"
+
 #define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
 
 /* --- the base -------------------------------------------------------------------------------- */

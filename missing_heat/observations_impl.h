@@ -3,6 +3,7 @@
 #define UMBRA_MISSING_HEAT_OBSERVATIONS_IMPL_H
 
 #include "missing_heat/places_impl.h"
+#include "model/thermal_solution.h"
 #include "sensitivity/forward.h"
 
 /* A scenario with its additions, run, and the answer of its light to temperatures. */

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
 
 enum um_status um_model_materials_at(struct um_context *context, const struct um_model *model,
                                      double t_tai, struct um_materials_adjustment *out)

@@ -2,7 +2,9 @@
 #ifndef UMBRA_MODEL_AGING_IMPL_H
 #define UMBRA_MODEL_AGING_IMPL_H
 
+#include "irradiation/loads.h"
 #include "model/model.h"
+#include "thermal/solve_options.h"
 
 #define UM_MODEL_EMITTANCE_TEMPERATURE 300.0 /* total emittances are taken here [K] */
 

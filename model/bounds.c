@@ -1,9 +1,11 @@
 /* What a run would ask of memory, reckoned before it is asked for, and the key that decides it; and
  * of the scenario, times and places. */
+#include "model/bounds_impl.h"
+
 #include <math.h>
 #include <stdio.h>
 
-#include "model/model_impl.h"
+#include "model/words_impl.h"
 
 #define LOAD_ROWS_MOST 5e6 /* instants of the heat loads: 580 days of one every 10 s */
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */

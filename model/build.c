@@ -1,8 +1,16 @@
 /* Building a model: the order of the steps. */
+#include "model/build.h"
+
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/model_impl.h"
+#include "model/build_blocked_impl.h"
+#include "model/build_environment_impl.h"
+#include "model/build_orbit_impl.h"
+#include "model/build_parts_impl.h"
+#include "model/build_thermal_impl.h"
+#include "model/effects_impl.h"
+#include "model/scenario_read.h"
 
 /* What hangs on the sky: parts, heat. */
 static enum um_status build_body(struct um_context *context, struct um_model *model)

@@ -5,8 +5,11 @@
  *   1 - blocked = (1/pi) int V(omega) cos(theta) d omega
  *
  * by cosine-weighted directions, keyed by surface. Joints stand as at the start of the scenario. */
+#include "model/build_blocked_impl.h"
+
 #include "core/sampling.h"
-#include "model/model_impl.h"
+#include "model/timeline.h"
+#include "model/words_impl.h"
 
 #define SKY_SAMPLES 4   /* points per facet of the sky table */
 #define DIRECTIONS  256 /* per surface; standard error at most 3 % of the hemisphere */

@@ -1,6 +1,9 @@
 /* From the scenario's environment and effects to the configuration of Sun and Earth. */
+#include "model/build_environment_impl.h"
+
 #include "core/constants.h"
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
+#include "model/scenario_environment_impl.h"
 
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {

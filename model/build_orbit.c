@@ -1,10 +1,14 @@
 /* From the scenario to trajectory, attitude and observer. */
+#include "model/build_orbit_impl.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "core/constants.h"
 #include "core/file.h"
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
+#include "model/points_impl.h"
+#include "model/words_impl.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"
 

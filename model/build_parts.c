@@ -1,4 +1,6 @@
 /* From the scenario's parts to geometry and material records. */
+#include "model/build_parts_impl.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +8,8 @@
 #include "core/constants.h"
 #include "core/words.h"
 #include "model/aging_impl.h"
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
+#include "model/words_impl.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
 {

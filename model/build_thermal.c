@@ -1,11 +1,17 @@
 /* From the scenario's parts and material records to the heat network. */
+#include "model/build_thermal_impl.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/words.h"
 #include "model/aging_impl.h"
-#include "model/model_impl.h"
+#include "model/build_power_impl.h"
+#include "model/effects_impl.h"
+#include "model/start_offset_impl.h"
+#include "model/surface_law_impl.h"
+#include "model/words_impl.h"
 
 /* Working arrays of one build; everything in them lives as long as the document. */
 struct assembly {

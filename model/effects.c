@@ -1,6 +1,7 @@
 /* The effects of a scenario: its own list, then --with and --without, checked against the registry.
  */
-#include "effects/effects.h"
+#include "model/effects.h"
+#include "model/effects_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,7 +10,12 @@
 
 #include "core/csv.h"
 #include "core/words.h"
-#include "model/model_impl.h"
+#include "effects/effects.h"
+#include "model/bands.h"
+#include "model/effect_files.h"
+#include "model/effect_files_impl.h"
+#include "model/scenario_environment_impl.h"
+#include "model/words_impl.h"
 
 /* Where a use was written; NULL mark for the command line. */
 struct origin {

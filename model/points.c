@@ -1,12 +1,18 @@
 /* Observations without a track (orbit.points): every measurement says where the satellite is. What
  * asks for a velocity or for heat that is followed along an orbit is refused; the light of one
  * instant, with Sun, shadow, attitude and the Earth below, is all that such a scenario has. */
+#include "model/points.h"
+#include "model/points_impl.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "core/constants.h"
 #include "core/words.h"
-#include "model/model_impl.h"
+#include "model/line_of_sight_impl.h"
+#include "model/precompute.h"
+#include "model/precompute_impl.h"
+#include "model/words_impl.h"
 
 #define ACCEPTED_LAWS "fixed, sun, target, yaw_steering, table, spin with axis_gcrs or q_gcrs"
 

@@ -5,13 +5,20 @@
  * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
  * instant is a grid time, so that optics and heat use the same fluxes. The loads are linear between
  * grid times: a shadow without penumbra, which is a jump, has one on either side of its edge. */
+#include "model/precompute.h"
+#include "model/precompute_impl.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/constants.h"
 #include "core/sort.h"
-#include "model/model_impl.h"
+#include "model/bounds_impl.h"
+#include "model/effects_impl.h"
+#include "model/line_of_sight_impl.h"
+#include "model/timeline.h"
+#include "model/words_impl.h"
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
 #define LONGEST_STEP     10.0 /* [s]; the orbit turns by 0.6 deg */

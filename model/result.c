@@ -1,5 +1,7 @@
 /* The result of a run as it is kept. */
-#include "model/model.h"
+#include "model/result.h"
+
+#include "optics/optics.h"
 
 double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,
                                  int mechanism)

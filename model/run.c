@@ -1,9 +1,12 @@
 /* One run in both bands on a traced timeline. */
+#include "model/run.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "model/run_optics_impl.h"
 #include "model/run_places_impl.h"
+#include "model/thermal_solution.h"
 
 /* Surface and node temperatures of the observations, means over the exposure. */
 static enum um_status keep_temperatures(struct um_context *context, const struct um_model *model,

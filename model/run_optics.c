@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "model/aging_impl.h"
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
 #include "model/run_optics_impl.h"
 #include "optics/atmosphere.h"
 

@@ -2,6 +2,7 @@
 #ifndef UMBRA_MODEL_RUN_OPTICS_IMPL_H
 #define UMBRA_MODEL_RUN_OPTICS_IMPL_H
 
+#include "model/result.h"
 #include "model/thermal_solution_impl.h"
 
 /* Light curves. */

@@ -2,6 +2,7 @@
 #ifndef UMBRA_MODEL_RUN_PLACES_IMPL_H
 #define UMBRA_MODEL_RUN_PLACES_IMPL_H
 
+#include "model/result.h"
 #include "model/thermal_solution_impl.h"
 
 /* Histories of places and their heat. */

@@ -1,7 +1,10 @@
 /* Derivatives of a run: of temperatures by small heat along the history that was found, and of
  * light by the temperature of surfaces. */
+#include "model/run_response.h"
+
 #include <string.h>
 
+#include "model/run.h"
 #include "model/thermal_solution_impl.h"
 
 enum um_status um_model_thermal_solution_response(struct um_context *context,

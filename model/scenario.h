@@ -277,12 +277,4 @@ struct um_scenario {
   struct um_scenario_measurements *measurements;
 };
 
-extern const struct um_schema_object um_model_scenario_schema;
-
-/* Read a scenario folder or file with overrides; checks what one mapping cannot know of another
- * (stop after start, names). The document owns everything. */
-enum um_status um_model_scenario_read(struct um_context *context, const char *path,
-                                      const char *const *overrides, size_t noverride,
-                                      struct um_document **document, struct um_scenario **out);
-
 #endif

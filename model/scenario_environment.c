@@ -1,5 +1,5 @@
 /* The scenario's environment in SI, without what effects do to it. */
-#include "model/model_impl.h"
+#include "model/scenario_environment_impl.h"
 
 void um_model_scenario_environment(const struct um_scenario_environment *from,
                                    struct um_environment *to)

@@ -1,5 +1,7 @@
 /* The schema of scenario.yaml: every key with its type, bounds, default and meaning, once. The
  * checker, the reference page and the JSON Schema are all made from this table. */
+#include "model/scenario_schema.h"
+
 #include <math.h>
 
 #include "model/scenario.h"

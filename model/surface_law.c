@@ -1,11 +1,12 @@
 /* From material records to how surfaces go with angle and temperature: ratios of the record's
  * absorptance and emittance, effects included, to those that the heat network states (normal
  * incidence, 300 K). Grey records and withheld effects have none. */
+#include "model/surface_law_impl.h"
+
 #include <math.h>
 
 #include "core/constants.h"
 #include "model/aging_impl.h"
-#include "model/model_impl.h"
 
 static void by_angle(const struct um_materials_record *record,
                      const struct um_materials_adjustment *adjustment,

@@ -1,4 +1,6 @@
 /* Temperatures: periodic or isothermal start, then through the observations. */
+#include "model/thermal_solution.h"
+
 #include <math.h>
 #include <string.h>
 

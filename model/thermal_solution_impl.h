@@ -3,6 +3,9 @@
 #define UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
 
 #include "model/aging_impl.h"
+#include "model/model.h"
+#include "model/precomputed.h"
+#include "thermal/solve.h"
 
 /* Temperatures at every instant of the geometry precomputation. history: rows
  * are an instant one orbit before the first (when `before`), then the geometry precomputation's

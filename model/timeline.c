@@ -1,8 +1,10 @@
 /* One instant of the scene: orbit, attitude, Sun and shadow together. */
+#include "model/timeline.h"
+
 #include <math.h>
 
 #include "core/constants.h"
-#include "model/model_impl.h"
+#include "model/effects_impl.h"
 #include "orbit/sun.h"
 
 /* Sun from the satellite's place; a frozen one keeps its geocentric place. Aberration is that of

@@ -1,10 +1,11 @@
 /* What the steps of building share: paths, messages with file, line and key, names, directions. */
+#include "model/words_impl.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/file.h"
-#include "model/model_impl.h"
 
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
                                 const struct um_mark *at, const char *relative, const char **out)

@@ -4,6 +4,8 @@
 
 #include "core/file.h"
 #include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
 
 /* A finished run and what is said about it; everything borrowed. */
 struct um_output_run {

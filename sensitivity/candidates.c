@@ -6,6 +6,7 @@
 
 #include "core/words.h"
 #include "effects/effects.h"
+#include "model/effect_files.h"
 #include "sensitivity/forward_impl.h"
 #include "sensitivity/scan_impl.h"
 #include "sensitivity/signature_impl.h"

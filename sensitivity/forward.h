@@ -6,6 +6,7 @@
 
 #include "compare/predict.h"
 #include "model/model.h"
+#include "model/thermal_solution.h"
 #include "sensitivity/observations.h"
 
 struct um_sensitivity_forward {

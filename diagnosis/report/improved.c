@@ -14,6 +14,7 @@
 #include "core/csv.h"
 #include "core/file.h"
 #include "core/words.h"
+#include "model/scenario_schema.h"
 
 /* Texts that are overrides of a document. */
 struct overrides {

@@ -12,6 +12,7 @@
 #include "compare/metrics.h"
 #include "compare/set.h"
 #include "core/csv.h"
+#include "model/build.h"
 
 #define ACCEPTED_SQUARE 0.05 /* mean square of residual over sigma, all channels */
 

@@ -4,6 +4,7 @@
 
 #include "compare/compare.h"
 #include "compare/correlation_impl.h"
+#include "model/build.h"
 #include "orbit/time.h"
 
 /* Rank correlations against numbers worked out by hand.

@@ -7,6 +7,9 @@
 #include "compare/compare.h"
 #include "compare/measurements.h"
 #include "compare/synth.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/compare/compare_test.h"
 
 static const char *const scenario_text =

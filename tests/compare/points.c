@@ -10,6 +10,9 @@
 #include "compare/measurements.h"
 #include "compare_test.h"
 #include "environment/environment.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 
 #define SCENARIO "scenario.yaml"

@@ -4,6 +4,7 @@
 #include "compare/comparison.h"
 #include "compare/measurements.h"
 #include "compare/predict.h"
+#include "model/build.h"
 #include "orbit/time.h"
 
 /* Every quantity once, out of the order of the channels, tracks interleaved; flagged rows may be

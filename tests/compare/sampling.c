@@ -6,6 +6,9 @@
 #include "compare/refine.h"
 #include "compare/synth.h"
 #include "compare/write.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "model_test.h"
 
 static const int numbers[] = {1, 4, 16, 64, 4096};

@@ -7,6 +7,7 @@
 #include "compare/measurements.h"
 #include "compare/synth.h"
 #include "compare/write.h"
+#include "model/build.h"
 #include "orbit/time.h"
 
 #define SEEDS 20

@@ -10,6 +10,9 @@
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "24" /* [s] */
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/diagnosis/plate_test.h"
 
 /* The visible band of a world with an effect. */

@@ -9,6 +9,9 @@
 
 #include "compare/synth.h"
 #include "diagnosis/diagnose.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/support/cmocka_all.h"
 
 /* A spinning plate in sunlight, seen in glints and out of them. */

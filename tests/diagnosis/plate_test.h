@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "model/model.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =

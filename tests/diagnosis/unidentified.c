@@ -8,6 +8,9 @@
 
 #include "compare/synth.h"
 #include "diagnosis/diagnose.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =

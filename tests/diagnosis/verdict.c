@@ -14,6 +14,9 @@
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "12" /* [s] */
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/diagnosis/plate_test.h"
 
 /* ---- a diagnosis ---- */

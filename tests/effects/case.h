@@ -4,6 +4,8 @@
 #define UMBRA_TESTS_EFFECTS_CASE_H
 
 #include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
 
 struct case_run {
   struct um_model *model;

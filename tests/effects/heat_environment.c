@@ -3,6 +3,7 @@
 
 #include "core/planck.h"
 #include "heat_help.h"
+#include "model/timeline.h"
 
 static void check_balance(const struct heat_run *run)
 {

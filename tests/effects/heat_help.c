@@ -1,5 +1,9 @@
 /* A small satellite in steady state: see heat_help.h. */
 #include "heat_help.h"
+#include "model/bands.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 
 static const char *const scenario =
     "schema: 1\n"

@@ -16,6 +16,8 @@
 
 #include "core/constants.h"
 #include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
 #include "tests/support/cmocka_all.h"
 
 struct heat_run {

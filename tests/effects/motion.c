@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "model/timeline.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 

@@ -7,6 +7,10 @@
 #include <unistd.h>
 
 #include "effects/effects.h"
+#include "model/build.h"
+#include "model/effect_files.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 

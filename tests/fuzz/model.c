@@ -8,6 +8,10 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "model/scenario_read.h"
 #include "output/output.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/sampling.h"
 #include "effects/effects.h"
-#include "model/scenario.h"
+#include "model/scenario_schema.h"
 #include "tests/fuzz/fuzz.h"
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);

@@ -8,6 +8,9 @@
 #include "core/constants.h"
 #include "core/sampling.h"
 #include "effects/effects.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 #include "tests/lab/lab.h"
 

@@ -39,7 +39,11 @@
 #include "channel.h"
 #include "core/constants.h"
 #include "core/csv.h"
+#include "model/bands.h"
+#include "model/build.h"
 #include "model/model.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 #include "tests/support/reference.h"
 

@@ -9,7 +9,12 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "model/bands.h"
+#include "model/build.h"
 #include "model/model.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "model/timeline.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 

@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "model/build.h"
 #include "model/model.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 

@@ -8,6 +8,11 @@
 #include <sys/stat.h>
 
 #include "effects/effects.h"
+#include "model/build.h"
+#include "model/picture.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "model/timeline.h"
 #include "orbit/time.h"
 #include "output/output.h"
 #include "tests/support/allocator.h"

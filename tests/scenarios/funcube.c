@@ -10,6 +10,9 @@
 #include "compare/compare.h"
 #include "compare/measurements.h"
 #include "core/csv.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/scenarios/support.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"

@@ -17,6 +17,7 @@
 
 #include "core/constants.h"
 #include "core/planck.h"
+#include "model/bands.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/sphere"
 #define TEXTS(...)                                                                                 \

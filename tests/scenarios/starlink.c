@@ -17,6 +17,9 @@
 #include "core/csv.h"
 #include "materials/bsdf.h"
 #include "materials/materials.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/materials/check.h"
 #include "tests/scenarios/support.h"
 

@@ -3,6 +3,10 @@
 
 #include <string.h>
 
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+
 static void need(struct um_context *context, enum um_status status)
 {
   if (status != UM_OK) fail_msg("%s", um_core_message(context));

@@ -6,6 +6,8 @@
 #include <stdio.h>
 
 #include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
 #include "tests/support/cmocka_all.h"
 
 struct support_run {

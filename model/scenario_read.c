@@ -1,4 +1,6 @@
 /* Reading a scenario: folder or file, overrides, and checks across mappings. */
+#include "model/scenario_read.h"
+
 #include "model/scenario.h"
 
 #include <errno.h>
@@ -8,7 +10,8 @@
 
 #include "core/data.h"
 #include "core/file.h"
-#include "model/model_impl.h"
+#include "model/scenario_schema.h"
+#include "model/words_impl.h"
 #include "orbit/time.h"
 
 static enum um_status check_time(struct um_context *context, const struct um_scenario *scenario)

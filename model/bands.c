@@ -1,0 +1,28 @@
+/* Bands by name. */
+#include "model/bands.h"
+
+#include <string.h>
+
+#include "core/words.h"
+
+size_t um_model_band_find(const struct um_model *model, const char *name)
+{
+  for (size_t b = 0; b < model->nband; b++)
+    if (strcmp(model->band[b].name, name) == 0) return b;
+  return (size_t)-1;
+}
+
+enum um_status um_model_band_require(struct um_context *context, const struct um_model *model,
+                                     const char *name, size_t *out)
+{
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[320] = "", hint[UM_CORE_WORDS_HINT];
+  *out = um_model_band_find(model, name);
+  if (*out != (size_t)-1) return UM_OK;
+  for (size_t b = 0; b < model->nband; b++) {
+    um_core_words_append(accepted, sizeof accepted, model->band[b].name);
+    um_core_words_consider(&guess, model->band[b].name);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s; accepted: %s", name,
+                      um_core_words_hint(&guess, hint), accepted);
+}

@@ -1,0 +1,11 @@
+/* What the satellite covers of its own sky. Private to model/. */
+#ifndef UMBRA_MODEL_BUILD_BLOCKED_IMPL_H
+#define UMBRA_MODEL_BUILD_BLOCKED_IMPL_H
+
+#include "model/model.h"
+
+/* What of each surface's sky the satellite itself covers, into the heat network.
+ */
+enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model);
+
+#endif

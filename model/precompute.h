@@ -1,0 +1,29 @@
+/* The geometry precomputation of a timeline. */
+#ifndef UMBRA_MODEL_PRECOMPUTE_H
+#define UMBRA_MODEL_PRECOMPUTE_H
+
+#include "model/model.h"
+#include "model/precomputed.h"
+
+/* Over the scenario's own window. UM_ERR_INPUT; the caller destroys. */
+enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
+                                   struct um_model_precomputed **out);
+/* The same at given observation times [ntime], t_tai, strictly ascending, in place of the
+ * scenario's start, stop and step (measurements have times of their own). UM_ERR_INPUT for none or
+ * out of order. exposures: NULL, or [ntime] [s] in place of the scenario's. */
+enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
+                                      const double *times, const double *exposures, size_t ntime,
+                                      struct um_model_precomputed **out);
+/* Look again: lines of sight of the geometry precomputation with another number of points per
+ * facet, everything else of it as it was. The model's own optics.samples is set, and
+ * optics.interreflection_samples where it is not 0, so that what is built from the model later
+ * agrees. UM_ERR_INPUT: no observer, or a number out of range (then nothing is changed);
+ * UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED.
+ */
+enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,
+                                             struct um_model_precomputed *precomputed, int samples,
+                                             int interreflection_samples);
+void um_model_precomputed_destroy(struct um_context *context,
+                                  struct um_model_precomputed **precomputed);
+
+#endif

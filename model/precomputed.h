@@ -1,0 +1,36 @@
+/* What a geometry precomputation holds. */
+#ifndef UMBRA_MODEL_PRECOMPUTED_H
+#define UMBRA_MODEL_PRECOMPUTED_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "environment/timeline.h"
+#include "irradiation/loads.h"
+#include "optics/optics.h"
+#include "orbit/observer.h"
+
+/* Everything geometric about one timeline, traced once; physics runs on it many times. */
+struct um_model_precomputed {
+  size_t nobs;                          /* observations */
+  size_t nsub;                          /* instants per observation (exposure) */
+  double *t_obs;                        /* [nobs] t_tai, mid-exposure, at the observer */
+  struct um_orbit_look *look;           /* [nobs * nsub] */
+  struct um_environment_sample *sample; /* [nobs * nsub], at the satellite's time */
+  double *sunlit;                       /* [nobs] mean over the exposure */
+  bool *hidden;   /* [nobs] below the station's horizon, or behind the Earth, during the exposure */
+  double period;  /* of the orbit [s]; NaN for a fixed point */
+  double t_first; /* middle of the first observation, at the satellite [s] */
+  double t_start; /* thermal start, t_tai [s] */
+  double t_periodic_end;              /* end of the orbit that is made periodic; t_start if none */
+  struct um_irradiation_loads *loads; /* over [t_start, last observation] */
+  size_t *load_row;                   /* [nobs * nsub] row of loads at each instant */
+  struct um_optics_view *view;        /* [nobs * nsub]; NULL without an observer */
+  struct um_environment_event *event; /* [nevent], eclipse edges from t_start to the end */
+  size_t nevent;
+  bool points; /* observations stand alone: one instant and one row of loads each, in their order;
+                  the rows are numbered, their t is t_start plus the number [s]; no events; heat is
+                  not followed */
+};
+
+#endif

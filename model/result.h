@@ -1,0 +1,49 @@
+/* What a run gives. */
+#ifndef UMBRA_MODEL_RESULT_H
+#define UMBRA_MODEL_RESULT_H
+
+#include "core/context.h"
+#include "thermal/solve.h"
+
+/* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */
+struct um_model_place_history {
+  char *name;
+  double *mean, *minimum, *maximum; /* [nobs] area-weighted (capacity-weighted inside) */
+  double drift; /* change of the mean over the last orbit before the window [K] */
+};
+
+struct um_model_result {
+  size_t nobs, nband, nmaterial, nsurface, nnode, nplace;
+  double *irradiance;   /* [nobs][nband] at the aperture, after effects [W/m^2]; NaN where hidden */
+  double *magnitude_ab; /* [nobs][nband] after effects other than the atmosphere's; INFINITY where
+                           the irradiance is 0, NaN where it is negative and where hidden */
+  double
+      *measured_intensity; /* [nobs][nband] what is concluded from a measurement, E R^2 without an
+                              atmosphere, after effects other than its [W/sr]; where hidden, too */
+  double *intensity;       /* [nobs][nband][nmaterial][UM_MECHANISM_COUNT] [W/sr] */
+  double *standard_error;  /* [nobs][nband] of the total [W/sr] */
+  /* [nobs][nband] that error through range, exposure and effects: of irradiance [W/m^2], and of the
+   * flux 10^(-0.4 magnitude_ab) [1]; both NaN where nothing arrives */
+  double *irradiance_error, *magnitude_error;
+  double *spectral; /* [nobs][nbin][UM_MECHANISM_COUNT] [W/sr/m] */
+  size_t nbin;
+  double *wavelength, *bin_width;       /* [nbin] [m] */
+  uint32_t *bin_band;                   /* [nbin] */
+  double *surface_temperature;          /* [nobs][nsurface] [K] */
+  double *node_temperature;             /* [nobs][nnode] [K] */
+  struct um_model_place_history *place; /* [nplace] */
+  struct um_thermal_heat *heat; /* [nobs][nplace] [W]; of thermal places, zero for materials */
+  struct um_thermal_heat audit; /* [J] over the whole thermal run */
+  double audit_error;           /* [1] */
+  double periodic_drift;        /* what the periodic start left [K]; NaN when isothermal */
+  size_t steps, rhs_evaluations, jacobians;
+};
+
+/* Radiant intensity of one observation and band, all materials together [W/sr]; mechanism < 0: all.
+ */
+double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,
+                                 int mechanism);
+
+void um_model_result_destroy(struct um_context *context, struct um_model_result **result);
+
+#endif

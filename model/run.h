@@ -1,0 +1,20 @@
+/* A run of both halves. */
+#ifndef UMBRA_MODEL_RUN_H
+#define UMBRA_MODEL_RUN_H
+
+#include "model/model.h"
+#include "model/result.h"
+#include "model/thermal_solution.h"
+
+/* Run on a geometry precomputation made from the same model. */
+enum um_status um_model_run(struct um_context *context, const struct um_model *model,
+                            const struct um_model_precomputed *precomputed,
+                            struct um_model_result **out);
+
+/* Run with heat that matches. um_model_run is this with heat of its own, not loosened. */
+enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_thermal_solution *heat,
+                                 struct um_model_result **out);
+
+#endif

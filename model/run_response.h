@@ -1,0 +1,26 @@
+/* How a run answers to small changes of heat and temperature. */
+#ifndef UMBRA_MODEL_RUN_RESPONSE_H
+#define UMBRA_MODEL_RUN_RESPONSE_H
+
+#include "model/model.h"
+#include "model/result.h"
+#include "model/thermal_solution.h"
+#include "thermal/response.h"
+
+/* um_model_run_with with the light of every surface made at its temperature plus offset[nsurface]
+ * [K], for derivatives. Nodes and their places stay as they are, means of materials move along. */
+enum um_status um_model_run_warmer(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   const double *offset, struct um_model_result **out);
+/* How node temperatures answer to small heat from the first instant of the geometry precomputation
+ * on, along this history: um_thermal_response at the geometry precomputation's instants [nobs *
+ * nsub]. UM_ERR_INPUT for points. */
+enum um_status um_model_thermal_solution_response(struct um_context *context,
+                                                  const struct um_model_thermal_solution *heat,
+                                                  const struct um_thermal_response_source *source,
+                                                  size_t nsource,
+                                                  const struct um_thermal_response_options *how,
+                                                  um_thermal_response_take *take, void *user);
+
+#endif

@@ -1,0 +1,12 @@
+/* The environment as the scenario writes it. Private to model/. */
+#ifndef UMBRA_MODEL_SCENARIO_ENVIRONMENT_IMPL_H
+#define UMBRA_MODEL_SCENARIO_ENVIRONMENT_IMPL_H
+
+#include "environment/environment.h"
+#include "model/scenario.h"
+
+/* The scenario's mapping as it stands, without effects. */
+void um_model_scenario_environment(const struct um_scenario_environment *from,
+                                   struct um_environment *to);
+
+#endif

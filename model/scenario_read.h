@@ -1,0 +1,13 @@
+/* A scenario from its file. */
+#ifndef UMBRA_MODEL_SCENARIO_READ_H
+#define UMBRA_MODEL_SCENARIO_READ_H
+
+#include "model/scenario.h"
+
+/* Read a scenario folder or file with overrides; checks what one mapping cannot know of another
+ * (stop after start, names). The document owns everything. */
+enum um_status um_model_scenario_read(struct um_context *context, const char *path,
+                                      const char *const *overrides, size_t noverride,
+                                      struct um_document **document, struct um_scenario **out);
+
+#endif

@@ -1,0 +1,33 @@
+/* Temperatures of a run, on their own. */
+#ifndef UMBRA_MODEL_THERMAL_SOLUTION_H
+#define UMBRA_MODEL_THERMAL_SOLUTION_H
+
+#include "model/model.h"
+#include "model/precomputed.h"
+
+/* The heat half of a run, kept: models that differ in what heat does not feel (calibration,
+ * roughness, emissivity in a band) share it. Model and geometry precomputation outlive it. */
+struct um_model_thermal_solution;
+/* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from there,
+ * which takes an orbit or two in place of many; the state found differs within the tolerance of
+ * the search (0.01 K). It does not touch an isothermal start. tolerance_factor: factor >= 1 on the
+ * tolerances of the integration; above 1 the run goes on from the end of the periodic orbit where
+ * it can, without drift of the places and with an audit of the observations alone. Errors of the
+ * thermal solvers. The caller destroys. */
+enum um_status um_model_thermal_solution_create(struct um_context *context,
+                                                const struct um_model *model,
+                                                const struct um_model_precomputed *precomputed,
+                                                const struct um_model_thermal_solution *warm,
+                                                double tolerance_factor,
+                                                struct um_model_thermal_solution **out);
+void um_model_thermal_solution_destroy(struct um_context *context,
+                                       struct um_model_thermal_solution **heat);
+/* *out: true when the model has the same temperatures on this geometry precomputation: network,
+ * loads, times, settings and what ages are equal, number for number. What an effect refuses. */
+enum um_status um_model_thermal_solution_matches(struct um_context *context,
+                                                 const struct um_model_thermal_solution *heat,
+                                                 const struct um_model *model,
+                                                 const struct um_model_precomputed *precomputed,
+                                                 bool *out);
+
+#endif
