@@ -11,6 +11,7 @@
  * variable can have. */
 #include <assert.h>
 
+#include "geometry/points_impl.h"
 #include "geometry/visibility_impl.h"
 
 /* Rays traced at a time; on the stack. */

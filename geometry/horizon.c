@@ -4,7 +4,7 @@
  * Each test would cost all vertices. Three things make it cheap: facets of one plane share the
  * answer, a part whose bounding box lies behind the plane is skipped, and the vertex that closed
  * the last surface is tried first. */
-#include "geometry/visibility_impl.h"
+#include "geometry/horizon_impl.h"
 
 struct box {
   struct um_vec3 low, high; /* [m] */

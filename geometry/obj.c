@@ -3,6 +3,8 @@
  *
  * Group of a face: the name of the last `g`; without one the last `usemtl`; without that the last
  * `o`; else "mesh". Names are the rest of their line. A backslash at the end joins two lines. */
+#include "geometry/obj_impl.h"
+
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +12,7 @@
 #include "core/csv.h"
 #include "core/file.h"
 #include "core/words.h"
-#include "geometry/geometry_impl.h"
+#include "geometry/polygon_impl.h"
 
 #define MAX_FILE_BYTES ((size_t)1 << 30)
 #define MAX_CORNERS    4096 /* of a face; each is compared with each */

@@ -1,4 +1,6 @@
 /* The mesh of one part while it is being made: growing arrays, welding, degenerate facets. */
+#include "geometry/patch_impl.h"
+
 #include <string.h>
 
 #include "geometry/geometry_impl.h"

@@ -6,8 +6,9 @@
  * sqrt 2 and sqrt 3 modulo 1. The four steps are independent over the rationals, so that pairs of
  * both fill the four-dimensional cube evenly (Weyl 1916); two R2 sequences, equal but for a shift,
  * would fill no more than a plane of it. */
+#include "geometry/points_impl.h"
+
 #include "core/sampling.h"
-#include "geometry/visibility_impl.h"
 
 /* Keys of the hashes. */
 #define KEY_POINT UINT64_C(0x706f696e74)

@@ -1,10 +1,12 @@
 /* Triangles of a simple, nearly plane polygon: a fan when it is convex, else ear clipping
  * (Meisters 1975) that takes the ear with the largest smallest sine first, so that corners on one
  * line do not make degenerate triangles. */
+#include "geometry/polygon_impl.h"
+
 #include <string.h>
 
 #include "core/constants.h"
-#include "geometry/geometry_impl.h"
+#include "geometry/patch_impl.h"
 
 /* Ear clipping costs n^3; longer concave faces are refused. */
 #define MAX_CONCAVE_CORNERS 1024

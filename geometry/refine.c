@@ -6,9 +6,12 @@
  * inside an edge; angles stay above half the smallest one of the start. Passes repeat until nothing
  * is marked. Lengths are taken from the lower vertex number to the higher, ties go by edge number:
  * all sharers see the same. */
+#include "geometry/refine_impl.h"
+
 #include <string.h>
 
 #include "geometry/geometry_impl.h"
+#include "geometry/topology_impl.h"
 
 struct pass {
   struct um_geometry_edges edges;

@@ -1,5 +1,7 @@
 /* What a user wants to know of a part: area, volume (divergence theorem,
  * V = sum v0 . (v1 x v2) / 6), open and overused edges, sharpest angle. */
+#include "geometry/report_impl.h"
+
 #include "core/constants.h"
 #include "geometry/geometry_impl.h"
 

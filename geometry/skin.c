@@ -1,7 +1,7 @@
 /* Which material each side of each group has, and the surfaces that follow from it. */
-#include <string.h>
+#include "geometry/skin_impl.h"
 
-#include "geometry/geometry_impl.h"
+#include <string.h>
 
 /* Index of a material name, added when new. NULL gives UM_GEOMETRY_NONE. */
 static enum um_status find_material(struct um_geometry *geometry, const char *name,

@@ -10,7 +10,8 @@
 
 #include "core/constants.h"
 #include "core/sampling.h"
-#include "geometry/visibility_impl.h"
+#include "geometry/points_impl.h"
+#include "geometry/visibility.h"
 
 #define SIDE       16
 #define NCELL      (SIDE * SIDE)

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "geometry/geometry_impl.h"
+#include "geometry/patch_impl.h"
 
 double um_geometry_step_count(double length, double step, double least)
 {

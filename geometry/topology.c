@@ -1,7 +1,9 @@
 /* Edges of a triangle mesh: who shares them, and which pieces are closed. */
+#include "geometry/topology_impl.h"
+
 #include <string.h>
 
-#include "geometry/geometry_impl.h"
+#include "geometry/geometry.h"
 
 static uint64_t edge_slot(uint32_t a, uint32_t b, uint64_t mask)
 {

@@ -20,6 +20,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "geometry/horizon_impl.h"
+#include "geometry/points_impl.h"
+
 #define PACKET 8
 
 /* Blur of Embree's hit points relative to the model size [1]: about 80 units in the last place. */

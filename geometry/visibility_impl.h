@@ -1,41 +1,8 @@
-/* Private to geometry/: what the visibility files share, without Embree's types. */
+/* Rays side by side. Private to geometry/. */
 #ifndef UMBRA_GEOMETRY_VISIBILITY_IMPL_H
 #define UMBRA_GEOMETRY_VISIBILITY_IMPL_H
 
 #include "geometry/visibility.h"
-
-/* A vertex within this times the model size of a plane lies in it [1]. */
-#define UM_GEOMETRY_PLANE 1e-9
-
-/* First indices of facets in the point sequences lie below this, as do the samples that need no
- * evaluation. */
-#define UM_GEOMETRY_POINTS 1024
-
-struct um_geometry_visibility {
-  struct um_context *context;
-  const struct um_geometry_mesh *mesh;
-  const struct um_geometry_pose *pose;
-  struct um_vec3 centre;                    /* of the bounding box; Embree's origin [m] */
-  double size;                              /* diagonal of the bounding box [m] */
-  uint8_t *open;                            /* [nsurface] */
-  double weight[2 * UM_GEOMETRY_POINTS][2]; /* barycentric weights of corners 1 and 2 */
-  double disc[2 * UM_GEOMETRY_POINTS][2];   /* points of the unit disc */
-  void *device, *scene;                     /* Embree's */
-};
-
-/* Fills visibility->open. */
-enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibility);
-
-/* Fills visibility->weight and visibility->disc. */
-void um_geometry_points_fill(struct um_geometry_visibility *visibility);
-/* Point `sample` of a facet, the same for every query. */
-struct um_vec3 um_geometry_points_facet(const struct um_geometry_visibility *visibility,
-                                        uint32_t facet, uint64_t sample);
-/* Point `sample` of the unit disc that goes with it. */
-void um_geometry_points_disc(const struct um_geometry_visibility *visibility, uint32_t facet,
-                             uint64_t sample, double xy[2]);
-/* Point in [0,1)^2 of the second sequence, see points.c. */
-void um_geometry_points_second(uint64_t index, double out[2]);
 
 /* um_geometry_visibility_occluded for rays that run nearly side by side. */
 void um_geometry_visibility_occluded_coherent(const struct um_geometry_visibility *visibility,
