@@ -34,7 +34,7 @@ static void print_metrics(const char *segment, const struct um_compare_metrics *
   static const char *const format[] = {" %12.3e", " %11.3e", " %9.4f", " %8.4f",
                                        " %10.3f", " %6.2f",  " %9.1e"};
   static const int width[] = {13, 12, 10, 9, 11, 7, 10};
-  printf("  %-9s %6zu", segment, m->count);
+  printf("  %-9s %12zu", segment, m->count);
   for (size_t i = 0; i < sizeof number / sizeof number[0]; i++)
     if (isnan(number[i]) || (i >= 2 && i <= 3 && fabs(number[i]) > NUMBER_MAX))
       printf("%*s", width[i], "-");
@@ -48,7 +48,7 @@ static void print_worst(const struct um_compare_interval *w)
   char from[32], to[32];
   um_orbit_time_format(w->from, from);
   um_orbit_time_format(w->to, to);
-  printf("  worst: %.12s to %.12s, %zu rows, chi2 %.4g, bias %+.3e, sunlit %.2f", from + 11,
+  printf("  worst: %.12s to %.12s, %zu observations, chi2 %.4g, bias %+.3e, sunlit %.2f", from + 11,
          to + 11, w->count, w->chi2, w->bias, w->sunlit);
   for (int pass = 0; pass < 2; pass++) {
     const struct um_compare_share *share = pass == 0 ? w->mechanism : w->material;
@@ -72,9 +72,9 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
   const struct um_compare_channel *of = &c->run.plan->measurements->channel[channel->channel];
   printf("%s %s [%s]", um_compare_quantity_name(of->quantity), of->of,
          um_compare_quantity_unit(of->quantity));
-  if (channel->left_out > 0) printf(", %zu rows left out by their flag", channel->left_out);
+  if (channel->left_out > 0) printf(", %zu observations left out by their flag", channel->left_out);
   bool magnitude = um_compare_is_magnitude(of->quantity);
-  printf("\n  %-9s %6s%13s%12s%10s%9s%11s%7s%10s\n", "segment", "rows",
+  printf("\n  %-9s %12s%13s%12s%10s%9s%11s%7s%10s\n", "segment", "observations",
          magnitude ? "bias [mag]" : "bias", magnitude ? "rms [mag]" : "rms", "rms/mean", "scale",
          "chi2/dof", "DW", "p white");
   print_metrics("all", &channel->all);
@@ -101,8 +101,10 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
 
 static void print_comparison(const struct um_compare_comparison *c, const char *folder)
 {
-  printf("%s against %s: %zu observations\n", c->run.model->scenario->name,
-         c->run.plan->measurements->path, c->run.precomputed->nobs);
+  size_t count = 0;
+  for (size_t i = 0; i < c->nchannel; i++) count += c->channel[i].count;
+  printf("%s against %s: %zu observations at %zu times\n", c->run.model->scenario->name,
+         c->run.plan->measurements->path, count, c->run.precomputed->nobs);
   for (size_t i = 0; i < c->nchannel; i++) print_channel(c, i);
   if (!isnan(c->chi2_reduced))
     printf("all channels: chi2 %.6g of %.6g degrees of freedom, reduced %.4g\n", c->chi2, c->dof,
@@ -126,7 +128,8 @@ static enum um_status write_folder(struct um_context *context,
   return um_core_folder_commit(context, folder);
 }
 
-/* Rows without a sigma take the one that the scenario's noise model gives the model's value. */
+/* Observations without a sigma take the one that the scenario's noise model gives the model's
+ * value. */
 static enum um_status fill_sigma(struct um_context *context, const struct um_compare_run *run,
                                  struct um_compare_measurements *m)
 {

@@ -28,9 +28,9 @@ static enum um_status print_channels(struct um_context *context, const struct um
                                      double dof_after)
 {
   if (after == NULL)
-    printf("  %-36s %6s %11s  %10s\n", "", "rows", "rms", "chi2/dof");
+    printf("  %-36s %12s %11s  %10s\n", "", "observations", "rms", "chi2/dof");
   else
-    printf("  %-36s %6s %27s  %24s\n", "", "rows", "rms", "chi2/dof");
+    printf("  %-36s %12s %27s  %24s\n", "", "observations", "rms", "chi2/dof");
   for (size_t c = 0; c < d->forward->measurements->nchannel; c++) {
     const struct um_compare_channel *channel = um_diagnosis_report_channel(d, c);
     struct um_compare_metrics m, n;
@@ -38,7 +38,7 @@ static enum um_status print_channels(struct um_context *context, const struct um
     if (m.count == 0) continue;
     char name[256];
     snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(channel->quantity), channel->of);
-    printf("  %-36s %6zu %11.4g", name, m.count, m.rms);
+    printf("  %-36s %12zu %11.4g", name, m.count, m.rms);
     if (after != NULL) {
       UM_TRY(um_diagnosis_report_channel_metrics(context, d, c, after, dof_after, &n));
       printf(" -> %12.4g  %10.4g -> %10.4g", n.rms, m.chi2_reduced, n.chi2_reduced);
@@ -206,7 +206,8 @@ static void print_one_next(const struct um_diagnosis *d, const struct um_diagnos
   }
   um_compare_time_text(next->from, from);
   um_compare_time_text(next->to, to);
-  printf("%s, %s to %s; a row of sigma %.3g %s there tells them apart by a chi-square of %.3g\n",
+  printf("%s, %s to %s; an observation of sigma %.3g %s there tells them apart by a chi-square of "
+         "%.3g\n",
          next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
          next->chi2_difference);
 }
@@ -232,8 +233,8 @@ static void print_superseded(const struct um_diagnosis *d)
 static void print_residual(const struct um_missing_heat_residual *r)
 {
   if (r->channel == NULL) return;
-  printf("residual: worst in %s, chi-square %.3g a row, in the mean %+.2g sigma", r->channel,
-         r->chi2_reduced, r->mean);
+  printf("residual: worst in %s, chi-square %.3g an observation, in the mean %+.2g sigma",
+         r->channel, r->chi2_reduced, r->mean);
   if (r->coordinate != NULL) printf(", goes with %s (p %.2g)", r->coordinate, r->p);
   printf("\n");
 }
@@ -279,7 +280,7 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
 {
   const struct um_diagnosis *d = diagnosis;
   const struct um_sensitivity_forward *f = d->forward;
-  printf("%s against %s: %zu rows", f->model->scenario->name, f->measurements->path,
+  printf("%s against %s: %zu observations", f->model->scenario->name, f->measurements->path,
          f->observations.count);
   if (d->candidates != NULL) printf(", %zu candidates", d->candidates->count);
   printf("\n\nbaseline: reduced chi-square %.4g (%.6g of %.6g degrees of freedom)\n",

@@ -24,7 +24,7 @@ int um_app_import(struct um_context *context, const struct um_app_options *optio
     UM_CHECK(um_compare_noise_fill(context, m, c, &noise, NULL));
   UM_CHECK(um_compare_measurements_write(context, m, options->out));
   um_app_terminal_clear();
-  printf("%s: %zu rows, %zu tracks%s\n", options->out, m->count, m->ntrack,
+  printf("%s: %zu observations, %zu tracks%s\n", options->out, m->count, m->ntrack,
          options->noise == NULL ? ", without sigma: --noise or the scenario's noise gives one"
                                 : "");
 done:

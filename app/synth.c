@@ -53,7 +53,7 @@ static int read_options(const struct um_app_options *options, struct um_compare_
 
 static void print_set(const struct um_compare_measurements *m, const char *out)
 {
-  printf("%s: %zu rows", out, m->count);
+  printf("%s: %zu observations", out, m->count);
   for (size_t i = 0; i < m->nchannel; i++)
     printf("%s %s %s %zu", i > 0 ? "," : ":", um_compare_quantity_name(m->channel[i].quantity),
            m->channel[i].of, m->channel[i].count);

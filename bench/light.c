@@ -4,8 +4,8 @@
  *   spectra factor out     the light curve in 2000 bins against the same in one bin, alone and with
  *                          the tracing of the view that both need; with inter-reflection too,
  *                          whose paths do carry spectra
- *   geometry once          heat and light on a traced timeline against geometry precomputation and
- * run threads                view and light curve on two threads against one; the same bytes
+ *   geometry once          heat and light after the geometry precomputation against both
+ *   threads                view and light curve on two threads against one; the same bytes
  *
  * Goals. 2000 bins: with the view twice one bin ("hardly more than one"), alone 20 times, a
  * hundredth of 2000 runs. Rerun a fifth of geometry precomputation and run, so that a study of a
@@ -182,8 +182,9 @@ static void rerun_figures(struct bench *bench, const struct pass *pass)
     bench_add(&all, pass->trace_time + run);
     for (int k = 0; k < 2; k++) bench_add(&light, curve_time(bench, pass, 120, 0));
   }
-  bench_time(bench, "heat and light on a trace, to trace and run", "s", &again, &all, 0.2);
-  bench_time(bench, "light alone on a trace, to trace and run", "s", &light, &all, 0.02);
+  bench_time(bench, "heat and light after the geometry, to geometry and run", "s", &again, &all,
+             0.2);
+  bench_time(bench, "light alone after the geometry, to geometry and run", "s", &light, &all, 0.02);
 }
 
 /* Both by wall clock, alternating. */

@@ -22,12 +22,13 @@ static enum um_status find_residuals(struct um_context *context, struct um_compa
     double measured, model, unused;
     um_compare_linear(quantity, m->row[i].value, m->row[i].sigma, &measured, &c->sigma[i]);
     um_compare_linear(quantity, c->model[i], NAN, &model, &unused);
-    c->residual[i] = measured - model; /* NaN where the row is left out */
+    c->residual[i] = measured - model; /* NaN where the observation is left out */
   }
   return UM_OK;
 }
 
-/* Values of one channel in order of time, in the quantity's unit, and the labels of its rows. */
+/* Values of one channel in order of time, in the quantity's unit, and the labels of its
+ * observations. */
 struct gathered {
   double *measured, *model, *sigma, *model_sigma; /* [count] */
   size_t *light, *motion;                         /* [count] */
@@ -68,7 +69,7 @@ static enum um_status channel_metrics(struct um_context *context,
   UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
                                       g.sigma, g.model_sigma, g.light, UM_SEGMENT_RISING, fitted,
                                       channel->segment, &channel->all));
-  /* the parameters' share of rising and setting is that of all rows, as for light */
+  /* the parameters' share of rising and setting is that of all observations, as for light */
   UM_CHECK(um_compare_metrics_compute(
       context, quantity, channel->count, g.measured, g.model, g.sigma, g.model_sigma, g.motion,
       UM_SEGMENT_COUNT - UM_SEGMENT_RISING, fitted, channel->segment + UM_SEGMENT_RISING, NULL));
@@ -160,7 +161,7 @@ static enum um_status make_channels(struct um_context *context, struct um_compar
                                     double fitted)
 {
   const struct um_compare_measurements *m = c->run.plan->measurements;
-  size_t weighted = 0; /* rows in use that have a sigma */
+  size_t weighted = 0; /* observations in use that have a sigma */
   UM_TRY(um_core_allocate(context, m->nchannel, sizeof *c->channel, &c->channel));
   for (size_t i = 0; i < m->count; i++)
     if (c->run.plan->observation[i] != UM_COMPARE_NOWHERE && !isnan(m->row[i].sigma)) weighted++;

@@ -25,34 +25,35 @@ struct um_compare_share {
   double value;
 };
 
-/* A run of neighbouring rows of one channel. */
+/* A run of neighbouring observations of one channel. */
 struct um_compare_interval {
-  size_t first, count; /* of the channel's rows in order of time */
+  size_t first, count; /* of the channel's observations in order of time */
   double from, to;     /* t_tai of the first and last [s] */
-  double chi2; /* sum (r / s)^2, s of both errors; sum r^2 over the mean r^2 where a row has no
-                  sigma */
+  double chi2; /* sum (r / s)^2, s of both errors; sum r^2 over the mean r^2 where an observation
+                  has no sigma */
   double bias; /* mean residual, linear unit */
   double mean_measured; /* linear unit */
   double sunlit;        /* mean sunlit fraction */
-  /* Light: mean over the rows, first by mechanism, then by material [W/sr]. Temperatures of a place
-   * of the heat network: mean heat flows into it [W]. */
+  /* Light: mean over the observations, first by mechanism, then by material [W/sr]. Temperatures of
+   * a place of the heat network: mean heat flows into it [W]. */
   struct um_compare_share *mechanism, *material; /* [nmechanism], [nmaterial] */
   size_t nmechanism, nmaterial;
 };
 
-/* Of the normalised residual r / s (r where a row has no sigma) with a coordinate: Spearman's
- * rank correlation, with a circular coordinate the circular-linear one. p takes rows as
- * independent, which residuals of a wrong model are not: read it as an order, not as a level. */
+/* Of the normalised residual r / s (r where an observation has no sigma) with a coordinate:
+ * Spearman's rank correlation, with a circular coordinate the circular-linear one. p takes
+ * observations as independent, which residuals of a wrong model are not: read it as an order, not
+ * as a level. */
 struct um_compare_correlation {
   const char *name; /* borrowed from the comparison */
-  size_t count;     /* rows where the coordinate has a meaning */
+  size_t count;     /* observations where the coordinate has a meaning */
   double value, p;  /* NaN where it does not vary */
 };
 
 struct um_compare_channel_comparison {
   size_t channel;  /* of the measurements */
-  size_t left_out; /* rows with a flag */
-  size_t count;    /* rows in use */
+  size_t left_out; /* observations with a flag */
+  size_t count;    /* observations in use */
   size_t *row;     /* [count] in order of time */
   struct um_compare_metrics all, segment[UM_SEGMENT_COUNT];
   struct um_compare_interval worst[UM_COMPARE_WORST]; /* by chi2, falling; they do not overlap */
@@ -63,17 +64,17 @@ struct um_compare_channel_comparison {
 
 struct um_compare_comparison {
   struct um_compare_run run;
-  double *model;                  /* [rows] in the quantity's unit; NaN for rows left out */
-  double *residual;               /* [rows] measured - model, linear unit */
-  double *sigma;                  /* [rows] of the measurement, linear unit; NaN for none */
-  double *model_sigma;            /* [rows] of the model's sampling, linear unit */
+  double *model;       /* [observations] in the quantity's unit; NaN for observations left out */
+  double *residual;    /* [observations] measured - model, linear unit */
+  double *sigma;       /* [observations] of the measurement, linear unit; NaN for none */
+  double *model_sigma; /* [observations] of the model's sampling, linear unit */
   enum um_compare_segment *light; /* [nobs] */
   enum um_compare_segment *motion;
   struct um_compare_coordinates *coordinates;
   struct um_compare_channel_comparison *channel; /* [nchannel] of channels in use */
   size_t nchannel;
-  double chi2, dof, chi2_reduced; /* of all rows with a sigma; NaN without */
-  double model_share;          /* of all rows with a sigma: see um_compare_metrics; NaN without */
+  double chi2, dof, chi2_reduced; /* of all observations with a sigma; NaN without */
+  double model_share; /* of all observations with a sigma: see um_compare_metrics; NaN without */
   int samples, samples_before; /* optics.samples that was used, and that of the scenario as it was
                                   read: the caller's to set where it refined; the model's own */
 };
@@ -81,7 +82,7 @@ struct um_compare_comparison {
 /* Accepts NULL, sets NULL. */
 void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison);
 
-/* r / sigma of a row, r where it has no sigma. */
+/* r / sigma of an observation, r where it has no sigma. */
 double um_compare_normalised(const struct um_compare_comparison *comparison, size_t row);
 
 #endif

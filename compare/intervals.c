@@ -1,13 +1,13 @@
 /* Where in time a channel is worst, and what the model's value is made of there.
  *
- * Windows of a tenth of the channel's rows, at least three; the one with the largest chi-square,
- * then the next that does not overlap it, and so on. */
+ * Windows of a tenth of the channel's observations, at least three; the one with the largest
+ * chi-square, then the next that does not overlap it, and so on. */
 #include <math.h>
 
 #include "compare/intervals_impl.h"
 
 #define WINDOWS  10
-#define SHORTEST 3 /* rows */
+#define SHORTEST 3 /* observations */
 
 static const char *const mechanisms[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
                                                            "interreflected", "other"};
@@ -78,7 +78,7 @@ static bool overlaps(const struct um_compare_channel_comparison *channel, size_t
   return false;
 }
 
-/* The worst window of n rows that overlaps none before it; false when there is none. */
+/* The worst window of n observations that overlaps none before it; false when there is none. */
 static bool next_worst(const struct um_compare_comparison *c,
                        const struct um_compare_channel_comparison *channel, size_t n, size_t *first,
                        double *chi2)
@@ -115,7 +115,7 @@ static void describe(const struct um_compare_comparison *c, const size_t *row,
   }
 }
 
-/* Chi-square where the rows have sigmas; else in units of the channel's mean square. */
+/* Chi-square where the observations have sigmas; else in units of the channel's mean square. */
 static double scale_of(const struct um_compare_comparison *c,
                        const struct um_compare_channel_comparison *channel)
 {

@@ -7,30 +7,31 @@
 
 #include "compare/statistics_impl.h"
 
-/* Rows in linear flux, gathered for one segment, and room for what is sorted. */
-struct rows {
+/* Observations in linear flux, gathered for one segment, and room for what is sorted. */
+struct observations {
   size_t n;
   double *y, *m, *sigma; /* [n]; sigma NaN: none */
   double *own;           /* [n] the model's sigma */
   double *work;          /* [2 n] */
 };
 
-static enum um_status rows_allocate(struct um_context *context, size_t n, struct rows *rows)
+static enum um_status observations_allocate(struct um_context *context, size_t n,
+                                            struct observations *data)
 {
-  UM_TRY(um_core_allocate(context, n, sizeof *rows->y, &rows->y));
-  UM_TRY(um_core_allocate(context, n, sizeof *rows->m, &rows->m));
-  UM_TRY(um_core_allocate(context, n, sizeof *rows->sigma, &rows->sigma));
-  UM_TRY(um_core_allocate(context, n, sizeof *rows->own, &rows->own));
-  return um_core_allocate(context, 2 * n, sizeof *rows->work, &rows->work);
+  UM_TRY(um_core_allocate(context, n, sizeof *data->y, &data->y));
+  UM_TRY(um_core_allocate(context, n, sizeof *data->m, &data->m));
+  UM_TRY(um_core_allocate(context, n, sizeof *data->sigma, &data->sigma));
+  UM_TRY(um_core_allocate(context, n, sizeof *data->own, &data->own));
+  return um_core_allocate(context, 2 * n, sizeof *data->work, &data->work);
 }
 
-static void rows_free(struct um_context *context, struct rows *rows)
+static void observations_free(struct um_context *context, struct observations *data)
 {
-  um_core_free(context, rows->y);
-  um_core_free(context, rows->m);
-  um_core_free(context, rows->sigma);
-  um_core_free(context, rows->own);
-  um_core_free(context, rows->work);
+  um_core_free(context, data->y);
+  um_core_free(context, data->m);
+  um_core_free(context, data->sigma);
+  um_core_free(context, data->own);
+  um_core_free(context, data->work);
 }
 
 static struct um_compare_metrics no_metrics(void)
@@ -57,13 +58,13 @@ static struct um_compare_metrics no_metrics(void)
 }
 
 /* Means, scatter and rms, which every quantity has. */
-static void set_moments(const struct rows *rows, struct um_compare_metrics *out)
+static void set_moments(const struct observations *data, struct um_compare_metrics *out)
 {
-  double n = (double)rows->n, y = 0.0, m = 0.0, squares = 0.0, scatter = 0.0;
-  for (size_t i = 0; i < rows->n; i++) {
-    double r = rows->y[i] - rows->m[i];
-    y += rows->y[i];
-    m += rows->m[i];
+  double n = (double)data->n, y = 0.0, m = 0.0, squares = 0.0, scatter = 0.0;
+  for (size_t i = 0; i < data->n; i++) {
+    double r = data->y[i] - data->m[i];
+    y += data->y[i];
+    m += data->m[i];
     out->bias = i == 0 ? r : out->bias + r;
     squares += r * r;
   }
@@ -71,44 +72,44 @@ static void set_moments(const struct rows *rows, struct um_compare_metrics *out)
   out->mean_model = m / n;
   out->bias /= n;
   out->rms = sqrt(squares / n);
-  for (size_t i = 0; i < rows->n; i++) {
-    double about = rows->y[i] - rows->m[i] - out->bias;
+  for (size_t i = 0; i < data->n; i++) {
+    double about = data->y[i] - data->m[i] - out->bias;
     scatter += about * about;
   }
-  if (rows->n > 1) out->sd = sqrt(scatter / (n - 1.0));
+  if (data->n > 1) out->sd = sqrt(scatter / (n - 1.0));
 }
 
 /* What only a flux has, which a ratio can change. */
-static void set_ratios(struct rows *rows, struct um_compare_metrics *out)
+static void set_ratios(struct observations *data, struct um_compare_metrics *out)
 {
   double ym = 0.0, mm = 0.0, squares = 0.0;
   size_t ratios = 0;
   if (out->mean_measured > 0.0) out->rms_over_mean = out->rms / out->mean_measured;
-  for (size_t i = 0; i < rows->n; i++) {
-    ym += rows->y[i] * rows->m[i];
-    mm += rows->m[i] * rows->m[i];
-    if (rows->m[i] > 0.0) rows->work[ratios++] = rows->y[i] / rows->m[i];
+  for (size_t i = 0; i < data->n; i++) {
+    ym += data->y[i] * data->m[i];
+    mm += data->m[i] * data->m[i];
+    if (data->m[i] > 0.0) data->work[ratios++] = data->y[i] / data->m[i];
   }
-  out->median_ratio = um_compare_median(ratios, rows->work);
+  out->median_ratio = um_compare_median(ratios, data->work);
   if (!(mm > 0.0)) return;
   out->scale = ym / mm;
-  for (size_t i = 0; i < rows->n; i++) {
-    double r = rows->y[i] - out->scale * rows->m[i];
+  for (size_t i = 0; i < data->n; i++) {
+    double r = data->y[i] - out->scale * data->m[i];
     squares += r * r;
   }
-  out->rms_scaled = sqrt(squares / (double)rows->n);
+  out->rms_scaled = sqrt(squares / (double)data->n);
 }
 
 /* Of magnitudes, by the logarithms of the fluxes. */
-static void set_magnitudes(struct rows *rows, struct um_compare_metrics *out)
+static void set_magnitudes(struct observations *data, struct um_compare_metrics *out)
 {
   const double magnitude = -2.5 / log(10.0); /* of one unit of ln(flux) */
-  double *x = rows->work, *y = rows->work + rows->n, sum = 0.0, squares = 0.0;
+  double *x = data->work, *y = data->work + data->n, sum = 0.0, squares = 0.0;
   size_t n = 0;
-  for (size_t i = 0; i < rows->n; i++) {
-    if (!(rows->y[i] > 0.0 && rows->m[i] > 0.0)) continue;
-    x[n] = log(rows->m[i]);
-    y[n] = log(rows->y[i]);
+  for (size_t i = 0; i < data->n; i++) {
+    if (!(data->y[i] > 0.0 && data->m[i] > 0.0)) continue;
+    x[n] = log(data->m[i]);
+    y[n] = log(data->y[i]);
     sum += magnitude * (y[n] - x[n]);
     squares += magnitude * magnitude * (y[n] - x[n]) * (y[n] - x[n]);
     n++;
@@ -119,16 +120,17 @@ static void set_magnitudes(struct rows *rows, struct um_compare_metrics *out)
   out->rms_mag = sqrt(squares / (double)n);
 }
 
-/* Chi-square over the rows that have a sigma; whiteness over all. share: parameters per row. */
-static void set_statistics(struct rows *rows, double share, struct um_compare_metrics *out)
+/* Chi-square over the observations that have a sigma; whiteness over all. share: parameters per
+ * observation. */
+static void set_statistics(struct observations *data, double share, struct um_compare_metrics *out)
 {
   double chi2 = 0.0, model = 0.0;
   size_t weighted = 0;
-  for (size_t i = 0; i < rows->n; i++) {
-    double r = rows->y[i] - rows->m[i], own = rows->own[i];
-    rows->work[i] = r;
-    if (isnan(rows->sigma[i])) continue;
-    double s = hypot(rows->sigma[i], own);
+  for (size_t i = 0; i < data->n; i++) {
+    double r = data->y[i] - data->m[i], own = data->own[i];
+    data->work[i] = r;
+    if (isnan(data->sigma[i])) continue;
+    double s = hypot(data->sigma[i], own);
     chi2 += (r / s) * (r / s);
     model += (own / s) * (own / s);
     weighted++;
@@ -142,47 +144,49 @@ static void set_statistics(struct rows *rows, double share, struct um_compare_me
       out->chi2_p = um_compare_chi2_q(chi2, out->dof);
     }
   }
-  if (weighted == rows->n)
-    for (size_t i = 0; i < rows->n; i++) rows->work[i] /= hypot(rows->sigma[i], rows->own[i]);
-  um_compare_durbin_watson(rows->n, rows->work, &out->durbin_watson, &out->white_p);
+  if (weighted == data->n)
+    for (size_t i = 0; i < data->n; i++) data->work[i] /= hypot(data->sigma[i], data->own[i]);
+  um_compare_durbin_watson(data->n, data->work, &out->durbin_watson, &out->white_p);
 }
 
-static struct um_compare_metrics measure(enum um_compare_quantity quantity, struct rows *rows,
-                                         double share)
+static struct um_compare_metrics measure(enum um_compare_quantity quantity,
+                                         struct observations *data, double share)
 {
   struct um_compare_metrics out = no_metrics();
-  out.count = rows->n;
-  if (rows->n == 0) return out;
-  set_moments(rows, &out);
-  if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(rows, &out);
-  if (um_compare_is_magnitude(quantity)) set_magnitudes(rows, &out);
-  set_statistics(rows, share, &out);
+  out.count = data->n;
+  if (data->n == 0) return out;
+  set_moments(data, &out);
+  if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(data, &out);
+  if (um_compare_is_magnitude(quantity)) set_magnitudes(data, &out);
+  set_statistics(data, share, &out);
   return out;
 }
 
-/* One row into `rows`, in linear flux. */
+/* One observation into `data`, in linear flux. */
 static enum um_status gather(struct um_context *context, enum um_compare_quantity quantity,
                              size_t i, double measured, double model, double sigma, double own,
-                             struct rows *rows)
+                             struct observations *data)
 {
   double unused;
-  size_t k = rows->n;
+  size_t k = data->n;
   if (!isnan(sigma) && (!(sigma > 0.0) || !isfinite(sigma)))
     return um_core_fail(context, UM_ERR_NUMERIC,
-                        "metrics: row %zu: sigma %g %s; accepted: above 0, or NaN for none", i + 1,
-                        sigma, um_compare_quantity_unit(quantity));
-  um_compare_linear(quantity, measured, sigma, &rows->y[k], &rows->sigma[k]);
-  um_compare_linear(quantity, model, NAN, &rows->m[k], &unused);
-  if (!isfinite(measured) || !isfinite(rows->m[k]) || !isfinite(rows->y[k]))
-    return um_core_fail(context, UM_ERR_NUMERIC,
-                        "metrics: row %zu: measured %g, model %g %s; accepted: finite numbers",
-                        i + 1, measured, model, um_compare_quantity_unit(quantity));
+                        "metrics: observation %zu: sigma %g %s; accepted: above 0, or NaN for none",
+                        i + 1, sigma, um_compare_quantity_unit(quantity));
+  um_compare_linear(quantity, measured, sigma, &data->y[k], &data->sigma[k]);
+  um_compare_linear(quantity, model, NAN, &data->m[k], &unused);
+  if (!isfinite(measured) || !isfinite(data->m[k]) || !isfinite(data->y[k]))
+    return um_core_fail(
+        context, UM_ERR_NUMERIC,
+        "metrics: observation %zu: measured %g, model %g %s; accepted: finite numbers", i + 1,
+        measured, model, um_compare_quantity_unit(quantity));
   if (!(own >= 0.0) || !isfinite(own))
-    return um_core_fail(context, UM_ERR_NUMERIC,
-                        "metrics: row %zu: standard error of the model %g; accepted: 0 or more",
-                        i + 1, own);
-  rows->own[k] = own;
-  rows->n++;
+    return um_core_fail(
+        context, UM_ERR_NUMERIC,
+        "metrics: observation %zu: standard error of the model %g; accepted: 0 or more", i + 1,
+        own);
+  data->own[k] = own;
+  data->n++;
   return UM_OK;
 }
 
@@ -194,29 +198,29 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
                                           struct um_compare_metrics *segment,
                                           struct um_compare_metrics *all)
 {
-  struct rows rows = {0};
+  struct observations gathered = {0};
   double share = 0.0;
   enum um_status status;
   for (size_t i = 0; label != NULL && i < count; i++)
     if (label[i] >= nlabel && label[i] != UM_COMPARE_LABEL_NONE)
       return um_core_fail(context, UM_ERR_INPUT,
-                          "metrics: row %zu: segment %zu; accepted: 0 to %zu", i + 1, label[i],
-                          nlabel == 0 ? (size_t)0 : nlabel - 1);
-  UM_CHECK(rows_allocate(context, count, &rows));
-  /* all rows first: their number gives each segment its share of the fitted parameters */
+                          "metrics: observation %zu: segment %zu; accepted: 0 to %zu", i + 1,
+                          label[i], nlabel == 0 ? (size_t)0 : nlabel - 1);
+  UM_CHECK(observations_allocate(context, count, &gathered));
+  /* all observations first: their number gives each segment its share of the fitted parameters */
   for (size_t s = 0; s <= nlabel; s++) {
-    rows.n = 0;
+    gathered.n = 0;
     size_t weighted = 0;
     for (size_t i = 0; i < count; i++) {
       size_t l = label == NULL ? 0 : label[i];
       if (l == UM_COMPARE_LABEL_NONE || (s > 0 && l != s - 1)) continue;
       double given = sigma == NULL ? NAN : sigma[i];
       double own = model_sigma == NULL ? 0.0 : model_sigma[i];
-      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, own, &rows));
+      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, own, &gathered));
       if (!isnan(given)) weighted++;
     }
     if (s == 0 && weighted > 0) share = fitted / (double)weighted;
-    struct um_compare_metrics made = measure(quantity, &rows, share);
+    struct um_compare_metrics made = measure(quantity, &gathered, share);
     if (s > 0)
       segment[s - 1] = made;
     else if (all != NULL)
@@ -224,6 +228,6 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
   }
   status = UM_OK;
 done:
-  rows_free(context, &rows);
+  observations_free(context, &gathered);
   return status;
 }

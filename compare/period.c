@@ -22,7 +22,7 @@
 #define FREQUENCIES_MAX  ((size_t)1 << 24)
 #define OVERSAMPLING     10.0
 #define REFINEMENT_STEPS 60 /* golden section: the bracket shrinks by 3e-13 */
-#define ROWS_MIN         5
+#define OBSERVATIONS_MIN 5
 #define FREE_MIN         4    /* observations beside the trends */
 #define CURVATURE_STEP   0.02 /* of 1/span */
 
@@ -30,9 +30,10 @@ static enum um_status check_series(struct um_context *context, const struct um_c
 {
   bool moves = false, varies = false;
   double largest = 0.0;
-  if (s->count < ROWS_MIN)
-    return um_core_fail(context, UM_ERR_INPUT, "period search: %zu rows; accepted: %d or more",
-                        s->count, ROWS_MIN);
+  if (s->count < OBSERVATIONS_MIN)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "period search: %zu observations; accepted: %d or more", s->count,
+                        OBSERVATIONS_MIN);
   for (size_t i = 0; i < s->count; i++) {
     moves = moves || s->t[i] != s->t[0];
     largest = fmax(largest, fabs(s->value[i]));
@@ -40,9 +41,9 @@ static enum um_status check_series(struct um_context *context, const struct um_c
   for (size_t i = 0; i < s->count; i++)
     varies = varies || fabs(s->value[i] - s->value[0]) > 1e-14 * largest;
   if (!moves)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "period search: all %zu rows at one time; accepted: times that differ",
-                        s->count);
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "period search: all %zu observations at one time; accepted: times that differ", s->count);
   if (!varies)
     return um_core_fail(context, UM_ERR_INPUT,
                         "period search: all %zu values are equal; accepted: values that vary",
@@ -53,10 +54,11 @@ static enum um_status check_series(struct um_context *context, const struct um_c
 static enum um_status check_curve(struct um_context *context, const struct um_compare_curve *c)
 {
   if (c->n >= c->nterm + FREE_MIN && c->longest > 0.0) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "period search: %zu rows in %zu tracks, whose trends take %zu; accepted: %d "
-                      "rows more than that, and a track that lasts",
-                      c->n, c->nblock, c->nterm, FREE_MIN);
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "period search: %zu observations in %zu tracks, whose trends take %zu; accepted: %d "
+      "observations more than that, and a track that lasts",
+      c->n, c->nblock, c->nterm, FREE_MIN);
 }
 
 /* Half the inverse of the median step. */
@@ -177,8 +179,8 @@ static void describe(struct um_compare_white *white, double frequency,
     weight += 1.0 / c->g[i];
   }
   out->offset = c->offset + out->offset / weight;
-  /* the maximum nearest the origin, moved by whole periods to the first at or after the first row
-   */
+  /* the maximum nearest the origin, moved by whole periods to the first at or after the first
+   * observation */
   double peak = atan2(s.b, s.a) / (2.0 * UM_PI * frequency);
   peak += ceil((c->first - peak) / out->period) * out->period;
   out->epoch = c->origin + peak;

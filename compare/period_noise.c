@@ -41,7 +41,7 @@ static int compare_sorted(const void *a, const void *b)
   return x->row < y->row ? -1 : x->row > y->row;
 }
 
-/* Blocks of the sorted rows, and how many terms their trends have. */
+/* Blocks of the sorted observations, and how many terms their trends have. */
 static void find_blocks(const struct sorted *row, struct um_compare_curve *c)
 {
   for (size_t i = 0, end; i < c->n; i = end) {

@@ -32,10 +32,10 @@ static enum um_status refuse_band(struct um_context *context,
     um_core_words_append(accepted, sizeof accepted, m->channel[c].of);
     um_core_words_consider(&guess, m->channel[c].of);
   }
-  return um_core_fail(context, UM_ERR_INPUT, "%s: no light curve%s%s%s; accepted: %s", m->path,
-                      of == NULL ? "" : " of ", of == NULL ? "" : of,
-                      um_core_words_hint(&guess, hint),
-                      accepted[0] == '\0' ? "rows of another quantity than temperature" : accepted);
+  return um_core_fail(
+      context, UM_ERR_INPUT, "%s: no light curve%s%s%s; accepted: %s", m->path,
+      of == NULL ? "" : " of ", of == NULL ? "" : of, um_core_words_hint(&guess, hint),
+      accepted[0] == '\0' ? "observations of another quantity than temperature" : accepted);
 }
 
 enum um_status um_compare_period_report_create(struct um_context *context,

@@ -19,7 +19,7 @@
 #define GAP      22
 #define BELOW    58
 
-#define FEW 300 /* rows up to which they are drawn large */
+#define FEW 300 /* observations up to which they are drawn large */
 
 /* Rows of residuals.csv, counted from its header, which is 0. */
 struct rows {
@@ -106,7 +106,7 @@ static enum um_status picture(struct um_context *context, struct um_plot *plot,
   um_compare_channel_words(of, text, sizeof text);
   size_t n = strlen(text);
   if (!isnan(channel->all.chi2_reduced))
-    snprintf(text + n, sizeof text - n, ": %zu rows, reduced χ² %.3g", channel->all.count,
+    snprintf(text + n, sizeof text - n, ": %zu observations, reduced χ² %.3g", channel->all.count,
              channel->all.chi2_reduced);
   um_plot_title(plot, c->run.model->scenario->name, text);
   um_plot_time_axis(plot, &time);

@@ -42,7 +42,8 @@ done:
   return status;
 }
 
-/* Model values of all rows in linear flux, and sigma of the measurements where it is wanted. */
+/* Model values of all observations in linear flux, and sigma of the measurements where it is
+ * wanted. */
 static enum um_status linear_values(struct um_context *context,
                                     const struct um_compare_share_user *u,
                                     const struct um_model_precomputed *precomputed,

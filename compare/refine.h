@@ -63,9 +63,10 @@ struct um_compare_share_user {
 };
 um_compare_share_of um_compare_share_of_plan;
 
-/* Mean over each channel of model_sigma^2 / (sigma^2 + model_sigma^2), the largest of them; rows
- * without a sigma (NaN) do not count; NaN where none has one. sigma and model_sigma: shape [count
- * of the set], linear flux. For callers with rows of their own, as diagnosis. UM_ERR_MEMORY. */
+/* Mean over each channel of model_sigma^2 / (sigma^2 + model_sigma^2), the largest of them;
+ * observations without a sigma (NaN) do not count; NaN where none has one. sigma and model_sigma:
+ * shape [count of the set], linear flux. For callers with observations of their own, as diagnosis.
+ * UM_ERR_MEMORY. */
 enum um_status um_compare_share(struct um_context *context,
                                 const struct um_compare_measurements *measurements,
                                 const double *sigma, const double *model_sigma, double *share);

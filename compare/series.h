@@ -4,17 +4,17 @@
 
 #include "compare/set.h"
 
-/* Rows of one channel in linear flux, in order of time. */
+/* Observations of one channel in linear flux, in order of time. */
 struct um_compare_series {
   size_t count;
   double *t;     /* [count] t_tai [s], not decreasing */
   double *value; /* [count] linear */
-  double *sigma; /* [count], or NULL when a row has none */
+  double *sigma; /* [count], or NULL when an observation has none */
   size_t *row;   /* [count] index into the set */
   size_t *track; /* [count] of the set, or NULL: all one track */
 };
-/* Rows with flag 0 of a channel and one track, or of all tracks with SIZE_MAX. UM_ERR_MEMORY. The
- * caller destroys. */
+/* Observations with flag 0 of a channel and one track, or of all tracks with SIZE_MAX.
+ * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_series_create(struct um_context *context,
                                         const struct um_compare_measurements *measurements,
                                         size_t channel, size_t track,
@@ -25,7 +25,8 @@ void um_compare_series_destroy(struct um_context *context, struct um_compare_ser
 struct um_compare_fold_bin {
   size_t count;
   double mean;  /* weighted by 1/sigma^2 where the series has sigma; NaN when empty */
-  double sigma; /* of the mean: from the rows' sigmas, or from their scatter (NaN below 2 rows) */
+  double sigma; /* of the mean: from the observations' sigmas, or from their scatter (NaN below 2
+                   observations) */
 };
 /* Fold and bin; bins >= 1, out: shape [bins]. Does not fail. */
 void um_compare_fold_bins(const struct um_compare_series *series, double period, double epoch,

@@ -10,7 +10,9 @@
 /* Alternatives are fitted in rounds while the best of them leaves a residual that is not noise. */
 #define ROUNDS      2
 #define GOOD_ENOUGH 1.3 /* reduced chi-square */
-#define REACH       0.25 /* of the best score: what straight lines may underrate a bent candidate by */
+#define REACH                                                                                      \
+  0.25 /* of the best score: what the linear model may underrate a bent candidate by               \
+        */
 #define UNIDENTIFIED_MAX                                                                           \
   2 /* candidates with parameters unidentified under the null in a round; they cost a scan each */
 #define LATER_REACH 0.5 /* the same for rounds after the first */

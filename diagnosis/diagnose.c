@@ -54,10 +54,10 @@ static enum um_status baseline(struct um_context *context, const struct um_diagn
   size_t n = work->forward->observations.count;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
   if (!(um_diagnosis_free_parameters(state) < (double)n))
-    return um_core_fail(
-        context, UM_ERR_INPUT,
-        "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-        work->forward->measurements->path, n, um_diagnosis_free_parameters(state));
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: %zu observations and %.0f free parameters; accepted: more "
+                        "observations than parameters",
+                        work->forward->measurements->path, n, um_diagnosis_free_parameters(state));
   UM_TRY(um_diagnosis_state_fit(context, work, state,
                                 state->nnuisance == 0 ? work->candidates->base : NULL, NULL));
   UM_TRY(um_core_allocate(context, n, sizeof *d->value_before, &d->value_before));
@@ -280,11 +280,11 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
     UM_CHECK(um_diagnosis_state_append(context, &state, &block));
   }
   if (!(um_diagnosis_free_parameters(&state) < (double)forward->observations.count)) {
-    status =
-        um_core_fail(context, UM_ERR_INPUT,
-                     "%s: %zu rows and %.0f free parameters; accepted: more rows than parameters",
-                     forward->measurements->path, forward->observations.count,
-                     um_diagnosis_free_parameters(&state));
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: %zu observations and %.0f free parameters; accepted: more "
+                          "observations than parameters",
+                          forward->measurements->path, forward->observations.count,
+                          um_diagnosis_free_parameters(&state));
     goto done;
   }
   um_core_progress_begin(context, "fitting", 1);

@@ -81,7 +81,7 @@ struct um_diagnosis_next {
   enum um_compare_quantity quantity;
   char *of; /* band or place */
   enum um_compare_segment segment;
-  double airmass;            /* the rows lie above it; NaN: any does */
+  double airmass;            /* the observations lie above it; NaN: any does */
   double sigma;              /* assumed of one observation, unit of the quantity */
   double chi2_difference;    /* expected chi-square per observation */
   double from, to;           /* t_tai of the window of the scenario it was computed in */
@@ -117,7 +117,7 @@ struct um_diagnosis {
   size_t nsuperseded;
   struct um_diagnosis_superseded *superseded; /* [nsuperseded] */
   size_t nnext;
-  struct um_diagnosis_next *next_of; /* [nnext] a row per alternative of a step with a group */
+  struct um_diagnosis_next *next_of; /* [nnext] one per alternative of a step with a group */
   struct um_diagnosis_next *next; /* the one of those hardest to tell; NULL: nothing is ambiguous */
   struct um_missing_heat_unexplained *unexplained; /* NULL: nothing is */
 };

@@ -1,11 +1,11 @@
 /* The observation that would tell an effect from an alternative, among those the scenario has: its
- * bands and places in sunlight, penumbra and umbra of its own window, and of the bands those rows
- * that lie at high airmass.
+ * bands and places in sunlight, penumbra and umbra of its own window, and of the bands those that
+ * lie at high airmass.
  *
- * Both explanations are computed as they were fitted; per row of a channel the expected chi-square
- * between them is the mean of ((M1 - M2) / sigma)^2. Sigma is that of observations of the channel
- * which were measured, else a usual one. Where no row helps, what the effects themselves say tells
- * them apart is said. */
+ * Both explanations are computed as they were fitted; per observation of a channel the expected
+ * chi-square between them is the mean of ((M1 - M2) / sigma)^2. Sigma is that of observations of
+ * the channel which were measured, else a usual one. Where none helps, what the effects themselves
+ * say tells them apart is said. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,18 +21,18 @@
 
 #define USUAL_RELATIVE    0.02  /* of a band that was not measured [1] */
 #define USUAL_TEMPERATURE 0.5   /* of a place that was not measured [K] */
-#define FAINT             0.01  /* floor of sigma, of the brightest row of the band */
+#define FAINT             0.01  /* floor of sigma, of the brightest one of the band */
 #define WORTH_SAYING      0.025 /* chi-square an observation: a thousand observations decide */
 #define NEAREST           4     /* alternatives of a step that are computed */
-#define HIGH              0.67  /* share of the rows that lie below a high airmass */
+#define HIGH              0.67  /* share of the observations that lie below a high airmass */
 #define RANGE             1.5   /* of airmasses, above which there is a high one */
-#define CLEARER           1.3   /* times the chi-square of all rows, for high airmass to be said */
+#define CLEARER           1.3   /* times the chi-square of all, for high airmass to be said */
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};
 
 struct chi2_difference {
-  double airmass[UM_SEGMENT_COUNT];                        /* the rows lie above it; NaN: all */
+  double airmass[UM_SEGMENT_COUNT];                        /* they lie above it; NaN: all */
   double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT]; /* means over the observations */
   size_t count[UM_SEGMENT_COUNT];
 };
@@ -70,7 +70,7 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
     enum um_compare_segment g = light[i];
     if (s->count[g] == 0) continue;
     double worth = s->worth[g] / (double)s->count[g];
-    double least = isnan(s->airmass[g]) ? 1.0 : CLEARER; /* of rows that are part of others */
+    double least = isnan(s->airmass[g]) ? 1.0 : CLEARER; /* of those that are part of others */
     if (!(worth > least * next->chi2_difference)) continue;
     um_core_free(context, next->of);
     next->of = NULL;
@@ -114,7 +114,7 @@ static enum um_status high_airmass(struct um_context *context,
   return UM_OK;
 }
 
-/* A band in the segments, of all rows and of those at high airmass. */
+/* A band in the segments, of all observations and of those at high airmass. */
 static enum um_status offer_band(struct um_context *context, const struct um_sensitivity_forward *f,
                                  const struct um_sensitivity_forward_run run[2], size_t band,
                                  const double *high, const enum um_compare_segment *segment,
@@ -232,7 +232,7 @@ static const char *told_apart(const struct um_effect *winner, const struct um_ef
   return winner->separated_by != NULL ? winner->separated_by : other->separated_by;
 }
 
-/* A row of what would tell one alternative; run[0]: with the winner. */
+/* What would tell one alternative; run[0]: with the winner. */
 static enum um_status find_one(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d,
                                size_t s, const struct um_diagnosis_alternative *alternative,

@@ -5,7 +5,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* What would tell the winner of each step with a group from its alternatives, one row for each, and
+/* What would tell the winner of each step with a group from its alternatives, one for each, and
  * the hardest of them, into d. Small steps are looked at where there are no others. */
 enum um_status um_diagnosis_next_find(struct um_context *context,
                                       const struct um_diagnosis_work *work,

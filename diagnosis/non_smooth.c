@@ -2,7 +2,7 @@
  * non-smooth: it switches a little earlier or later, and a cycle more or less fits into the pass;
  * and a weak heater that is always on is a minimum of its own.
  *
- * Start. The power is scanned upward from the straight line's, which is that of the always-on
+ * Start. The power is scanned upward from the linear model's, which is that of the always-on
  * heater, and the temperature around the one that its place has, or the one measured there.
  *
  * End. Derivatives lead no further than the next discontinuity, a simplex of Nelder and Mead (1965,
@@ -29,14 +29,15 @@
 #define SEEN        3.0  /* sigma: points that tell how wide the valley is */
 #define HELPS       2.0  /* chi-square that another simplex has to gain */
 
-static const double powers[] = {1.0, 1.5, 2.5, 4.0}; /* of the straight line's */
+static const double powers[] = {1.0, 1.5, 2.5, 4.0}; /* of the linear model's */
 
 /* Sides of simplices one after another, in those of `side`. */
 static const double sizes[] = {1.0, -1.0, 0.3, 2.0, -0.3, -2.0};
 
-/* The amplitude that the residual of the state asks for in a straight line. */
-static double straight(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
-                       const struct um_sensitivity_candidate *c)
+/* The amplitude that the residual of the state asks for by the linear model. */
+static double linear_amplitude(const struct um_diagnosis_work *work,
+                               const struct um_diagnosis_state *state,
+                               const struct um_sensitivity_candidate *c)
 {
   double dot = 0.0, square = 0.0;
   for (size_t j = 0; j < work->forward->observations.count; j++) {
@@ -120,7 +121,7 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
   const struct um_sensitivity_candidate *c =
       &work->candidates->candidate[state->block[b].candidate];
   double *value = state->block[b].addition.value, found[UM_EFFECT_PARAMETERS_MAX];
-  double amplitude = straight(work, before, c), lowest = INFINITY, chi2, known = NAN;
+  double amplitude = linear_amplitude(work, before, c), lowest = INFINITY, chi2, known = NAN;
   struct um_model_addition *all = NULL;
   struct unidentified measured;
   double *rows = NULL;

@@ -1,6 +1,6 @@
 /* Two effects in place of two. The best single candidate may be neither of two hidden effects but
  * one that resembles their sum, and forward selection then goes on to mend it. So after each step
- * all pairs are ranked by what they explain together in straight lines,
+ * all pairs are ranked by what they explain together by the linear model,
  *
  *   S_ij = |projection of r on [D_i D_j]|^2,     with the priors as pseudo-observations,
  *

@@ -129,7 +129,7 @@ static void relate(const struct um_diagnosis_alternative *winner,
   if (r->indistinguishable) return;
   r->excluded_by_prior =
       behind - (r->chi2_prior - winner->chi2_prior) < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
-  /* straight lines know no range */
+  /* the linear model knows no range */
   r->excluded_by_range = !r->excluded_by_prior && !r->same_effect && is_at_bound(c, r) &&
                          r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
 }

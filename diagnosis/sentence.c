@@ -189,7 +189,8 @@ static void add_residual(struct text *text, const struct um_diagnosis *d)
   const struct um_missing_heat_residual *r = &d->residual;
   if (r->channel == NULL) return;
   add(text,
-      "the residual is worst in %s (chi-square %.3g a row, measured %.2g sigma %s the model in "
+      "the residual is worst in %s (chi-square %.3g an observation, measured %.2g sigma %s the "
+      "model in "
       "the mean)",
       r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
   if (r->coordinate != NULL && r->p < GOES_WITH) add(text, " and goes with %s", r->coordinate);

@@ -228,8 +228,8 @@ struct um_effect {
   const char *summary;
   const char *reference;
   const char *validity;
-  /* Reads behind "told apart from": its rivals, a colon, the measurement that does it; NULL: not
-   * said. */
+  /* Reads behind "told apart from": its alternatives, a colon, the measurement that does it; NULL:
+   * not said. */
   const char *separated_by;
   uint32_t targets;  /* or-ed um_effect_target */
   int on_by_default; /* a core switch: present unless a scenario turns it off */

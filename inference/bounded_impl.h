@@ -1,5 +1,5 @@
-/* Linear least squares with priors and within bounds: the inner problem of a fit. Private to
- * diagnosis/. */
+/* Linear least squares with priors and within bounds: the problem within each
+ * step of a fit. Private to inference/. */
 #ifndef UMBRA_INFERENCE_BOUNDED_IMPL_H
 #define UMBRA_INFERENCE_BOUNDED_IMPL_H
 

@@ -3,22 +3,22 @@
  *   min_u |r - J S u|^2 + priors + lambda |u|^2,   x + S u within the bounds,   S the scales,
  *
  * (Levenberg 1944, Marquardt 1963; bounds by active sets) with lambda 0 unless the step is longer
- * than the radius, which follows from the gain, actual over expected decrease (More 1978, Lecture
- * Notes in Mathematics 630:105).
+ * than the radius, which follows from the gain ratio, actual over predicted reduction (More 1978,
+ * Lecture Notes in Mathematics 630:105).
  *
  * Why not gsl_multifit_nlinear: one evaluation is a run of the whole model. GSL makes a Jacobian
  * anew at every step it accepts, knows no bounds, no failing model, and stops by the length of the
  * step. Here a Jacobian is handed in or made once and updated (Broyden), made anew only when two
- * steps in an observation fail, one gains less than a quarter of what it should, or the solution
+ * steps in succession fail, one gains less than a quarter of what it should, or the solution
  * lies where the Jacobian no longer holds.
  *
  * The end is reached when the expected decrease of chi-square is no longer worth a run: e = 0.01
  * (a tenth of a sigma) times the reduced chi-square where that is above 1, since observations that
  * scatter more than they say determine parameters less. Also where a model's own noise hides the
  * gain (a step by a Jacobian made on the spot fails, and less than 10 e was expected of it), and
- * where three steps together gain less than 30 e or six in an observation fail; that is convergence
- * only where no more than 30 e (after failures 10 e) was promised by the straight model. A fit that
- * is only of use below some chi-square is pruned when it is far from promising that. */
+ * where three steps together gain less than 30 e or six in succession fail; that is convergence
+ * only where no more than 30 e (after failures 10 e) is predicted by the linear model. A fit that
+ * is only of use below some chi-square is pruned when its predicted reduction is far from that. */
 #include "inference/descent_impl.h"
 
 #include <math.h>
@@ -30,11 +30,11 @@
 
 #define ITERATIONS_MAX 20
 #define LOST           10.0 /* e, that noise of the model may hide */
-#define SLOW           30.0 /* e, the least that steps in an observation have to gain .. */
+#define SLOW           30.0 /* e, the least that steps in succession have to gain .. */
 #define SLOW_STEPS     3    /* .. of this number */
-#define FAILED_STEPS   6    /* in an observation, that are the end */
+#define FAILED_STEPS   6    /* in succession, that are the end */
 #define POOR           0.25
-#define PRUNE_FACTOR   4.0 /* times its promise, a fit may still gain .. */
+#define PRUNE_FACTOR   4.0 /* times its predicted reduction, a fit may still gain .. */
 #define PRUNE_STEPS    2   /* .. after so many steps */
 #define RICH           0.75
 #define FAIR           0.5
@@ -71,10 +71,11 @@ static enum um_status start(struct um_context *context, struct um_inference_desc
   for (size_t i = 0; i < d->nobservation; i++) {
     d->r_trial[i] = (p->measured[i] - d->value_trial[i]) / p->sigma[i];
     if (!isfinite(d->r_trial[i]))
-      return um_core_fail(context, UM_ERR_NUMERIC,
-                          "row %zu of a fit is not finite at its start: measured %g, model %g, "
-                          "sigma %g",
-                          i + 1, p->measured[i], d->value_trial[i], p->sigma[i]);
+      return um_core_fail(
+          context, UM_ERR_NUMERIC,
+          "observation %zu of a fit is not finite at its start: measured %g, model %g, "
+          "sigma %g",
+          i + 1, p->measured[i], d->value_trial[i], p->sigma[i]);
   }
   accept(d);
   return UM_OK;

@@ -19,7 +19,7 @@ struct um_inference_descent {
   double radius;                 /* of the region of trust, in steps of the parameters */
   double *scale, *pull, *width;  /* [n] of the linear problem at x */
   double *lower, *upper, *u, *v; /* [n] */
-  size_t failed;                 /* steps in an observation */
+  size_t failed;                 /* steps in succession */
   size_t slow_steps;             /* that gained, of those looked at together .. */
   double slow;                   /* .. and what they gained */
   size_t evaluations, iterations;

@@ -3,7 +3,7 @@
  * result says: with J whitened at the solution and W the priors' widths, over the parameters that
  * are free,
  *
- *   covariance = (J'J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nrow
+ *   covariance = (J'J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nobservation
  *
  * (Schwarz 1978, Ann. Stat. 6:461). */
 #include "inference/fit.h"
@@ -46,7 +46,7 @@ static enum um_status check(struct um_context *context,
   for (size_t i = 0; i < problem->nobservation; i++)
     if (!(problem->sigma[i] > 0.0))
       return um_core_fail(context, UM_ERR_INPUT,
-                          "row %zu of a fit has the sigma %g; above 0 is needed", i + 1,
+                          "observation %zu of a fit has the sigma %g; above 0 is needed", i + 1,
                           problem->sigma[i]);
   if (problem->nobservation == 0 || nfree > problem->nobservation)
     return um_core_fail(context, UM_ERR_INPUT,

@@ -8,8 +8,8 @@
 
 struct um_inference_fit {
   size_t nobservation, nparameter, iterations, evaluations;
-  /* the next step lowers chi-square by less than is enough, or by less than ten times that, lost in
-   * noise of the model. false: iterations_max, or steps that fail or stagnate */
+  /* the next step lowers chi-square by less than the tolerance, or by less than ten times that,
+   * lost in noise of the model. false: iterations_max, or steps that fail or stagnate */
   bool converged;
   /* [nparameter]; sigma from the curvature with priors, those at a bound held there; NaN at a
    * bound, INFINITY where observations and priors do not determine it */
@@ -21,7 +21,7 @@ struct um_inference_fit {
   double *jacobian;   /* [nparameter][nobservation] d(value)/d(x) / sigma, at or near x */
   double chi2;        /* of the observations */
   double chi2_prior;  /* of the priors */
-  double bic;         /* chi2 + chi2_prior + nparameter ln nrow */
+  double bic;         /* chi2 + chi2_prior + nparameter ln nobservation */
 };
 
 /* UM_ERR_INPUT: more parameters without prior than observations, a start outside its bounds, a

@@ -25,10 +25,10 @@ struct um_inference_fit_problem {
                              double *value);
   void *user;
   /* [nparameter][nobservation] d(value)/d(parameter) at the start, or NULL: differences. A Jacobian
-   * that is handed in is used, with secant updates, until two steps in an observation fail, one
+   * that is handed in is used, with secant updates, until two steps in succession fail, one
    * gains less than a quarter of what it should, or the solution lies where it no longer holds (5 %
-   * of the change of the observations missed, or more bias by it than is enough); then it is made
-   * anew by differences. */
+   * of the change of the observations missed, or more bias by it than the tolerance); then it is
+   * made anew by differences. */
   const double *jacobian;
   /* [nobservation] model values at the start, or NULL */
   const double *value;

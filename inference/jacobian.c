@@ -10,7 +10,7 @@
 #include "inference/jacobian_impl.h"
 
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
-#define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of what is enough */
+#define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of the tolerance */
 
 enum um_status um_inference_descent_try(struct um_context *context,
                                         struct um_inference_descent *descent, bool *happened)

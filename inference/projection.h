@@ -1,4 +1,4 @@
-/* Whitened rows as they are after the best fit of nuisance directions. */
+/* Whitened observations as they are after the best fit of nuisance directions. */
 #ifndef UMBRA_INFERENCE_PROJECTION_H
 #define UMBRA_INFERENCE_PROJECTION_H
 
@@ -6,7 +6,7 @@
 
 #define UM_INFERENCE_RANK_TOLERANCE 1e-8 /* of a column's length, below which others express it */
 #define UM_INFERENCE_KEPT           1e-3 /* of a column's length, below which it is absorbed */
-#define UM_INFERENCE_VISIBLE        1e-6 /* length of a column that the rows can see */
+#define UM_INFERENCE_VISIBLE        1e-6 /* length of a column that the observations can see */
 
 struct um_inference_qr;
 
@@ -17,8 +17,8 @@ struct um_inference_projection {
   double *work;               /* [nrow + nprior] */
 };
 
-/* UM_ERR_INPUT: nuisances without prior as many as the rows or more. UM_ERR_NUMERIC: one is not
- * finite. UM_ERR_MEMORY. The caller destroys what was begun, after an error too. */
+/* UM_ERR_INPUT: nuisances without prior as many as the observations or more. UM_ERR_NUMERIC: one is
+ * not finite. UM_ERR_MEMORY. The caller destroys what was begun, after an error too. */
 enum um_status um_inference_projection_create(struct um_context *context, size_t nrow,
                                               const struct um_inference_nuisance *nuisance,
                                               struct um_inference_projection *out);
@@ -30,7 +30,7 @@ void um_inference_projection_apply(struct um_inference_projection *projection, c
                                    double *out);
 
 /* Columns of a direction after the projection: left [ncolumn][nleft]; one that is absorbed is
- * all 0. kept: the largest share that is left of any, 0 when the rows see none. */
+ * all 0. kept: the largest share that is left of any, 0 when the observations see none. */
 void um_inference_projection_direction(struct um_inference_projection *projection,
                                        const struct um_inference_direction *direction, double *left,
                                        double *kept);

@@ -19,7 +19,7 @@
 #define BINS_MAX 60
 #define REFINED  3    /* best places that are looked at again */
 #define ABOUT    2    /* bins about an edge that are looked at again */
-#define RIVAL    0.5  /* of the best chi-square, below which a place is not looked at again */
+#define WORTHY   0.5  /* of the best chi-square, below which a place is not looked at again */
 #define LEVEL    0.01 /* of false alarm */
 #define LEFT     0.05 /* of chi-square above its expectation, that an explanation may leave */
 
@@ -260,7 +260,7 @@ static enum um_status find_heat(struct um_context *context, struct search *s,
   um_core_quiet_begin(context);
   for (size_t i = 0; i < out->nheat && i < REFINED && status == UM_OK; i++) {
     size_t place = s->origin[i];
-    if (!(out->heat[i].chi2_explained > RIVAL * out->heat[0].chi2_explained)) continue;
+    if (!(out->heat[i].chi2_explained > WORTHY * out->heat[0].chi2_explained)) continue;
     if (s->nbin < s->nobs - 1)
       status = look_again(context, s, &s->pulse[place], place, &out->heat[i]);
     if (status == UM_OK) status = check(context, s, place, &out->heat[i]);

@@ -40,7 +40,7 @@ static enum um_status find(struct um_context *context, const struct um_model *mo
   return blame(context, from, "effect", um_effects_registry_refuse(context, model->registry, name));
 }
 
-/* The use of an effect on a target, made with its fallback values when there is none. */
+/* The use of an effect on a target, made with its default values when there is none. */
 static enum um_status use_of(struct um_context *context, struct um_model *model,
                              const struct um_effect *effect, const char *target,
                              struct um_model_effect **out)

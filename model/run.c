@@ -1,4 +1,4 @@
-/* One run in both bands on a traced timeline. */
+/* One run in both bands on a precomputed geometry. */
 #include "model/run.h"
 
 #include <math.h>

@@ -4,8 +4,8 @@
 
 #include "sensitivity/forward.h"
 
-/* Traces kept beside the scenario's own: one iteration of a fit moves several parameters that each
- * want another. */
+/* Geometry precomputations kept beside the scenario's own: one iteration of a fit moves several
+ * parameters that each want another. */
 #define UM_SENSITIVITY_CACHED 3
 
 /* One geometry precomputation with heat on it, and the model they were made from. */

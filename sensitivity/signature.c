@@ -240,8 +240,8 @@ static bool put_shapes(struct um_sensitivity_candidate *c)
   return any;
 }
 
-/* Fallback values of all parameters, but temperatures where the scan put them. */
-static void fall_back(const struct um_sensitivity_candidate *c, double *at)
+/* Default values of all parameters, but temperatures where the scan put them. */
+static void set_defaults(const struct um_sensitivity_candidate *c, double *at)
 {
   for (size_t k = 0; k < c->effect->nparameter; k++)
     at[k] = c->effect->parameters[k].is_temperature ? c->null_value[k]
@@ -249,7 +249,7 @@ static void fall_back(const struct um_sensitivity_candidate *c, double *at)
 }
 
 /* The one parameter whose null value makes the effect vanish whatever the others are. Where not
- * even all default value together do something, there is none. */
+ * even all default values together do something, there is none. */
 static enum um_status find_amplitude(struct um_context *context,
                                      const struct um_sensitivity_point *point,
                                      struct um_sensitivity_candidate *c)
@@ -257,11 +257,11 @@ static enum um_status find_amplitude(struct um_context *context,
   size_t n = c->effect->nparameter;
   double at[UM_EFFECT_PARAMETERS_MAX];
   struct change change;
-  fall_back(c, at);
+  set_defaults(c, at);
   UM_TRY(step_to(context, point, c, at, c->signature, &change));
   if (!alive(&change, point->noise)) return UM_OK;
   for (size_t p = 0; p < n; p++) {
-    fall_back(c, at);
+    set_defaults(c, at);
     at[p] = c->null_value[p];
     if (memcmp(at, c->null_value, n * sizeof *at) == 0) continue; /* tried */
     UM_TRY(step_to(context, point, c, at, c->signature, &change));

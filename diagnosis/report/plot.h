@@ -5,7 +5,7 @@
 #include "diagnosis/diagnosis.h"
 
 /* Pictures by gnuplot: per channel data with model before and after and residuals of both below;
- * the ranking, fits beside straight lines; heat where reconstructed. */
+ * the ranking, fits beside linear models; heat where reconstructed. */
 enum um_status um_diagnosis_report_plot(struct um_context *context,
                                         const struct um_diagnosis *diagnosis, const char *folder);
 

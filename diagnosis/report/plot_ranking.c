@@ -47,7 +47,7 @@ static struct bar bar_of(const struct um_diagnosis *d, const struct um_diagnosis
   return bar;
 }
 
-/* The winner, fits by BIC, straight lines by what they explain. */
+/* The winner, fits by BIC, linear models by what they explain. */
 static int by_evidence(const void *a, const void *b)
 {
   const struct bar *x = a, *y = b;
@@ -125,7 +125,7 @@ static void caption(const struct um_diagnosis *d, const struct bar *bar, char ou
   char text[160];
   estimate(d, bar, text);
   if (bar->fit == NULL)
-    snprintf(out, 240, "straight line %.4g   %s", bar->score->score.statistic, text);
+    snprintf(out, 240, "linear model %.4g   %s", bar->score->score.statistic, text);
   else if (bar->role == WINNER)
     snprintf(out, 240, "BIC %+.4g against the baseline   %s", d->step[0].delta_bic, text);
   else
@@ -156,7 +156,7 @@ static void put_bars(const struct um_diagnosis *d, const struct bar *bar, size_t
 /* In a panel of its own: beside the bars it would have no room. */
 static void put_key(struct um_plot *plot, double level, size_t tested)
 {
-  static const char *const title[NROLE] = {[LINEAR] = "straight line, not fitted",
+  static const char *const title[NROLE] = {[LINEAR] = "linear model, not fitted",
                                            [FITTED] = "fitted, and worse",
                                            [TIED] = "cannot be told from it",
                                            [WINNER] = "chosen first"};
@@ -170,7 +170,7 @@ static void put_key(struct um_plot *plot, double level, size_t tested)
     um_plot_add(plot, "NaN with boxes linecolor rgb %s title %s, ", role_colour[role], title[role]);
   um_plot_add(plot,
               "NaN with points pointtype 2 pointsize 0.8 linewidth 1.2 linecolor rgb '#111111' "
-              "title 'by a straight line', NaN with lines linewidth 1.5 dashtype (6,4) linecolor "
+              "title 'by the linear model', NaN with lines linewidth 1.5 dashtype (6,4) linecolor "
               "rgb '#b3261e' title %s\n",
               chance);
 }

@@ -6,7 +6,7 @@
 #include "plot/plot.h"
 
 /* ranking.png: chi-square that the best candidates explain of the baseline, by a fit or by a
- * straight line; there is a ranking. */
+ * linear model; there is a ranking. */
 enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
                                                 const struct um_diagnosis *diagnosis,
                                                 struct um_plot *plot);

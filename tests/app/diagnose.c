@@ -104,7 +104,7 @@ static void test_complete(void **state)
   struct command c = command_run("diagnose", BOX, "m.csv", "--only", "emittance", "--only",
                                  "zero_point", "--no-plots", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
-  assert_non_null(strstr(c.out, "box against m.csv: 93 rows, "));
+  assert_non_null(strstr(c.out, "box against m.csv: 93 observations, "));
   assert_non_null(strstr(c.out, "\nbaseline: reduced chi-square "));
   assert_non_null(strstr(c.out, "\n  temperature bus "));
   assert_non_null(strstr(c.out, "\nverdict: complete\n"));

@@ -194,7 +194,7 @@ static void test_model_sigma(void **state)
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, y, m, s,
                                             (const double[2]){1.0, -1.0}, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
-                 "metrics: row 2: standard error of the model -1; accepted: 0 or more");
+                 "metrics: observation 2: standard error of the model -1; accepted: 0 or more");
 }
 
 /* Metrics of magnitudes in magnitudes: residuals 0.3, -0.1 and one of a model without light, which
@@ -220,21 +220,22 @@ static void test_refusals(void **state)
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, NULL,
                                             NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
-                 "metrics: row 2: measured nan, model 1 1/s; accepted: finite numbers");
+                 "metrics: observation 2: measured nan, model 1 1/s; accepted: finite numbers");
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, m, y, NULL, NULL,
                                             NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
-                 "metrics: row 2: measured 1, model nan 1/s; accepted: finite numbers");
+                 "metrics: observation 2: measured 1, model nan 1/s; accepted: finite numbers");
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_MAGNITUDE_AB, 2, m, minus, NULL,
                                             NULL, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
-                 "metrics: row 1: measured 1, model -inf mag; accepted: finite numbers");
+                 "metrics: observation 1: measured 1, model -inf mag; accepted: finite numbers");
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, s, NULL,
                                             NULL, 0, 0.0, NULL, &a),
-                 UM_ERR_NUMERIC, "metrics: row 2: sigma 0 K; accepted: above 0, or NaN for none");
+                 UM_ERR_NUMERIC,
+                 "metrics: observation 2: sigma 0 K; accepted: above 0, or NaN for none");
   assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, NULL, NULL,
                                             label, 2, 0.0, g, &a),
-                 UM_ERR_INPUT, "metrics: row 2: segment 2; accepted: 0 to 1");
+                 UM_ERR_INPUT, "metrics: observation 2: segment 2; accepted: 0 to 1");
 }
 
 int main(void)

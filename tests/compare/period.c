@@ -179,12 +179,12 @@ static void test_refusals(void **state)
   struct um_compare_series s = {.count = 4, .t = t, .value = y};
   struct um_compare_period_options o = {0};
   assert_refused(um_compare_period_search(context, &s, NULL, &p), UM_ERR_INPUT,
-                 "period search: 4 rows; accepted: 5 or more");
+                 "period search: 4 observations; accepted: 5 or more");
   assert_null(p);
   s.count = 6;
   s.t = same;
   assert_refused(um_compare_period_search(context, &s, NULL, &p), UM_ERR_INPUT,
-                 "period search: all 6 rows at one time; accepted: times that differ");
+                 "period search: all 6 observations at one time; accepted: times that differ");
   s.t = t;
   s.value = same;
   assert_refused(um_compare_period_search(context, &s, NULL, &p), UM_ERR_INPUT,

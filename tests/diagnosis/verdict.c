@@ -283,8 +283,8 @@ static void allowance_is_said(void **state)
   um_core_free(context, sentence);
 }
 
-/* Certain without a rival or where all are implausible, one of a group, small below 20; where
- * chi-square is too large, differences are worth less. */
+/* Certain without an alternative or where all are implausible, one of a group, small below 20;
+ * where chi-square is too large, differences are worth less. */
 static void standings(void **state)
 {
   (void)state;

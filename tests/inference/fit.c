@@ -387,7 +387,8 @@ static void test_refused(void **state)
   p[0].prior_sigma = INFINITY;
   l.sigma[2] = 0.0;
   assert_int_equal(um_inference_fit_create(c, &problem, &fit), UM_ERR_INPUT);
-  assert_string_equal(um_core_message(c), "row 3 of a fit has the sigma 0; above 0 is needed");
+  assert_string_equal(um_core_message(c),
+                      "observation 3 of a fit has the sigma 0; above 0 is needed");
   um_core_message_clear(c);
 }
 

@@ -24,7 +24,7 @@ static const struct question questions[] = {
      .hidden = {"attitude_offset", NULL, 1, 2.0},
      .nuisance = {"attitude_offset,sigma=free,per=observation"},
      .nnuisance = 1},
-    {.name = "fewer rows than parameters",
+    {.name = "fewer observations than parameters",
      .world = {.name = "refusal",
                .folder = "dusk",
                .relative = 0.01,

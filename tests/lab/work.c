@@ -111,7 +111,7 @@ static int run_world(const struct shop *shop, const struct lab_case *cases, size
     give(shop);
     return 1;
   }
-  fprintf(stderr, "world '%s': %zu candidates, %zu rows, %zu models in %.0f s\n",
+  fprintf(stderr, "world '%s': %zu candidates, %zu observations, %zu models in %.0f s\n",
           cases[0].world->name, desk.candidates->count, desk.forward->observations.count,
           desk.forward->evaluations, desk.forward->seconds);
   give(shop);

@@ -237,7 +237,7 @@ static void test_model(void **state)
   compute(&s);
   sweep(&s, "scenario and model", create, 200);
   sweep(&s, "orbit alone", create_orbit, 10);
-  sweep(&s, "trace", precomputed, 50);
+  sweep(&s, "geometry precomputation", precomputed, 50);
   sweep(&s, "eclipses", events, 1);
   sweep(&s, "run", run, 50);
   sweep(&s, "picture", picture, 3);
@@ -284,7 +284,7 @@ static void test_effects(void **state)
   compute(&s);
   sweep(&s, "registry", registry, 0);
   sweep(&s, "model with all effects", create, 200);
-  sweep(&s, "trace with all effects", precomputed, 50);
+  sweep(&s, "geometry precomputation with all effects", precomputed, 50);
   sweep(&s, "run with all effects", run, 50);
   end(&s);
 }

@@ -6,9 +6,9 @@
  * tolerances against the finer ones of the truth, with the laboratory's noise (1 % and 1/1000 of
  * the peak),
  *
- *   sum ((model - fine) / sigma)^2 <= 0.01 rows,
+ *   sum ((model - fine) / sigma)^2 <= 0.01 x observations,
  *
- * a tenth of what the sum of as many noise terms wanders by (sqrt(2 rows), 242 rows). */
+ * a tenth of what the sum of as many noise terms wanders by (sqrt(2 n), n = 242). */
 #include <string.h>
 
 #include "core/constants.h"
@@ -18,7 +18,7 @@
 /* What README.md says of a pass, the row of its table that begins with the name. */
 struct page {
   size_t lit, penumbra, dark;
-  double low, high, cost; /* [deg], [deg], chi-square a row */
+  double low, high, cost; /* [deg], [deg], chi-square an observation */
 };
 
 static struct page page_of(const char *name)
@@ -75,7 +75,7 @@ static double difference(const struct support_run *run, const struct support_run
       double r = (run->result->irradiance[k * nband + b] - e) / hypot(0.01 * e, 1e-3 * peak);
       band += r * r;
     }
-    print_message("%s: chi-square of the discretisation %.3g of %zu rows\n",
+    print_message("%s: chi-square of the discretisation %.3g of %zu observations\n",
                   run->model->band[b].name, band, n);
     sum += band;
   }
@@ -93,7 +93,7 @@ static void holds(const char *name)
   support_compute(path, lab_fine, LAB_FINE, &fine);
   assert_int_equal(run.result->nobs, fine.result->nobs);
   double cost = difference(&run, &fine) / (double)(run.result->nobs * run.result->nband);
-  support_close("chi-square of the discretisation per row", cost, 0.0, 0.01);
+  support_close("chi-square of the discretisation per observation", cost, 0.0, 0.01);
   support_close("the same in README.md", cost, page.cost, 1e-4); /* two of its last digits */
   support_release(&fine);
   support_release(&run);
