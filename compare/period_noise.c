@@ -127,6 +127,20 @@ void um_compare_curve_destroy(struct um_context *context, struct um_compare_curv
 
 /* --- whitening ------------------------------------------------------------------------------- */
 
+/* Powers of time, which no noise changes: once for all noises that are tried. */
+static void set_powers(struct um_compare_white *w)
+{
+  const struct um_compare_curve *c = w->curve;
+  for (size_t k = 0; k < c->nblock; k++) {
+    const struct um_compare_block *b = &c->block[k];
+    double from = c->t[b->first], to = c->t[b->first + b->count - 1];
+    double middle = 0.5 * (from + to), half = to > from ? 0.5 * (to - from) : 1.0;
+    for (size_t i = b->first; i < b->first + b->count; i++)
+      for (size_t j = 0; j < b->nterm; j++)
+        w->power[i * UM_COMPARE_TREND_MAX + j] = pow((c->t[i] - middle) / half, (double)j);
+  }
+}
+
 enum um_status um_compare_white_create(struct um_context *context,
                                        const struct um_compare_curve *curve,
                                        struct um_compare_white **out)
@@ -140,8 +154,10 @@ enum um_status um_compare_white_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *w->phi, &w->phi));
   UM_CHECK(um_core_allocate(context, n, sizeof *w->gain, &w->gain));
   UM_CHECK(um_core_allocate(context, n, sizeof *w->scale, &w->scale));
+  UM_CHECK(um_core_allocate(context, n * UM_COMPARE_TREND_MAX, sizeof *w->power, &w->power));
   UM_CHECK(um_core_allocate(context, n * UM_COMPARE_TREND_MAX, sizeof *w->trend, &w->trend));
   UM_CHECK(um_core_allocate(context, n, sizeof *w->y, &w->y));
+  set_powers(w);
   *out = w;
   w = NULL;
 done:
@@ -155,6 +171,7 @@ void um_compare_white_destroy(struct um_context *context, struct um_compare_whit
   um_core_free(context, (*white)->phi);
   um_core_free(context, (*white)->gain);
   um_core_free(context, (*white)->scale);
+  um_core_free(context, (*white)->power);
   um_core_free(context, (*white)->trend);
   um_core_free(context, (*white)->y);
   um_core_free(context, *white);
@@ -184,15 +201,11 @@ static void set_filter(struct um_compare_white *w, const struct um_compare_red *
 /* The trend of a block: powers of time through the filter, orthonormal (Gram-Schmidt, twice). */
 static void set_trend(struct um_compare_white *w, const struct um_compare_block *b)
 {
-  const struct um_compare_curve *c = w->curve;
-  double from = c->t[b->first], to = c->t[b->first + b->count - 1];
-  double middle = 0.5 * (from + to), half = to > from ? 0.5 * (to - from) : 1.0;
   for (size_t k = 0; k < b->nterm; k++) {
     double state = 0.0;
     for (size_t i = b->first; i < b->first + b->count; i++) {
-      double x = pow((c->t[i] - middle) / half, (double)k), e;
       state *= w->phi[i];
-      e = x - state;
+      double e = w->power[i * UM_COMPARE_TREND_MAX + k] - state;
       state += w->gain[i] * e;
       w->trend[i * UM_COMPARE_TREND_MAX + k] = w->scale[i] * e;
     }

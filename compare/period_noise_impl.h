@@ -40,6 +40,7 @@ struct um_compare_red {
 struct um_compare_white {
   const struct um_compare_curve *curve;
   double *phi, *gain, *scale; /* [n] */
+  double *power;              /* [n][UM_COMPARE_TREND_MAX] of time in its block, -1 to 1 */
   double *trend;              /* [n][UM_COMPARE_TREND_MAX] whitened, orthonormal in a block */
   double *y;                  /* [n] whitened, without trend */
   double log_det;             /* ln det of the covariance, and of the trend's normal matrix */
