@@ -227,6 +227,25 @@ void command_write(const char *path, const char *text)
   command_write_bytes(path, text, strlen(text));
 }
 
+size_t command_processes_below(const char *path)
+{
+  size_t count = 0, length = strlen(path);
+  DIR *all = opendir("/proc");
+  assert_non_null(all);
+  for (struct dirent *entry; (entry = readdir(all)) != NULL;) {
+    char link[300], at[4200];
+    long pid = strtol(entry->d_name, NULL, 10);
+    if (pid <= 0 || pid == (long)getpid()) continue;
+    snprintf(link, sizeof link, "/proc/%ld/cwd", pid);
+    ssize_t n = readlink(link, at, sizeof at - 1);
+    if (n <= 0) continue;
+    at[n] = '\0';
+    count += strncmp(at, path, length) == 0 && (at[length] == '\0' || at[length] == '/');
+  }
+  closedir(all);
+  return count;
+}
+
 bool command_exists(const char *path)
 {
   struct stat st;

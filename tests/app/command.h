@@ -40,6 +40,8 @@ char *command_read(const char *path);
 void command_write(const char *path, const char *text);
 void command_write_bytes(const char *path, const void *bytes, size_t length);
 bool command_exists(const char *path);
+/* Processes, this one aside, whose working folder is `path` or lies below it. */
+size_t command_processes_below(const char *path);
 /* Names and contents below a folder, folders ending in '/', as one text; the caller frees. Equal
  * texts mean that nothing was added, removed or changed. */
 char *command_snapshot(const char *folder);

@@ -1,6 +1,5 @@
 /* Input that is meant to do harm, or cannot have been meant at all: it costs no more time and
  * memory than its size is worth, runs nothing, and ends in one clear line. */
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -12,14 +11,8 @@
 #include <unistd.h>
 
 #include "tests/app/command.h"
+#include "tests/app/small.h"
 
-#define HEAD                                                                                       \
-  "schema: 1\nname: h\n"                                                                           \
-  "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:31:00Z, step_s: 30}\n"          \
-  "orbit: {circular: {altitude_km: 765, beta_deg: 0}}\n"                                           \
-  "attitude:\n  - fixed: {q_gcrs: [1, 0, 0, 0]}\n"                                                 \
-  "observer: {direction: {unit_gcrs: [0.5, 0.8660254, 0], range_km: 1000}}\n"                      \
-  "bands: {vis: {from_um: 0.38, to_um: 0.78, bins: 4}}\n"
 #define BOX                                                                                        \
   "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n    outside: grey_white\n"                   \
   "    shell: {areal_heat_capacity_J_m2_K: 1000}\n    lumped: true\n"
@@ -76,7 +69,7 @@ static void test_many_parts(void **state)
 {
   (void)state;
   FILE *file = create("s.yaml");
-  fputs(HEAD "parts:\n", file);
+  fputs(SMALL_HEAD "parts:\n", file);
   for (int i = 0; i < 1000; i++)
     fprintf(file,
             "  - {name: p%d, box: {size_m: [1, 1, 1]}, outside: black, lumped: true, pose: "
@@ -91,7 +84,7 @@ static void test_many_parts(void **state)
 #endif
   command_release(&c);
   file = create("s.yaml");
-  fputs(HEAD "parts:\n", file);
+  fputs(SMALL_HEAD "parts:\n", file);
   for (int i = 0; i < 5001; i++) fprintf(file, "  - {name: p%d}\n", i);
   fclose(file);
   expect_refused((const char *[]){"check", "s.yaml", NULL}, "parts: 5001 elements",
@@ -107,8 +100,9 @@ static void test_many_groups(void **state)
     fprintf(file, "g q%d\nv %d %d 0\nv %d.9 %d 0\nv %d %d.9 0\nf -3 -2 -1\n", i, i % 300, i / 300,
             i % 300, i / 300, i % 300, i / 300);
   fclose(file);
-  command_write("s.yaml", HEAD "parts:\n  - name: b\n    mesh: m.obj\n    front: black\n"
-                               "    back: black\n    shell: {areal_heat_capacity_J_m2_K: 1000}\n");
+  command_write("s.yaml",
+                SMALL_HEAD "parts:\n  - name: b\n    mesh: m.obj\n    front: black\n"
+                           "    back: black\n    shell: {areal_heat_capacity_J_m2_K: 1000}\n");
   double begin = now();
   expect_refused((const char *[]){"check", "s.yaml", NULL},
                  "parts.b.mesh: m.obj: more than 2000 groups", "'q2000'");
@@ -121,7 +115,7 @@ static void test_effect_files(void **state)
   (void)state;
   static const char refused[] = "effect_files: 'e.so' is code that would run inside the program";
   command_write("e.so", "not an object\n");
-  command_write("s.yaml", HEAD BOX "effect_files: [e.so]\n");
+  command_write("s.yaml", SMALL_HEAD BOX "effect_files: [e.so]\n");
   static const char *const verbs[] = {"check", "run", "passes"};
   for (size_t i = 0; i < 3; i++)
     expect_refused((const char *[]){verbs[i], "s.yaml", NULL}, refused, "--allow-effects");
@@ -138,7 +132,7 @@ static void test_effect_files(void **state)
 static void test_set_is_read_again(void **state)
 {
   (void)state;
-  command_write("s.yaml", HEAD BOX);
+  command_write("s.yaml", SMALL_HEAD BOX);
   static const char *const values[] = {"summary=white\n\nx",   "summary=a\rb",
                                        "summary=\"a\\x85b\"",  "summary=\"a\\u2028b\"",
                                        "summary=\"- : #\\t\"", "summary='it''s: #1'"};
@@ -157,7 +151,7 @@ static void test_set_is_read_again(void **state)
 static void test_fast_spin(void **state)
 {
   (void)state;
-  char *text = strdup(HEAD BOX);
+  char *text = strdup(SMALL_HEAD BOX);
   text = command_edit(text, "fixed: {q_gcrs: [1, 0, 0, 0]}",
                       "spin: {axis_gcrs: [0, 0, 1], axis_body: [0, 0, 1], period_s: 0.01}");
   command_write("s.yaml", text);
@@ -170,7 +164,7 @@ static void test_fast_spin(void **state)
 static void test_large_picture(void **state)
 {
   (void)state;
-  command_write("s.yaml", HEAD BOX);
+  command_write("s.yaml", SMALL_HEAD BOX);
   expect_refused((const char *[]){"render", "s.yaml", "--time", "2016-03-20T04:30:00Z", "--band",
                                   "vis", "-o", "x.exr", "--width", "8000", "--set",
                                   "bands.vis.bins=200", NULL},
@@ -184,7 +178,7 @@ static void test_measured_names(void **state)
   static const char *const names[] = {"x`id`", "\"x\"\"; system(\"\"touch P\"\"); o = \"\"y\"",
                                       "x$(touch P)", "x\\y", "x\x01y"};
   char text[512];
-  command_write("s.yaml", HEAD BOX);
+  command_write("s.yaml", SMALL_HEAD BOX);
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
     snprintf(text, sizeof text,
              "time_utc,quantity,of,value,sigma\n2016-03-20T04:30:00Z,temperature,%s,300,1\n",
@@ -241,11 +235,11 @@ static void test_closed_streams(void **state)
 {
   (void)state;
 #ifdef UMBRA_TETGEN
-  command_write("s.yaml", HEAD "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n"
-                               "    outside: grey_white\n    solid: {density_kg_m3: 2700, "
-                               "specific_heat_J_kg_K: 900, conductivity_W_m_K: 150}\n");
+  command_write("s.yaml", SMALL_HEAD "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n"
+                                     "    outside: grey_white\n    solid: {density_kg_m3: 2700, "
+                                     "specific_heat_J_kg_K: 900, conductivity_W_m_K: 150}\n");
 #else
-  command_write("s.yaml", HEAD BOX);
+  command_write("s.yaml", SMALL_HEAD BOX);
 #endif
   command_expect(0, "run", "s.yaml", "--no-plots", "--out", "whole", NULL);
   char *whole = command_read("whole/lightcurve.csv");
@@ -261,24 +255,6 @@ static void test_closed_streams(void **state)
 }
 
 #ifdef UMBRA_TETGEN
-static size_t count_processes(const char *here)
-{
-  size_t count = 0;
-  DIR *all = opendir("/proc");
-  assert_non_null(all);
-  for (struct dirent *entry; (entry = readdir(all)) != NULL;) {
-    char link[300], at[4200];
-    long pid = strtol(entry->d_name, NULL, 10);
-    if (pid <= 0 || pid == (long)getpid()) continue;
-    snprintf(link, sizeof link, "/proc/%ld/cwd", pid);
-    ssize_t n = readlink(link, at, sizeof at - 1);
-    if (n > 0) at[n] = '\0';
-    count += n > 0 && strcmp(at, here) == 0;
-  }
-  closedir(all);
-  return count;
-}
-
 /* TetGen, far from done, dies with the program that started it. */
 static void test_no_orphan(void **state)
 {
@@ -286,22 +262,22 @@ static void test_no_orphan(void **state)
   char here[4096];
   const struct timespec pause = {0, 50000000};
   assert_non_null(getcwd(here, sizeof here));
-  command_write("s.yaml", HEAD "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n"
-                               "    facet_size_m: 0.03\n    outside: grey_white\n"
-                               "    solid: {density_kg_m3: 2700, specific_heat_J_kg_K: 900, "
-                               "conductivity_W_m_K: 150, tetrahedron_size_m: 0.01}\n");
+  command_write("s.yaml", SMALL_HEAD "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n"
+                                     "    facet_size_m: 0.03\n    outside: grey_white\n"
+                                     "    solid: {density_kg_m3: 2700, specific_heat_J_kg_K: 900, "
+                                     "conductivity_W_m_K: 150, tetrahedron_size_m: 0.01}\n");
   pid_t program = fork();
   assert_true(program >= 0);
   if (program == 0) {
     execl(UMBRA_PROGRAM, "umbra", "check", "s.yaml", (char *)NULL);
     _exit(127);
   }
-  for (int i = 0; i < 400 && count_processes(here) < 2; i++) nanosleep(&pause, NULL);
-  assert_int_equal(count_processes(here), 2);
+  for (int i = 0; i < 400 && command_processes_below(here) < 2; i++) nanosleep(&pause, NULL);
+  assert_int_equal(command_processes_below(here), 2);
   kill(program, SIGKILL);
   assert_int_equal(waitpid(program, NULL, 0), program);
-  for (int i = 0; i < 20 && count_processes(here) > 0; i++) nanosleep(&pause, NULL);
-  assert_int_equal(count_processes(here), 0);
+  for (int i = 0; i < 20 && command_processes_below(here) > 0; i++) nanosleep(&pause, NULL);
+  assert_int_equal(command_processes_below(here), 0);
 }
 #endif
 

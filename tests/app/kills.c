@@ -13,6 +13,7 @@
 
 #include "core/sampling.h"
 #include "tests/app/command.h"
+#include "tests/app/small.h"
 
 #define KILLS 80
 
@@ -25,14 +26,8 @@
 #endif
 
 static const char scenario[] =
-    "schema: 1\nname: h\n"
-    "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:31:00Z, step_s: 30}\n"
-    "orbit: {circular: {altitude_km: 765, beta_deg: 0}}\n"
-    "attitude:\n  - fixed: {q_gcrs: [1, 0, 0, 0]}\n"
-    "observer: {direction: {unit_gcrs: [0.5, 0.8660254, 0], range_km: 1000}}\n"
-    "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n    outside: grey_white\n" SOLID
-    "bands: {vis: {from_um: 0.38, to_um: 0.78, bins: 4}}\n"
-    "thermal: {start: isothermal, orbits_before: 0.01, step_s: 30}\n";
+    SMALL_HEAD "parts:\n  - name: b\n    box: {size_m: [1, 1, 1]}\n    outside: grey_white\n" SOLID
+               "thermal: {start: isothermal, orbits_before: 0.01, step_s: 30}\n";
 
 static const char *const run_list[] = {"run", "s.yaml", "--out", "out", "--threads", "1", NULL};
 
@@ -48,31 +43,11 @@ static void prepare(char *here, size_t size)
   assert_int_equal(setenv("PATH", path, 1), 0);
 }
 
-/* Processes, this one and those of the shell's `sleep` aside, whose working folder lies here. */
-static size_t count_processes(const char *here)
-{
-  size_t count = 0;
-  DIR *all = opendir("/proc");
-  assert_non_null(all);
-  for (struct dirent *entry; (entry = readdir(all)) != NULL;) {
-    char link[300], at[4200];
-    long pid = strtol(entry->d_name, NULL, 10);
-    if (pid <= 0 || pid == (long)getpid()) continue;
-    snprintf(link, sizeof link, "/proc/%ld/cwd", pid);
-    ssize_t n = readlink(link, at, sizeof at - 1);
-    if (n <= 0) continue;
-    at[n] = '\0';
-    count += strncmp(at, here, strlen(here)) == 0;
-  }
-  closedir(all);
-  return count;
-}
-
 static void expect_no_process(const char *here, int kill)
 {
   const struct timespec pause = {0, 20000000};
-  for (int i = 0; i < 50 && count_processes(here) > 0; i++) nanosleep(&pause, NULL);
-  if (count_processes(here) > 0) fail_msg("kill %d: a process lives on", kill);
+  for (int i = 0; i < 50 && command_processes_below(here) > 0; i++) nanosleep(&pause, NULL);
+  if (command_processes_below(here) > 0) fail_msg("kill %d: a process lives on", kill);
 }
 
 /* Whole results: every file that the first run wrote, the numbers the same. */

@@ -10,21 +10,7 @@
 
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 static struct um_core_csv *parse(const char *text)
 {
@@ -289,5 +275,5 @@ int main(void)
       cmocka_unit_test(test_numbers),
       cmocka_unit_test(test_numbers_in_comma_locale),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -8,23 +8,9 @@
 #include "core/sampling.h"
 #include "tests/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 
 #define FLIPS 4000
-
-static struct um_context *context;
-
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static const char csv_text[] = "# comment\ntime_utc,quantity,\"of\",value,sigma\n"
                                "2016-09-21T20:36:40.000Z,band_irradiance,lwir,1.23e-10,2.0e-12\r\n"
@@ -165,5 +151,5 @@ int main(void)
       cmocka_unit_test(test_yaml),
       cmocka_unit_test(test_overrides),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -7,22 +7,9 @@
 #include "diagnosis/pulse_bic_impl.h"
 #include "diagnosis/rank_impl.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 
 enum { ROWS = 40 };
-
-static struct um_context *context;
-
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 /* Observations y = J x of a linear model, at x = (1.2, 3, -0.5). The first and last parameter have
  * priors about 1 and 0: at those means the residual is y - J m, whatever x is. The second is free
@@ -153,5 +140,5 @@ int main(void)
       cmocka_unit_test(tied_within_ten_of_bic),
       cmocka_unit_test(pulse_of_heat_has_four_parameters),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -8,21 +8,7 @@
 
 #include "tests/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
-
-static struct um_context *context;
-
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 /* The sample with up to three overrides. */
 static struct sample *parse(struct um_document **document, const char *a, const char *b,
@@ -512,5 +498,5 @@ int main(void)
       cmocka_unit_test(test_text_of_blocks),
       cmocka_unit_test(test_mark_of_key),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -22,11 +22,10 @@
 #include "model/run.h"
 #include "tests/materials/check.h"
 #include "tests/scenarios/support.h"
+#include "tests/support/with_context.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/starlink-v15"
 #define MEASURED SCENARIO "/measured.csv"
-
-static struct um_context *context;
 
 static void need(enum um_status status)
 {
@@ -125,22 +124,9 @@ static void materials_are_the_laboratory(void **state)
   }
 }
 
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(magnitudes),
                                      cmocka_unit_test(materials_are_the_laboratory)};
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -1,0 +1,23 @@
+/* A context for the tests of one program: `context`, with CMocka's group fixtures that make and
+ * destroy it. */
+#ifndef UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
+#define UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
+
+#include "core/context.h"
+
+static struct um_context *context;
+
+static inline int context_set_up(void **state)
+{
+  (void)state;
+  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+}
+
+static inline int context_tear_down(void **state)
+{
+  (void)state;
+  um_core_context_destroy(&context);
+  return 0;
+}
+
+#endif
