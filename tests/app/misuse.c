@@ -161,7 +161,10 @@ static void test_version(void **state)
   (void)state;
   struct command c = command_run("--version", NULL);
   assert_int_equal(c.code, 0);
-  assert_int_equal(strncmp(c.out, "umbra ", 6), 0);
+  int major, minor, patch;
+  char end = '\0';
+  assert_int_equal(sscanf(c.out, "umbra %d.%d.%d%c", &major, &minor, &patch, &end), 4);
+  assert_true(end == '\n');
   assert_int_equal(command_count_lines(c.out), 1);
   command_release(&c);
 }
