@@ -6,7 +6,7 @@
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
 # make fuzz   every fuzz target for ten minutes; FUZZ_SECONDS=60 FUZZ="csv model" shorter, fewer
 # make tidy   clang-tidy with path analysis;  make coverage   which lines the tests reach
-# make nightly   all tests under the sanitizers, tidy, fuzz: hours
+# make nightly   all tests under the sanitizers, tidy, fuzz, mutate: hours
 FUZZ_SECONDS ?= 600
 export FUZZ FUZZ_SECONDS
 BUILD ?= build
