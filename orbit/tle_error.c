@@ -1,13 +1,17 @@
 /* How far off the predicted place is, from the age of the elements. Two-line elements carry no
  * covariance; what is known is how SGP4 fares in low orbits:
  *
- *   at the epoch  about 1 km, growing by 1 to 3 km a day (usual statement for low orbits); held
- *                 against laser ranging single sets lose about 1 km a day, ten times the
- *                 0.1 km a day of orbits fitted to several sets
- *                 (Levit & Marshall 2011, Adv. Space Res. 47:1107)
- *   drag          15 % of it, the scatter of densities about empirical atmospheres (Marcos 1990,
- *                 Adv. Space Res. 10, 3-4:417): how far SGP4 moves when B* grows by that share. It
- *                 knows the altitude, and grows with the square of time
+ *   at the epoch  1 km, an assumption: the round figure in use for low orbits
+ *   a day         1 km: held against laser ranging, single sets lose about ten times the 0.1 km a
+ *                 day of orbits fitted to several sets (Levit & Marshall 2011, Adv. Space Res.
+ *                 47:1107)
+ *   drag          15 % of it, what the best of five empirical atmospheres missed 13 sets of
+ *                 measured densities by (Hedin 1988, High Altitude Atmospheric Modeling, NASA);
+ *                 decays of nine satellites say better than 20 %, sometimes near 10 %, and worse
+ *                 above 400 km (Pardini & Anselmo 2000, 51st IAC, Rio de Janeiro). An assumption
+ *                 all the same: the error of a set's own B* is no error of an atmosphere alone.
+ *                 What is taken is how far SGP4 moves when B* grows by that share; it knows the
+ *                 altitude, and grows with the square of time
  *
  *   sigma(t) = hypot(1 km + 1 km/d |t|, |r(1.15 B*) - r(B*)|)
  *
