@@ -2,11 +2,24 @@
  *
  *   C dT/dt = P + Q + sum G (T_j - T) + sigma e* A (T_skin^4 - T^4).
  *
- * A constant offset, independent of sunlight: largest in relation late in eclipse. */
+ * A constant offset, independent of sunlight: largest in relation late in eclipse. What is inside
+ * dissipates and does not cool: P + Q is 0 or more, with the least of a power history, unless the
+ * scenario states less. */
 #include <math.h>
 
 #include "effects/list_impl.h"
 #include "thermal/body.h"
+
+#define ROUNDING 1e-12 /* of the power that is taken away: a sum that is nothing */
+
+/* The least that is dissipated inside [W]. */
+static double least(const struct um_thermal_part_spec *spec)
+{
+  const struct um_thermal_power_history *history = spec->interior_history;
+  double low = history == NULL || history->nrow == 0 ? 0.0 : history->power[0];
+  for (size_t i = 0; history != NULL && i < history->nrow; i++) low = fmin(low, history->power[i]);
+  return spec->interior_power + low;
+}
 
 static enum um_status add_power(struct um_context *context, const struct um_effect_use *use,
                                 const char *part, struct um_thermal_part_spec *spec)
@@ -18,14 +31,23 @@ static enum um_status add_power(struct um_context *context, const struct um_effe
         "effect 'internal_power': the part '%s' has no interior that could take the "
         "power; accepted: a part with interior",
         part);
+  double low = least(spec), all = low + use->value[0];
   spec->interior_power += use->value[0];
-  return UM_OK;
+  if (use->value[0] >= 0.0 || all >= 0.0) return UM_OK;
+  if (all > ROUNDING * use->value[0]) {
+    spec->interior_power -= all;
+    return UM_OK;
+  }
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect 'internal_power': power_W %g makes the power inside '%s' %g W; "
+                      "accepted: 0 or more in all",
+                      use->value[0], part, all);
 }
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "power_W",
      .unit = "W",
-     .help = "heat released inside, added to what the scenario states",
+     .help = "heat released inside, added to what the scenario states; below 0: less than stated",
      .null_value = 0.0,
      .default_value = 10.0,
      .minimum = -1e5,
@@ -40,7 +62,9 @@ const struct um_effect um_effects_internal_power = {
     .name = "internal_power",
     .summary = "Electronics or heaters inside a part release heat",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
-    .validity = "a part with an interior node; constant in time, periodic states included",
+    .validity =
+        "a part with an interior node; constant in time, periodic states included; 0 or more "
+        "in all",
     .separated_by = "mli_emittance and emittance: temperatures or thermal infrared late in a long "
                     "eclipse, of a radiator beside a side behind MLI; the visible does not change",
     .targets = UM_TARGET_PART,

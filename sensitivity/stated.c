@@ -170,8 +170,11 @@ static void of_interior(const struct question *q, enum um_effect_stated which, d
   const struct um_scenario_group *group;
   const struct um_scenario_part *part = part_named(q, &group);
   if (part == NULL || part->interior == NULL) return;
-  if (which == UM_STATED_INTERIOR_POWER) /* cold that is carried in is heat below 0 */
+  if (which == UM_STATED_INTERIOR_POWER) {
     say(out, "power inside", "W", part->interior->power_W + present);
+    /* what is inside does not cool; how far a history lets it go down, the effect says */
+    if (part->interior->power_file == NULL) out->minimum = fmin(0.0, out->value);
+  }
   if (which != UM_STATED_INTERIOR_CAPACITY) return;
   say(out, "heat capacity inside", "J/K", part->interior->capacity_J_K + present);
   out->minimum = 0.0;

@@ -158,6 +158,7 @@ static void refusals_name_the_part(void **state)
       {"panel_extraction:bus.-x,efficiency=0.1", "'bus.-x' is MLI; accepted: a side with cells"},
       {"panel_extraction:bus,efficiency=0.1", "'bus' is all MLI; accepted: a part with cells"},
       {"panel_extraction:panel,efficiency=-0.1", "'panel.plate' -0.1; accepted: 0 or more in all"},
+      {"internal_power:bus,power_W=-20.5", "'bus' -0.5 W; accepted: 0 or more in all"},
       {"interior_capacity:bus,capacity_J_K=-20001", "-1 J/K; accepted: 0 or more in all"},
       {"through_conductance:bus", "'bus' are one layer"},
       {"through_conductance:bus.+x", "'bus.+x' is one layer"},

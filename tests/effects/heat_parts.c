@@ -20,6 +20,24 @@ static void internal_power_is_radiated(void **state)
   heat_release(&b);
 }
 
+/* Downward it ends where nothing is dissipated: 20 W are stated, in two parts too that round. A
+ * scenario that carries heat away inside does so all the same. */
+static void internal_power_ends_at_nothing(void **state)
+{
+  (void)state;
+  struct heat_run a = heat_compute(LIST("parts.bus.interior.power_W=0"), NONE, NONE);
+  struct heat_run b = heat_compute(NONE, LIST("internal_power:bus,power_W=-20"), NONE);
+  struct heat_run c = heat_compute(LIST("parts.bus.interior.power_W=0.3"),
+                                   LIST("internal_power:bus,power_W=-0.30000000000000004"), NONE);
+  assert_true(heat_same_temperatures(&a, &b) && heat_same_temperatures(&a, &c));
+  struct heat_run cold = heat_compute(LIST("parts.bus.interior.power_W=-5"),
+                                      LIST("internal_power:bus,power_W=0"), NONE);
+  struct heat_run same = heat_compute(LIST("parts.bus.interior.power_W=-5"), NONE, NONE);
+  assert_true(heat_same_temperatures(&cold, &same));
+  struct heat_run *all[] = {&a, &b, &c, &cold, &same};
+  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) heat_release(all[i]);
+}
+
 /* The run begins with the interior dT off its steady state. It then shares that with the walls, C_w
  * in all, by G, two masses that are alone but for the blankets:
  *
@@ -263,6 +281,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(internal_power_is_radiated),
+      cmocka_unit_test(internal_power_ends_at_nothing),
       cmocka_unit_test(stored_heat_dies_away),
       cmocka_unit_test(mli_emittance_scales_the_leak),
       cmocka_unit_test(heat_capacity_stretches_time),

@@ -80,6 +80,22 @@ static void refused(const char *csv, const char *words)
     fail_msg("'%s' lacks '%s'", message, words);
 }
 
+/* What an effect takes away is held against the least of the table: 12 W beside 3 W. */
+static void effect_goes_down_to_the_least(void **state)
+{
+  (void)state;
+  char message[512];
+  const char *const *table =
+      LIST(DARK, "parts.bus.interior.power_W=3", "parts.bus.interior.power_file=" CSV);
+  write_csv("time_utc,power_W\n2020-03-20T11:00:00Z,15\n2020-03-20T12:05:00Z,12\n"
+            "2020-03-20T13:00:00Z,40\n");
+  struct heat_run run = heat_compute(table, LIST("internal_power:bus,power_W=-15"), NONE);
+  heat_release(&run);
+  heat_refused(table, LIST("internal_power:bus,power_W=-15.5"), message, sizeof message);
+  if (strstr(message, "makes the power inside 'bus' -0.5 W; accepted: 0 or more in all") == NULL)
+    fail_msg("'%s'", message);
+}
+
 static void tables_are_checked(void **state)
 {
   (void)state;
@@ -116,6 +132,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(constant_table_is_power),
       cmocka_unit_test(pulse_and_ramp),
+      cmocka_unit_test(effect_goes_down_to_the_least),
       cmocka_unit_test(tables_are_checked),
   };
   return cmocka_run_group_tests(tests, setup, teardown);

@@ -192,7 +192,7 @@ static void test_ranges(void **state)
 {
   (void)state;
   static const char *const only[] = {"panel_extraction", "interior_capacity", "exposure",
-                                     "albedo_level", "penumbra"};
+                                     "albedo_level",     "penumbra",          "internal_power:bus"};
   put_world("environment: {albedo: 0.5, disc: point}\n");
   struct um_compare_measurements *m = measured();
   const char *const cells[] = {"parts.panel.electrical_extraction=0.18", "time.exposure_s=2"};
@@ -200,7 +200,7 @@ static void test_ranges(void **state)
   for (int given = 0; given < 2; given++) {
     struct um_sensitivity_forward *f =
         forward_of(given ? &options : NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
-    struct um_sensitivity_candidates *list = candidates_of(f, only, 5);
+    struct um_sensitivity_candidates *list = candidates_of(f, only, 6);
     const struct um_sensitivity_candidate *panel = named(list, "panel_extraction:panel");
     assert_false(panel->insensitive);
     assert_close(panel->minimum[0], given ? -0.18 : 0.0, 1e-15);
@@ -209,6 +209,7 @@ static void test_ranges(void **state)
     assert_true(bright->insensitive);
     assert_non_null(strstr(bright->why, "solar cells"));
     assert_true(named(list, "interior_capacity:bus")->minimum[0] == -4000.0);
+    assert_close(named(list, "internal_power:bus")->minimum[0], -20.0, 1e-12);
     assert_true(named(list, "exposure")->minimum[0] == (given ? -4.0 : 0.0));
     assert_true(named(list, "albedo_level")->maximum[0] == 2.0);
     size_t discs = 0;
@@ -242,6 +243,7 @@ static void test_stated(void **state)
       {"panel_extraction", "panel", -0.08, 0.18, 0.1},
       {"panel_extraction", "panel.plate", -0.5, 0.18, 0.0},
       {"internal_power", "bus", 5.0, 20.0, 25.0},
+      {"internal_power", "bus", -30.0, 20.0, 0.0},
       {"interior_capacity", "bus", -1000.0, 4000.0, 3000.0},
       {"heat_capacity", "panel", 1.5, 2000.0, 3000.0},
       {"through_conductance", "panel", 2.0, 50.0, 100.0},
