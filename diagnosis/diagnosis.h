@@ -81,11 +81,11 @@ struct um_diagnosis_next {
   enum um_compare_quantity quantity;
   char *of; /* band or place */
   enum um_compare_segment segment;
-  double airmass;            /* the observations lie above it; NaN: any does */
-  double sigma;              /* assumed of one observation, unit of the quantity */
-  double chi2_difference;    /* expected chi-square per observation */
-  double from, to;           /* t_tai of the window of the scenario it was computed in */
-  size_t step, candidate;    /* the step, and the candidate that is told from its winner */
+  double airmass;         /* the observations lie above it; NaN: any does */
+  double sigma;           /* of the measurement, assumed of one observation, unit of the quantity */
+  double chi2_difference; /* expected chi-square per observation */
+  double from, to;        /* t_tai of the window of the scenario it was computed in */
+  size_t step, candidate; /* the step, and the candidate that is told from its winner */
   const char *told_apart_by; /* in the words of the effects, where nothing of the scenario helps; or
                                 NULL; borrowed */
 };

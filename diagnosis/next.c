@@ -3,9 +3,14 @@
  * lie at high airmass.
  *
  * Both explanations are computed as they were fitted; per observation of a channel the expected
- * chi-square between them is the mean of ((M1 - M2) / sigma)^2. Sigma is that of observations of
- * the channel which were measured, else a usual one. Where none helps, what the effects themselves
- * say tells them apart is said. */
+ * chi-square between them is the mean of
+ *
+ *   (M1 - M2)^2 / (sigma^2 + sigma_model^2),
+ *
+ * as a diagnosis would weigh it: sigma is the measurement's own, that of observations of the
+ * channel which were measured, else a usual one, and what is asked of the observer; sigma_model is
+ * the sampling error of the model at the times that are planned (not that of those measured), 0 of
+ * temperatures. Where none helps, what the effects themselves say tells them apart is said. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,26 +42,26 @@ struct chi2_difference {
   size_t count[UM_SEGMENT_COUNT];
 };
 
-/* Relative sigma of a band's observations, or sigma of a place's [K]; NaN when not measured. */
+/* Relative sigma of a band's observations, or sigma of a place's [K], of the measurement alone; NaN
+ * when not measured. */
 static double measured_sigma(const struct um_sensitivity_forward *f, bool temperature,
                              const char *of)
 {
-  double sum = 0.0, rows = 0.0;
+  double sum = 0.0, count = 0.0;
   for (size_t j = 0; j < f->observations.count; j++) {
     const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
     if ((c->quantity == UM_QUANTITY_TEMPERATURE) != temperature || strcmp(c->of, of) != 0) continue;
-    sum += temperature ? f->observations.sigma[j]
-                       : f->observations.sigma[j] /
-                             fmax(fabs(f->observations.measured[j]), f->observations.sigma[j]);
-    rows += 1.0;
+    double sigma = f->observations.stated_sigma[j];
+    sum += temperature ? sigma : sigma / fmax(fabs(f->observations.measured[j]), sigma);
+    count += 1.0;
   }
-  return rows > 0.0 ? sum / rows : NAN;
+  return count > 0.0 ? sum / count : NAN;
 }
 
 static void collect(struct chi2_difference *s, enum um_compare_segment segment, double difference,
-                    double sigma)
+                    double sigma, double model_sigma)
 {
-  s->worth[segment] += difference * difference / (sigma * sigma);
+  s->worth[segment] += difference * difference / (sigma * sigma + model_sigma * model_sigma);
   s->sigma[segment] += sigma;
   s->count[segment]++;
 }
@@ -135,8 +140,9 @@ static enum um_status offer_band(struct um_context *context, const struct um_sen
     double ea = a->irradiance[k * a->nband + band], eb = b->irradiance[k * b->nband + band];
     if (isnan(ea) || isnan(eb) || !(peak > 0.0)) continue;
     double sigma = hypot(relative * ea, FAINT * peak);
-    collect(&all, segment[k], ea - eb, sigma);
-    if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], ea - eb, sigma);
+    double own = a->irradiance_error[k * a->nband + band];
+    collect(&all, segment[k], ea - eb, sigma, own);
+    if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], ea - eb, sigma, own);
   }
   UM_TRY(offer(context, &all, UM_QUANTITY_BAND_IRRADIANCE, name, next));
   return offer(context, &above, UM_QUANTITY_BAND_IRRADIANCE, name, next);
@@ -169,7 +175,7 @@ static enum um_status offer_places(struct um_context *context,
     double sigma = measured_sigma(f, true, a->place[p].name);
     if (isnan(sigma)) sigma = USUAL_TEMPERATURE;
     for (size_t k = 0; k < a->nobs; k++)
-      collect(&s, segment[k], a->place[p].mean[k] - b->place[p].mean[k], sigma);
+      collect(&s, segment[k], a->place[p].mean[k] - b->place[p].mean[k], sigma, 0.0);
     UM_TRY(offer(context, &s, UM_QUANTITY_TEMPERATURE, a->place[p].name, next));
   }
   return UM_OK;

@@ -27,6 +27,7 @@ struct lists {
   const char *without;                                /* that the analyst lacks */
   const char *of;                                     /* the only band measured; NULL: both */
   double from, to; /* rows left in [s since the start]; both 0: all */
+  double model;    /* sampling error of the model, of the measurement's sigma */
 };
 
 static size_t count(const char *const *list)
@@ -82,6 +83,10 @@ static struct diagnosed diagnose(const struct lists *lists)
   measure(lists, &c.measured);
   OK(um_sensitivity_forward_create(context, path, &c.options, c.measured,
                                    UM_SENSITIVITY_TOLERANCE_FACTOR, &c.forward));
+  for (size_t j = 0; lists->model > 0.0 && j < c.forward->nobservation; j++) {
+    c.forward->model_sigma[j] = lists->model * c.forward->stated_sigma[j];
+    c.forward->sigma[j] = hypot(c.forward->stated_sigma[j], c.forward->model_sigma[j]);
+  }
   OK(um_sensitivity_candidates_create(context, c.forward, NULL, 0, &options.candidates,
                                       &c.candidates));
   OK(um_diagnosis_create(context, c.forward, c.candidates, &options, &c.d));
@@ -163,17 +168,19 @@ static void values_are_whole(void **state)
 }
 
 /* Rows about the highest point of the pass tell a calibration from extinction by nothing but its
- * prior; rows toward the horizon, which the scenario has, would. */
+ * prior; rows toward the horizon, which the scenario has, would. Sigma that is asked of them is the
+ * measurement's, 1 % and a thousandth of the peak, whatever error the model had where it was
+ * compared: it has none where it is planned (a plate needs no sampling). */
 static void next_is_at_high_airmass(void **state)
 {
   (void)state;
-  const struct lists lists = {.with = LIST("zero_point:lwir,factor=0.95"),
-                              .only = LIST("zero_point:lwir", "extinction:lwir"),
-                              /* the same heat whenever the rows begin */
-                              .set = LIST("thermal.start=periodic", "thermal.orbits_before=1"),
-                              .of = "lwir",
-                              .from = 360.0,
-                              .to = 456.0};
+  struct lists lists = {.with = LIST("zero_point:lwir,factor=0.95"),
+                        .only = LIST("zero_point:lwir", "extinction:lwir"),
+                        /* the same heat whenever the rows begin */
+                        .set = LIST("thermal.start=periodic", "thermal.orbits_before=1"),
+                        .of = "lwir",
+                        .from = 360.0,
+                        .to = 456.0};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_NOT_IDENTIFIABLE);
   assert_int_equal(strncmp(c.d->sentence, "Not identifiable: the residual is worst in", 42), 0);
@@ -188,6 +195,14 @@ static void next_is_at_high_airmass(void **state)
   assert_true(c.d->next->airmass > 1.5);
   assert_non_null(strstr(c.d->next->what, "at an airmass above "));
   assert_null(c.d->next->told_apart_by);
+  double sigma = c.d->next->sigma;
+  end(&c);
+  lists.model = 1.0;
+  c = diagnose(&lists);
+  assert_non_null(c.d->next);
+  print_message("  sigma %.6g and %.6g W/m^2\n", sigma, c.d->next->sigma);
+  assert_string_equal(c.d->next->of, "lwir");
+  assert_true(fabs(c.d->next->sigma / sigma - 1.0) <= 0.01);
   end(&c);
 }
 
