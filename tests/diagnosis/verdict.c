@@ -83,9 +83,10 @@ static struct diagnosed diagnose(const struct lists *lists)
   measure(lists, &c.measured);
   OK(um_sensitivity_forward_create(context, path, &c.options, c.measured,
                                    UM_SENSITIVITY_TOLERANCE_FACTOR, &c.forward));
-  for (size_t j = 0; lists->model > 0.0 && j < c.forward->nobservation; j++) {
-    c.forward->model_sigma[j] = lists->model * c.forward->stated_sigma[j];
-    c.forward->sigma[j] = hypot(c.forward->stated_sigma[j], c.forward->model_sigma[j]);
+  for (size_t j = 0; lists->model > 0.0 && j < c.forward->observations.count; j++) {
+    c.forward->observations.model_sigma[j] = lists->model * c.forward->observations.stated_sigma[j];
+    c.forward->observations.sigma[j] =
+        hypot(c.forward->observations.stated_sigma[j], c.forward->observations.model_sigma[j]);
   }
   OK(um_sensitivity_candidates_create(context, c.forward, NULL, 0, &options.candidates,
                                       &c.candidates));
