@@ -19,7 +19,18 @@ if(NOT embree_FOUND)
   find_package(embree 4 REQUIRED)
 endif()
 
-find_package(SUNDIALS REQUIRED COMPONENTS cvodes kinsol nvecserial sunmatrixsparse sunlinsolklu)
+find_package(SUNDIALS REQUIRED COMPONENTS cvodes kinsol nvecserial sunmatrixsparse)
+
+# SuiteSparse 5 has no package file; 7 has one for each library, but these names do for both.
+foreach(library klu cholmod)
+  string(TOUPPER ${library} name)
+  find_path(${name}_INCLUDE_DIR ${library}.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(${name}_LIBRARY NAMES ${library} REQUIRED)
+  add_library(SuiteSparse::${library} UNKNOWN IMPORTED)
+  set_target_properties(SuiteSparse::${library} PROPERTIES
+    IMPORTED_LOCATION "${${name}_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${${name}_INCLUDE_DIR}")
+endforeach()
 
 if(UMBRA_TETGEN)
   find_path(TETGEN_INCLUDE_DIR tetgen.h REQUIRED)

@@ -1,5 +1,6 @@
 /* Integration by CVODES (Hindmarsh et al. 2005, ACM TOMS 31:363): BDF of order 1 to 5, modified
- * Newton with the analytic Jacobian factored by KLU; the symbolic factorisation is made once.
+ * Newton with the analytic Jacobian (linear.c), factored anew only when the step changes much or
+ * Newton's iteration no longer converges; the symbolic factorisation is made once.
  *
  * Stops. Where the loads jump or kink hard (eclipse edges, repeated grid times) the integration
  * ends exactly and starts anew, so no step straddles an edge. Between stops a step is at most
@@ -15,6 +16,7 @@
 #include "core/order.h"
 #include "core/sort.h"
 #include "thermal/integrator_impl.h"
+#include "thermal/linear_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,11 +25,11 @@
 
 #include <cvodes/cvodes.h>
 #include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #define MAX_STEP_INTERVALS 2.0
 #define NEWTON_SHARE       1e-4
+#define LINEAR_SHARE       1e-5      /* of a right side that iterated linear solutions leave */
 #define STEPS_LIMIT        50000000u /* of one run: an end for what would never come to one */
 #define SHORTEST_SEGMENT   1e-6      /* [s] stops closer than this are one */
 #define SHORTEST_GAP       1e-9      /* [s] a switching this near to a stop happens there */
@@ -37,6 +39,7 @@ struct um_thermal_integrator {
   SUNContext sun;
   N_Vector y, dense, quadrature;
   SUNMatrix matrix;
+  struct um_thermal_linear *linear;
   SUNLinearSolver solver;
   void *cvodes;
   double *stop; /* [nstop] ascending, the last one is the end [s] */
@@ -67,7 +70,9 @@ static enum um_status fail(struct um_thermal_integrator *integrator, int code)
   UM_TRY(um_core_stop_check(context, "heat was integrated"));
   if (code == CV_MEM_FAIL)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat integration");
+  char fault[256];
   const char *why = integrator->words[0] != '\0' ? integrator->words : "no message";
+  if (um_thermal_linear_fault(integrator->linear, fault, sizeof fault)[0] != '\0') why = fault;
   return um_core_fail(context, UM_ERR_NUMERIC,
                       "heat integration stopped %.3f s after its start (CVODES code %d%s): %s",
                       integrator->t, code,
@@ -103,11 +108,8 @@ static int newton_callback(realtype t, N_Vector y, N_Vector rate, SUNMatrix matr
   struct um_thermal_system *system = integrator->system;
   integrator->jacobians++;
   *fresh = SUNTRUE;
-  sunindextype *column = SUNSparseMatrix_IndexPointers(matrix);
-  sunindextype *row = SUNSparseMatrix_IndexValues(matrix);
   double *value = SUNSparseMatrix_Data(matrix);
-  for (size_t k = 0; k <= system->nunknown; k++) column[k] = (sunindextype)system->column[k];
-  for (size_t k = 0; k < system->nnonzero; k++) row[k] = (sunindextype)system->row[k];
+  um_thermal_linear_pattern(system, matrix);
   if (!um_thermal_system_state_set(system, t, N_VGetArrayPointer(y))) return 1;
   if (!um_thermal_system_jacobian(system, value)) return 1;
   for (size_t k = 0; k < system->nnonzero; k++) value[k] *= -gamma;
@@ -214,14 +216,14 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   if (integrator->y != NULL) integrator->y->ops->nvwrmsnorm = weighted_norm; /* clones inherit it */
   integrator->dense = N_VNew_Serial(n, integrator->sun);
   integrator->quadrature = N_VNew_Serial(UM_AUDIT_TERMS, integrator->sun);
-  integrator->matrix =
-      SUNSparseMatrix(n, n, (sunindextype)system->nnonzero, CSC_MAT, integrator->sun);
+  integrator->matrix = um_thermal_linear_matrix(system, integrator->sun);
   if (integrator->y == NULL || integrator->dense == NULL || integrator->quadrature == NULL ||
       integrator->matrix == NULL)
     return fail(integrator, CV_MEM_FAIL);
-  integrator->solver = SUNLinSol_KLU(integrator->y, integrator->matrix, integrator->sun);
+  UM_TRY(um_thermal_linear_create(system, &integrator->linear));
+  integrator->solver =
+      um_thermal_linear_sundials(integrator->linear, LINEAR_SHARE, integrator->sun);
   if (integrator->solver == NULL) return fail(integrator, CV_MEM_FAIL);
-  SUN_CHECK(SUNLinSol_KLUSetOrdering(integrator->solver, 0)); /* AMD: the pattern is symmetric */
   integrator->cvodes = CVodeCreate(CV_BDF, integrator->sun);
   if (integrator->cvodes == NULL) return fail(integrator, CV_MEM_FAIL);
   return UM_OK;
@@ -287,6 +289,7 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
   struct um_context *context = i->system->context;
   if (i->cvodes != NULL) CVodeFree(&i->cvodes);
   if (i->solver != NULL) SUNLinSolFree(i->solver);
+  um_thermal_linear_destroy(&i->linear);
   if (i->matrix != NULL) SUNMatDestroy(i->matrix);
   if (i->y != NULL) N_VDestroy(i->y);
   if (i->dense != NULL) N_VDestroy(i->dense);

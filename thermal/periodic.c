@@ -31,10 +31,9 @@
 
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
 
 #include "thermal/integrator_impl.h"
+#include "thermal/linear_impl.h"
 #include "thermal/solve.h"
 
 #define ORBITS_LIMIT   40
@@ -43,9 +42,10 @@
 #define LARGEST_CHANGE 0.25 /* of a temperature, beyond where the orbit itself leads */
 #define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
 #define ROUGH_ORBITS   8   /* after so many the rough stage has done what it can */
-#define LOOSENED       30.0 /* a third of the steps */
-#define WORTH_A_STAGE  5.0  /* a rough stage with less loosening saves nothing */
-#define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
+#define LOOSENED       30.0  /* a third of the steps */
+#define WORTH_A_STAGE  5.0   /* a rough stage with less loosening saves nothing */
+#define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
+#define SLOWEST        1e-6  /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
   struct um_thermal_system *system;
@@ -53,12 +53,11 @@ struct periodic {
   double period; /* [s] */
   SUNContext sun;
   N_Vector y, sum, right, part, one;
-  SUNMatrix matrix;
-  SUNLinearSolver solver;
-  bool factored; /* the symbolic factorisation was made */
+  struct um_thermal_linear *linear;
   void *kinsol;
   double *start, *end, *mean_cube; /* [n]: [K], [K], [K^3] */
   double *jacobian;                /* [nnonzero] of the orbit mean [1/s] */
+  double *matrix;                  /* [nnonzero] X + shift */
   double distance;                 /* of the last orbit's end [K] */
   double wanted;                   /* distance that is good enough [K] */
   size_t orbits;
@@ -84,25 +83,19 @@ static enum um_status memory_fail(struct periodic *periodic)
 static enum um_status shifted_solve(struct periodic *periodic, double shift)
 {
   const struct um_thermal_system *system = periodic->system;
-  sunindextype *column = SUNSparseMatrix_IndexPointers(periodic->matrix);
-  sunindextype *row = SUNSparseMatrix_IndexValues(periodic->matrix);
-  double *value = SUNSparseMatrix_Data(periodic->matrix);
-  for (size_t k = 0; k <= system->nunknown; k++) column[k] = (sunindextype)system->column[k];
-  for (size_t k = 0; k < system->nnonzero; k++) {
-    row[k] = (sunindextype)system->row[k];
-    value[k] = -periodic->period * periodic->jacobian[k];
-  }
-  for (size_t k = 0; k < system->nunknown; k++) value[system->diagonal[k]] += shift;
-  int code = 0;
-  if (!periodic->factored) code = SUNLinSolInitialize(periodic->solver);
-  periodic->factored = true;
-  if (code == 0) code = SUNLinSolSetup(periodic->solver, periodic->matrix);
-  if (code == 0)
-    code = SUNLinSolSolve(periodic->solver, periodic->matrix, periodic->part, periodic->right, 0.0);
-  if (code != 0)
+  char fault[256];
+  for (size_t k = 0; k < system->nnonzero; k++)
+    periodic->matrix[k] = -periodic->period * periodic->jacobian[k];
+  for (size_t k = 0; k < system->nunknown; k++) periodic->matrix[system->diagonal[k]] += shift;
+  double *part = N_VGetArrayPointer(periodic->part);
+  memcpy(part, N_VGetArrayPointer(periodic->right), system->nunknown * sizeof *part);
+  enum um_status status = um_thermal_linear_factor(periodic->linear, periodic->matrix);
+  if (status == UM_OK) status = um_thermal_linear_solve(periodic->linear, 1, LINEAR_SHARE, part);
+  if (status == UM_ERR_NUMERIC)
     return um_core_fail(system->context, UM_ERR_NUMERIC,
-                        "the orbit-mean heat balance cannot be factored (KLU code %d)", code);
-  return UM_OK;
+                        "the orbit-mean heat balance cannot be solved: %s",
+                        um_thermal_linear_fault(periodic->linear, fault, sizeof fault));
+  return status;
 }
 
 /* Corrections that carry a sensor through its transition end in the middle of it. y: the state. */
@@ -202,6 +195,7 @@ static enum um_status storage_create(struct periodic *periodic)
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->end));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->mean_cube));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
+  UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->matrix));
   if (SUNContext_Create(NULL, &periodic->sun) != 0) return memory_fail(periodic);
   sunindextype n = (sunindextype)system->nunknown;
   N_Vector *const vectors[5] = {&periodic->y, &periodic->sum, &periodic->right, &periodic->part,
@@ -210,11 +204,7 @@ static enum um_status storage_create(struct periodic *periodic)
     *vectors[k] = N_VNew_Serial(n, periodic->sun);
     if (*vectors[k] == NULL) return memory_fail(periodic);
   }
-  periodic->matrix = SUNSparseMatrix(n, n, (sunindextype)system->nnonzero, CSC_MAT, periodic->sun);
-  if (periodic->matrix == NULL) return memory_fail(periodic);
-  periodic->solver = SUNLinSol_KLU(periodic->y, periodic->matrix, periodic->sun);
-  if (periodic->solver == NULL) return memory_fail(periodic);
-  SUNLinSol_KLUSetOrdering(periodic->solver, 0); /* AMD: the pattern is symmetric */
+  UM_TRY(um_thermal_linear_create(system, &periodic->linear));
   periodic->kinsol = KINCreate(periodic->sun);
   return periodic->kinsol != NULL ? UM_OK : memory_fail(periodic);
 }
@@ -222,8 +212,7 @@ static enum um_status storage_create(struct periodic *periodic)
 static void storage_free(struct periodic *periodic, struct um_context *context)
 {
   if (periodic->kinsol != NULL) KINFree(&periodic->kinsol);
-  if (periodic->solver != NULL) SUNLinSolFree(periodic->solver);
-  if (periodic->matrix != NULL) SUNMatDestroy(periodic->matrix);
+  um_thermal_linear_destroy(&periodic->linear);
   if (periodic->y != NULL) N_VDestroy(periodic->y);
   if (periodic->sum != NULL) N_VDestroy(periodic->sum);
   if (periodic->right != NULL) N_VDestroy(periodic->right);
@@ -234,6 +223,7 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   um_core_free(context, periodic->end);
   um_core_free(context, periodic->mean_cube);
   um_core_free(context, periodic->jacobian);
+  um_core_free(context, periodic->matrix);
   um_thermal_integrator_destroy(&periodic->integrator);
   um_thermal_system_destroy(&periodic->system);
 }

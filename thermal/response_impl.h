@@ -1,5 +1,5 @@
 /* Private to thermal/: a run of responses; its steps of dS/dt = J S + b for many columns with one
- * factorisation, the only place that knows KLU itself. */
+ * factorisation. */
 #ifndef UMBRA_THERMAL_RESPONSE_IMPL_H
 #define UMBRA_THERMAL_RESPONSE_IMPL_H
 

@@ -19,30 +19,27 @@
  * only, a^(j - i), which is of order 4 there; then X^i S and X^i b are kept and summed for each
  * instant.
  *
- * Columns go four at a time, as KLU solves them. */
+ * Columns go four at a time: the factors are read once for them. */
 #include "thermal/response_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include <klu.h>
+#include "thermal/linear_impl.h"
 
-#define STAGES      5
-#define POLE        0.27805384
-#define TOGETHER    4
-#define WORST_PIVOT 1e-14 /* reciprocal condition at which pivots are chosen anew */
+#define STAGES       5
+#define POLE         0.27805384
+#define TOGETHER     4
+#define LINEAR_SHARE 1e-8 /* of a right side that iterated linear solutions leave */
 
 struct um_thermal_stepper {
   const struct um_thermal_system *system; /* borrowed */
-  klu_l_common common;
-  klu_l_symbolic *symbolic;
-  klu_l_numeric *numeric;
-  SuiteSparse_long *column, *row; /* of the pattern */
-  double *matrix;                 /* [nnonzero] 1 - g h J */
-  double *work;                   /* [TOGETHER][nunknown] */
-  double *b;                      /* [TOGETHER][nunknown] */
-  double *chain[2];               /* [STAGES][TOGETHER][nunknown] X^i S and X^i b */
-  double h;                       /* [s] */
+  struct um_thermal_linear *linear;
+  double *matrix;   /* [nnonzero] 1 - g h J */
+  double *work;     /* [TOGETHER][nunknown] */
+  double *b;        /* [TOGETHER][nunknown] */
+  double *chain[2]; /* [STAGES][TOGETHER][nunknown] X^i S and X^i b */
+  double h;         /* [s] */
   double c[STAGES + 1], d[STAGES + 1];
 };
 
@@ -86,21 +83,13 @@ enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *stepper, &stepper));
   stepper->system = system;
-  klu_l_defaults(&stepper->common);
   coefficients_set(1.0, stepper->c, stepper->d);
-  UM_CHECK(um_core_allocate(context, n + 1, sizeof *stepper->column, &stepper->column));
-  UM_CHECK(um_core_allocate(context, system->nnonzero, sizeof *stepper->row, &stepper->row));
   UM_CHECK(um_core_allocate(context, system->nnonzero, sizeof(double), &stepper->matrix));
   UM_CHECK(um_core_allocate(context, TOGETHER * n, sizeof(double), &stepper->work));
   UM_CHECK(um_core_allocate(context, TOGETHER * n, sizeof(double), &stepper->b));
   for (int k = 0; k < 2; k++)
     UM_CHECK(um_core_allocate(context, STAGES * TOGETHER * n, sizeof(double), &stepper->chain[k]));
-  for (size_t k = 0; k <= n; k++) stepper->column[k] = (SuiteSparse_long)system->column[k];
-  for (size_t k = 0; k < system->nnonzero; k++) stepper->row[k] = (SuiteSparse_long)system->row[k];
-  stepper->symbolic =
-      klu_l_analyze((SuiteSparse_long)n, stepper->column, stepper->row, &stepper->common);
-  if (stepper->symbolic == NULL)
-    UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat responses"));
+  UM_CHECK(um_thermal_linear_create(system, &stepper->linear));
   *out = stepper;
   return UM_OK;
 done:
@@ -113,10 +102,7 @@ void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper)
   if (stepper == NULL || *stepper == NULL) return;
   struct um_thermal_stepper *s = *stepper;
   struct um_context *context = s->system->context;
-  if (s->numeric != NULL) klu_l_free_numeric(&s->numeric, &s->common);
-  if (s->symbolic != NULL) klu_l_free_symbolic(&s->symbolic, &s->common);
-  um_core_free(context, s->column);
-  um_core_free(context, s->row);
+  um_thermal_linear_destroy(&s->linear);
   um_core_free(context, s->matrix);
   um_core_free(context, s->work);
   um_core_free(context, s->b);
@@ -126,15 +112,14 @@ void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper)
   *stepper = NULL;
 }
 
-/* With the pivots of the last time where they serve. */
-static bool refactor(struct um_thermal_stepper *stepper)
+/* What a linear solution that failed says. */
+static enum um_status fail(const struct um_thermal_stepper *stepper, enum um_status status)
 {
-  if (stepper->numeric == NULL) return false;
-  if (!klu_l_refactor(stepper->column, stepper->row, stepper->matrix, stepper->symbolic,
-                      stepper->numeric, &stepper->common))
-    return false;
-  return klu_l_rcond(stepper->symbolic, stepper->numeric, &stepper->common) != 0 &&
-         stepper->common.rcond > WORST_PIVOT;
+  char fault[256];
+  if (status != UM_ERR_NUMERIC) return status;
+  return um_core_fail(stepper->system->context, UM_ERR_NUMERIC,
+                      "the heat responses cannot be solved: %s",
+                      um_thermal_linear_fault(stepper->linear, fault, sizeof fault));
 }
 
 enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, const double *jacobian,
@@ -144,26 +129,13 @@ enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, con
   stepper->h = h;
   for (size_t k = 0; k < system->nnonzero; k++) stepper->matrix[k] = -POLE * h * jacobian[k];
   for (size_t k = 0; k < system->nunknown; k++) stepper->matrix[system->diagonal[k]] += 1.0;
-  if (refactor(stepper)) return UM_OK;
-  if (stepper->numeric != NULL) klu_l_free_numeric(&stepper->numeric, &stepper->common);
-  stepper->numeric = klu_l_factor(stepper->column, stepper->row, stepper->matrix, stepper->symbolic,
-                                  &stepper->common);
-  if (stepper->numeric != NULL) return UM_OK;
-  return um_core_fail(system->context, UM_ERR_NUMERIC,
-                      "the heat balance cannot be factored (KLU status %ld)",
-                      (long)stepper->common.status);
+  return fail(stepper, um_thermal_linear_factor(stepper->linear, stepper->matrix));
 }
 
 /* x[count][nunknown] <- X x. */
 static enum um_status solve(struct um_thermal_stepper *stepper, size_t count, double *x)
 {
-  SuiteSparse_long n = (SuiteSparse_long)stepper->system->nunknown;
-  if (klu_l_solve(stepper->symbolic, stepper->numeric, n, (SuiteSparse_long)count, x,
-                  &stepper->common))
-    return UM_OK;
-  return um_core_fail(stepper->system->context, UM_ERR_NUMERIC,
-                      "the heat balance cannot be solved (KLU status %ld)",
-                      (long)stepper->common.status);
+  return fail(stepper, um_thermal_linear_solve(stepper->linear, count, LINEAR_SHARE, x));
 }
 
 /* Horner's sum to the end of the step, in place. on: whose source is on. */

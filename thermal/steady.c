@@ -1,6 +1,6 @@
 /* Steady state: H_i(T) = 0 for every node that is not a boundary (equation in system.c), by KINSOL:
- * Newton with line search, exact Jacobian at every iteration, KLU. Residuals are scaled by the
- * node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so they are
+ * Newton with line search, exact Jacobian at every iteration (linear.c). Residuals are scaled by
+ * the node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so they are
  * temperatures [K]. Mean thermostats are steep: a first solution with a wide transition leads the
  * iteration to narrower ones. */
 #include <math.h>
@@ -9,22 +9,23 @@
 
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
+#include "thermal/linear_impl.h"
 #include "thermal/solve.h"
-#include "thermal/system_impl.h"
 
-#define RESIDUAL   1e-9 /* [K] */
-#define ITERATIONS 400
-#define SOFTEST    1024.0 /* factor on the width of thermostats to begin with */
-#define SHARPER    4.0    /* from one to the next */
+#define RESIDUAL     1e-9 /* [K] */
+#define ITERATIONS   400
+#define SOFTEST      1024.0 /* factor on the width of thermostats to begin with */
+#define SHARPER      4.0    /* from one to the next */
+#define LINEAR_SHARE 1e-8   /* of a right side that iterated linear solutions leave */
 
 struct steady {
   struct um_thermal_system *system;
   SUNContext sun;
   N_Vector y, y_scale, f_scale;
   SUNMatrix matrix;
+  struct um_thermal_linear *linear;
   SUNLinearSolver solver;
   void *kinsol;
   char words[256]; /* of KINSOL */
@@ -54,10 +55,7 @@ static int jacobian_callback(N_Vector y, N_Vector heat, SUNMatrix matrix, void *
   (void)heat, (void)work1, (void)work2;
   struct steady *steady = self;
   struct um_thermal_system *system = steady->system;
-  sunindextype *column = SUNSparseMatrix_IndexPointers(matrix);
-  sunindextype *row = SUNSparseMatrix_IndexValues(matrix);
-  for (size_t k = 0; k <= system->nunknown; k++) column[k] = (sunindextype)system->column[k];
-  for (size_t k = 0; k < system->nnonzero; k++) row[k] = (sunindextype)system->row[k];
+  um_thermal_linear_pattern(system, matrix);
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
   return um_thermal_system_jacobian(system, SUNSparseMatrix_Data(matrix)) ? 0 : 1;
 }
@@ -70,11 +68,12 @@ static enum um_status vectors_create(struct steady *steady)
   steady->y = N_VNew_Serial(n, steady->sun);
   steady->y_scale = N_VNew_Serial(n, steady->sun);
   steady->f_scale = N_VNew_Serial(n, steady->sun);
-  steady->matrix = SUNSparseMatrix(n, n, (sunindextype)system->nnonzero, CSC_MAT, steady->sun);
+  steady->matrix = um_thermal_linear_matrix(system, steady->sun);
   if (steady->y == NULL || steady->y_scale == NULL || steady->f_scale == NULL ||
       steady->matrix == NULL)
     goto memory;
-  steady->solver = SUNLinSol_KLU(steady->y, steady->matrix, steady->sun);
+  UM_TRY(um_thermal_linear_create(system, &steady->linear));
+  steady->solver = um_thermal_linear_sundials(steady->linear, LINEAR_SHARE, steady->sun);
   steady->kinsol = KINCreate(steady->sun);
   if (steady->solver == NULL || steady->kinsol == NULL) goto memory;
   return UM_OK;
@@ -86,6 +85,7 @@ static void steady_free(struct steady *steady)
 {
   if (steady->kinsol != NULL) KINFree(&steady->kinsol);
   if (steady->solver != NULL) SUNLinSolFree(steady->solver);
+  um_thermal_linear_destroy(&steady->linear);
   if (steady->matrix != NULL) SUNMatDestroy(steady->matrix);
   if (steady->y != NULL) N_VDestroy(steady->y);
   if (steady->y_scale != NULL) N_VDestroy(steady->y_scale);
@@ -126,7 +126,6 @@ static int kinsol_set_up(struct steady *steady)
   if (code >= 0) code = KINInit(k, heat_callback, steady->y);
   if (code >= 0) code = KINSetUserData(k, steady);
   if (code >= 0) code = KINSetLinearSolver(k, steady->solver, steady->matrix);
-  if (code >= 0) code = SUNLinSol_KLUSetOrdering(steady->solver, 0); /* AMD */
   if (code >= 0) code = KINSetJacFn(k, jacobian_callback);
   if (code >= 0) code = KINSetMaxSetupCalls(k, 1);
   if (code >= 0) code = KINSetNumMaxIters(k, ITERATIONS);

@@ -1,0 +1,122 @@
+/* Cholesky factors by CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008, ACM TOMS 35:22): columns
+ * of like pattern are taken together and go through dense kernels, which suits solids, whose
+ * factors fill. It orders by AMD and, where that fills much, by METIS's nested dissection, and
+ * keeps what fills less.
+ *
+ * The dense kernels are those of the BLAS that CHOLMOD is linked with. OpenBLAS splits its work
+ * among as many threads as there are cores, which may change the last digits; here it is held to
+ * one. */
+#include <cholmod.h>
+#include <dlfcn.h>
+#include <string.h>
+
+#include "thermal/linear_impl.h"
+
+struct um_thermal_cholmod {
+  cholmod_common common;
+  cholmod_sparse matrix; /* lower triangle; arrays are owned */
+  cholmod_factor *factor;
+  cholmod_dense *answer, *work1, *work2;
+  bool started;
+};
+
+/* One thread in OpenBLAS, where that is the BLAS. */
+static void kernels_hold(void)
+{
+  void *program = dlopen(NULL, RTLD_LAZY);
+  if (program == NULL) return;
+  void *address = dlsym(program, "openblas_set_num_threads");
+  if (address != NULL) {
+    void (*set)(int) = NULL;
+    memcpy(&set, &address, sizeof set);
+    set(1);
+  }
+  dlclose(program);
+}
+
+static enum um_status pattern_copy(struct um_context *context, size_t n, const int64_t *column,
+                                   const int64_t *row, struct um_thermal_cholmod *cholmod)
+{
+  size_t entries = (size_t)column[n];
+  SuiteSparse_long *start = NULL, *index = NULL;
+  UM_TRY(um_core_allocate(context, n + 1, sizeof *start, &start));
+  cholmod->matrix.p = start;
+  UM_TRY(um_core_allocate(context, entries, sizeof *index, &index));
+  cholmod->matrix.i = index;
+  UM_TRY(um_core_allocate(context, entries, sizeof(double), &cholmod->matrix.x));
+  for (size_t k = 0; k <= n; k++) start[k] = (SuiteSparse_long)column[k];
+  for (size_t k = 0; k < entries; k++) index[k] = (SuiteSparse_long)row[k];
+  cholmod->matrix.nrow = cholmod->matrix.ncol = n;
+  cholmod->matrix.nzmax = entries;
+  cholmod->matrix.stype = -1;
+  cholmod->matrix.itype = CHOLMOD_LONG;
+  cholmod->matrix.xtype = CHOLMOD_REAL;
+  cholmod->matrix.dtype = CHOLMOD_DOUBLE;
+  cholmod->matrix.sorted = cholmod->matrix.packed = 1;
+  return UM_OK;
+}
+
+enum um_status um_thermal_cholmod_create(struct um_context *context, size_t n,
+                                         const int64_t *column, const int64_t *row,
+                                         struct um_thermal_cholmod **out)
+{
+  enum um_status status;
+  struct um_thermal_cholmod *cholmod = NULL;
+  *out = NULL;
+  kernels_hold();
+  UM_CHECK(um_core_allocate(context, 1, sizeof *cholmod, &cholmod));
+  UM_CHECK(pattern_copy(context, n, column, row, cholmod));
+  cholmod->started = cholmod_l_start(&cholmod->common) != 0;
+  cholmod->common.print = 0;
+  if (cholmod->started) cholmod->factor = cholmod_l_analyze(&cholmod->matrix, &cholmod->common);
+  if (cholmod->factor == NULL)
+    UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat balance"));
+  *out = cholmod;
+  return UM_OK;
+done:
+  um_thermal_cholmod_destroy(context, &cholmod);
+  return status;
+}
+
+void um_thermal_cholmod_destroy(struct um_context *context, struct um_thermal_cholmod **cholmod)
+{
+  struct um_thermal_cholmod *c = *cholmod;
+  if (c == NULL) return;
+  if (c->started) {
+    cholmod_l_free_factor(&c->factor, &c->common);
+    cholmod_l_free_dense(&c->answer, &c->common);
+    cholmod_l_free_dense(&c->work1, &c->common);
+    cholmod_l_free_dense(&c->work2, &c->common);
+    cholmod_l_finish(&c->common);
+  }
+  um_core_free(context, c->matrix.p);
+  um_core_free(context, c->matrix.i);
+  um_core_free(context, c->matrix.x);
+  um_core_free(context, c);
+  *cholmod = NULL;
+}
+
+double *um_thermal_cholmod_values(struct um_thermal_cholmod *cholmod) { return cholmod->matrix.x; }
+
+bool um_thermal_cholmod_factor(struct um_thermal_cholmod *cholmod)
+{
+  return cholmod_l_factorize(&cholmod->matrix, cholmod->factor, &cholmod->common) != 0 &&
+         cholmod->common.status == CHOLMOD_OK;
+}
+
+bool um_thermal_cholmod_solve(struct um_thermal_cholmod *cholmod, size_t count, double *x)
+{
+  size_t n = cholmod->matrix.nrow;
+  cholmod_dense right = {.nrow = n,
+                         .ncol = count,
+                         .nzmax = n * count,
+                         .d = n,
+                         .x = x,
+                         .xtype = CHOLMOD_REAL,
+                         .dtype = CHOLMOD_DOUBLE};
+  if (!cholmod_l_solve2(CHOLMOD_A, cholmod->factor, &right, NULL, &cholmod->answer, NULL,
+                        &cholmod->work1, &cholmod->work2, &cholmod->common))
+    return false;
+  memcpy(x, cholmod->answer->x, n * count * sizeof *x);
+  return true;
+}
