@@ -130,9 +130,10 @@ struct um_thermal_network *block_network(const struct bench *bench, const struct
         bench_must(bench,
                    um_thermal_network_conductor_add(network, v[edge[i][0]], v[edge[i][1]], k[i]));
     }
+    uint32_t node;
     for (size_t v = 0; v < b->nvertex && pass == 0; v++)
       bench_must(bench, um_thermal_network_node_add(network, NULL, UM_NODE_DIFFUSIVE, capacity[v],
-                                                    BLOCK_START, 0.0, NULL));
+                                                    BLOCK_START, 0.0, &node));
   }
   radiators_add(bench, b, network);
   um_core_free(bench->context, capacity);

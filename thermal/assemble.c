@@ -152,6 +152,7 @@ static enum um_status attach_surfaces(struct um_thermal_builder *b)
 
 static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
 {
+  UM_TRY(um_thermal_network_section_begin(b->network, um_thermal_builder_part_name(b, part)));
   switch (b->part[part]->kind) {
   case UM_THERMAL_SHELL:
     UM_TRY(um_thermal_shell_assemble(b, part));

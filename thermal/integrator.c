@@ -64,18 +64,42 @@ static void words_keep(int code, const char *module, const char *function, char 
   snprintf(integrator->words, sizeof integrator->words, "%s %s: %s", module, function, message);
 }
 
+/* ", worst at node 'x'" by the last step's error test, "" before one. */
+static const char *worst_place(struct um_thermal_integrator *integrator, char *text, size_t size)
+{
+  const struct um_thermal_system *system = integrator->system;
+  N_Vector error = integrator->dense;
+  char label[96];
+  double largest = 0.0;
+  size_t worst = 0;
+  text[0] = '\0';
+  if (!integrator->initialized || error == NULL || integrator->steps == 0 ||
+      CVodeGetEstLocalErrors(integrator->cvodes, error) < 0)
+    return text;
+  const double *e = N_VGetArrayPointer(error);
+  for (size_t k = 0; k < system->nunknown; k++)
+    if (fabs(e[k]) > largest) {
+      largest = fabs(e[k]);
+      worst = k;
+    }
+  if (largest > 0.0)
+    snprintf(text, size, ", worst at %s",
+             um_thermal_network_label(system->network, system->node[worst], label, sizeof label));
+  return text;
+}
+
 static enum um_status fail(struct um_thermal_integrator *integrator, int code)
 {
   struct um_context *context = integrator->system->context;
   UM_TRY(um_core_stop_check(context, "heat was integrated"));
   if (code == CV_MEM_FAIL)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat integration");
-  char fault[256];
+  char fault[256], place[128];
   const char *why = integrator->words[0] != '\0' ? integrator->words : "no message";
   if (um_thermal_linear_fault(integrator->linear, fault, sizeof fault)[0] != '\0') why = fault;
   return um_core_fail(context, UM_ERR_NUMERIC,
-                      "heat integration stopped %.3f s after its start (CVODES code %d%s): %s",
-                      integrator->t, code,
+                      "heat integration stopped %.3f s after its start%s (CVODES code %d%s): %s",
+                      integrator->t, worst_place(integrator, place, sizeof place), code,
                       integrator->balance_lost ? ", an arithmetic node finds no balance" : "", why);
 }
 
@@ -404,12 +428,32 @@ const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrat
   return integrator->mean_slope;
 }
 
+/* No temperature is below 0 K. */
+static enum um_status above_zero(struct um_thermal_integrator *integrator)
+{
+  const struct um_thermal_system *system = integrator->system;
+  const double *y = N_VGetArrayPointer(integrator->y);
+  const struct um_thermal_solve_options *options = &system->options;
+  double least = -options->absolute_tolerance * options->tolerance_factor;
+  char label[96];
+  for (size_t k = 0; k < system->nunknown; k++)
+    if (!(y[k] >= least * integrator->tolerance_factor))
+      return um_core_fail(
+          system->context, UM_ERR_NUMERIC,
+          "%s is at %.4g K, %.3f s after the start of the heat integration: more heat is taken "
+          "from it than reaches it (power %g W)",
+          um_thermal_network_label(system->network, system->node[k], label, sizeof label), y[k],
+          integrator->t, system->power[system->node[k]]);
+  return UM_OK;
+}
+
 static enum um_status step_once(struct um_thermal_integrator *integrator)
 {
   double end = integrator->stop[integrator->segment], before = integrator->t;
   UM_TRY(um_core_stop_check(integrator->system->context, "heat was integrated"));
   int code = CVode(integrator->cvodes, end, integrator->y, &integrator->t, CV_ONE_STEP);
   if (code < 0) return fail(integrator, code);
+  UM_TRY(above_zero(integrator));
   integrator->steps++;
   if (++integrator->run_steps > STEPS_LIMIT)
     return um_core_fail(integrator->system->context, UM_ERR_NUMERIC,

@@ -24,12 +24,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#define DENSE     40.0  /* operations per entry of the factors beyond which CHOLMOD is taken */
-#define KRYLOV    40    /* most products of one solution */
-#define ALIKE     1e-12 /* relative difference of mirrored entries that rounding makes */
-#define SWEEPS    2     /* toward a scaling */
-#define STEEPEST  5.0   /* largest |r_i| of one sweep */
-#define NO_MIRROR ((size_t)-1)
+#define DENSE       40.0  /* operations per entry of the factors beyond which CHOLMOD is taken */
+#define DENSE_MIXED 250.0 /* the same where the balance is not symmetric */
+#define KRYLOV      40    /* most products of one solution */
+#define ALIKE       1e-12 /* relative difference of mirrored entries that rounding makes */
+#define SWEEPS      2     /* toward a scaling */
+#define STEEPEST    5.0   /* largest |r_i| of one sweep */
+#define NO_MIRROR   ((size_t)-1)
 
 struct um_thermal_linear {
   const struct um_thermal_system *system; /* borrowed */
@@ -102,6 +103,21 @@ done:
   return status;
 }
 
+/* Has the system what makes its balance asymmetric? */
+static bool is_mixed(const struct um_thermal_system *system)
+{
+  if (system->ncluster > 0) return true;
+  for (size_t k = 0; k < system->nthermostat; k++)
+    if (system->thermostat[k].slot != NULL) return true;
+  for (size_t k = 0; k < system->nunknown; k++) {
+    size_t i = system->node[k];
+    for (size_t e = system->start[i]; e < system->start[i + 1]; e++)
+      if (system->fourth[e] != 0.0 && system->unknown[system->other[e]] != UM_THERMAL_NONE)
+        return true;
+  }
+  return false;
+}
+
 enum um_status um_thermal_linear_create(const struct um_thermal_system *system,
                                         struct um_thermal_linear **out)
 {
@@ -114,8 +130,9 @@ enum um_status um_thermal_linear_create(const struct um_thermal_system *system,
   linear->system = system;
   UM_CHECK(um_thermal_klu_create(system, &linear->klu, &flops, &entries));
   enum um_thermal_factors wanted = system->options.factors;
-  bool cholesky = wanted == UM_THERMAL_CHOLESKY ||
-                  (wanted == UM_THERMAL_FACTORS_BY_STRUCTURE && flops > DENSE * entries);
+  bool cholesky =
+      wanted == UM_THERMAL_CHOLESKY || (wanted == UM_THERMAL_FACTORS_BY_STRUCTURE &&
+                                        flops > (is_mixed(system) ? DENSE_MIXED : DENSE) * entries);
   if (cholesky) {
     um_thermal_klu_destroy(context, &linear->klu);
     UM_CHECK(cholmod_take(linear));

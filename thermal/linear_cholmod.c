@@ -8,6 +8,7 @@
  * one. */
 #include <cholmod.h>
 #include <dlfcn.h>
+#include <omp.h>
 #include <string.h>
 
 #include "thermal/linear_impl.h"
@@ -68,6 +69,7 @@ enum um_status um_thermal_cholmod_create(struct um_context *context, size_t n,
   UM_CHECK(pattern_copy(context, n, column, row, cholmod));
   cholmod->started = cholmod_l_start(&cholmod->common) != 0;
   cholmod->common.print = 0;
+  cholmod->common.final_ll = 1; /* L D Lt would not see what is not positive */
   if (cholmod->started) cholmod->factor = cholmod_l_analyze(&cholmod->matrix, &cholmod->common);
   if (cholmod->factor == NULL)
     UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat balance"));
@@ -98,10 +100,14 @@ void um_thermal_cholmod_destroy(struct um_context *context, struct um_thermal_ch
 
 double *um_thermal_cholmod_values(struct um_thermal_cholmod *cholmod) { return cholmod->matrix.x; }
 
+/* CHOLMOD begins four threads for every small block, which costs more than the block: none. */
 bool um_thermal_cholmod_factor(struct um_thermal_cholmod *cholmod)
 {
-  return cholmod_l_factorize(&cholmod->matrix, cholmod->factor, &cholmod->common) != 0 &&
-         cholmod->common.status == CHOLMOD_OK;
+  int levels = omp_get_max_active_levels();
+  omp_set_max_active_levels(0);
+  int made = cholmod_l_factorize(&cholmod->matrix, cholmod->factor, &cholmod->common);
+  omp_set_max_active_levels(levels);
+  return made != 0 && cholmod->common.status == CHOLMOD_OK;
 }
 
 bool um_thermal_cholmod_solve(struct um_thermal_cholmod *cholmod, size_t count, double *x)

@@ -20,6 +20,15 @@ static enum um_status grow(struct um_context *context, void *block, size_t count
   return UM_OK;
 }
 
+/* NULL: of none. */
+static const char *part_of(const struct um_thermal_network *network, uint32_t node)
+{
+  const char *part = NULL;
+  for (size_t k = 0; k < network->nsection && network->section[k].first <= node; k++)
+    part = network->section[k].name;
+  return part;
+}
+
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,
                                      char *text, size_t size)
 {
@@ -28,9 +37,23 @@ const char *um_thermal_network_label(const struct um_thermal_network *network, u
     snprintf(text, size, "space");
   else if (name != NULL)
     snprintf(text, size, "node '%s'", name);
+  else if (part_of(network, node) != NULL)
+    snprintf(text, size, "node %lu of part '%s'", (unsigned long)node, part_of(network, node));
   else
     snprintf(text, size, "node %lu", (unsigned long)node);
   return text;
+}
+
+enum um_status um_thermal_network_section_begin(struct um_thermal_network *network,
+                                                const char *part)
+{
+  UM_TRY(um_core_reallocate(network->context, network->nsection + 1, sizeof *network->section,
+                            &network->section));
+  struct um_thermal_section *section = &network->section[network->nsection];
+  UM_TRY(um_core_strdup(network->context, part, &section->name));
+  section->first = (uint32_t)network->nnode;
+  network->nsection++;
+  return UM_OK;
 }
 
 enum um_status um_thermal_network_create(struct um_context *context,
@@ -66,6 +89,8 @@ void um_thermal_network_destroy(struct um_thermal_network **network)
   struct um_thermal_network *n = *network;
   struct um_context *context = n->context;
   for (size_t i = 0; i < n->nnode; i++) um_core_free(context, n->node[i].name);
+  for (size_t k = 0; k < n->nsection; k++) um_core_free(context, n->section[k].name);
+  um_core_free(context, n->section);
   um_core_free(context, n->node);
   um_core_free(context, n->conductor);
   um_core_free(context, n->radiator);

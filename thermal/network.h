@@ -31,6 +31,9 @@ void um_thermal_network_destroy(struct um_thermal_network **network);
 enum um_status um_thermal_network_node_add(struct um_thermal_network *network, const char *name,
                                            enum um_thermal_node_kind kind, double capacity,
                                            double temperature, double power, uint32_t *index);
+/* Nodes added from now on belong to this part, for messages. */
+enum um_status um_thermal_network_section_begin(struct um_thermal_network *network,
+                                                const char *part);
 void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t node, double power);
 /* Add to what is there. power [W]. */
 void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power);

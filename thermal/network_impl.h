@@ -34,8 +34,16 @@ struct um_thermal_network_thermostat {
   double power, on, off; /* [W], [K], [K] */
 };
 
+/* Nodes from `first` on, up to the next section, belong to a part. */
+struct um_thermal_section {
+  char *name;
+  uint32_t first;
+};
+
 struct um_thermal_network {
   struct um_context *context;
+  struct um_thermal_section *section; /* [nsection] */
+  size_t nsection;
   struct um_thermal_network_node *node; /* [nnode] */
   struct um_thermal_link *conductor;    /* [nconductor], duplicates add */
   struct um_thermal_link *radiator;     /* [nradiator], duplicates add */
@@ -48,7 +56,7 @@ struct um_thermal_network {
   size_t nsource, nthermostat;
 };
 
-/* "node 'name'" or "node 12", for messages; written into text. */
+/* "node 'name'", "node 12 of part 'bus'" or "node 12", for messages; written into text. */
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,
                                      char *text, size_t size);
 

@@ -134,6 +134,16 @@ static int kinsol_set_up(struct steady *steady)
   return code;
 }
 
+static enum um_status fail(const struct steady *steady, int code, double residual)
+{
+  char fault[256];
+  const char *why = steady->words[0] != '\0' ? steady->words : "no message";
+  if (um_thermal_linear_fault(steady->linear, fault, sizeof fault)[0] != '\0') why = fault;
+  return um_core_fail(steady->system->context, UM_ERR_NUMERIC,
+                      "no steady heat balance found (KINSOL code %d, residual %.3g K): %s", code,
+                      residual, why);
+}
+
 static enum um_status kinsol_run(struct steady *steady)
 {
   struct um_thermal_system *system = steady->system;
@@ -147,12 +157,22 @@ static enum um_status kinsol_run(struct steady *steady)
     if (code >= 0) code = KINGetFuncNorm(k, &residual);
     UM_TRY(um_core_stop_check(system->context, "the steady heat balance was solved"));
     /* a step too small to take is a success when the residual is met */
-    if (code < 0 || !(residual <= 100.0 * RESIDUAL))
-      return um_core_fail(system->context, UM_ERR_NUMERIC,
-                          "no steady heat balance found (KINSOL code %d, residual %.3g K): %s",
-                          code, residual, steady->words[0] != '\0' ? steady->words : "no message");
+    if (code < 0 || !(residual <= 100.0 * RESIDUAL)) return fail(steady, code, residual);
     if (system->softness <= 1.0) return UM_OK;
   }
+}
+
+static enum um_status above_zero(const struct um_thermal_system *system)
+{
+  char label[96];
+  for (uint32_t i = 0; i < system->n; i++)
+    if (!(system->temperature[i] >= 0.0))
+      return um_core_fail(system->context, UM_ERR_NUMERIC,
+                          "steady heat balance: %s would be at %.4g K: more heat is taken from it "
+                          "than reaches it (power %g W)",
+                          um_thermal_network_label(system->network, i, label, sizeof label),
+                          system->temperature[i], system->power[i]);
+  return UM_OK;
 }
 
 enum um_status um_thermal_solve_steady(struct um_context *context,
@@ -178,6 +198,7 @@ enum um_status um_thermal_solve_steady(struct um_context *context,
     status = um_core_fail(context, UM_ERR_NUMERIC, "no steady heat balance found");
     goto done;
   }
+  UM_CHECK(above_zero(system));
   memcpy(temperature, system->temperature, system->n * sizeof *temperature);
 done:
   steady_free(&steady);

@@ -25,15 +25,17 @@ static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
   UM_TRY(um_core_allocate(context, n, sizeof(double), &system->cube));
   for (size_t i = 0; i < n; i++) {
     const struct um_thermal_network_node *node = &network->node[i];
-    char label[96];
-    um_thermal_network_label(network, (uint32_t)i, label, sizeof label);
+    char label[96] = "";
     bool finite = isfinite(node->capacity) && isfinite(node->temperature) && isfinite(node->power);
+    bool stores = node->kind != UM_NODE_DIFFUSIVE || node->capacity > 0.0;
+    if (!finite || !(node->temperature >= 0.0) || !stores)
+      um_thermal_network_label(network, (uint32_t)i, label, sizeof label);
     if (!finite || !(node->temperature >= 0.0))
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s: capacity %g J/K, temperature %g K, power %g W; accepted: finite, "
                           "temperature 0 or more",
                           label, node->capacity, node->temperature, node->power);
-    if (node->kind == UM_NODE_DIFFUSIVE && !(node->capacity > 0.0))
+    if (!stores)
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s: capacity %g J/K; accepted: more than 0 for a diffusive node", label,
                           node->capacity);

@@ -161,11 +161,41 @@ static void test_refused(void **state)
   um_thermal_network_destroy(&network);
 }
 
+/* Ten watts taken from a plate that no more than its sky reaches: a steady state and a run say
+ * which node, of which part, when and why. */
+static void test_below_zero(void **state)
+{
+  (void)state;
+  struct um_thermal_network *network = help_network();
+  OK(um_thermal_network_section_begin(network, "radiator"));
+  uint32_t node = help_node(network, 50.0, 200.0);
+  um_thermal_network_power_set(network, node, -10.0);
+  OK(um_thermal_network_radiator_add(network, node, UM_THERMAL_SPACE, 0.01));
+  struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 100.0);
+  struct um_thermal_history *history = NULL;
+  double temperature;
+  const double end = 5000.0;
+  static const char *const words[] = {"node 0 of part 'radiator'", "power -10 W",
+                                      "s after the start"};
+  assert_int_equal(um_thermal_solve_steady(help_context, network, NULL, 0, &options, &temperature),
+                   UM_ERR_NUMERIC);
+  assert_non_null(strstr(um_core_message(help_context), words[0]));
+  um_core_message_clear(help_context);
+  assert_int_equal(um_thermal_solve(help_context, network, NULL, &options, 0.0, &end, 1, &history),
+                   UM_ERR_NUMERIC);
+  for (size_t k = 0; k < 3; k++)
+    if (strstr(um_core_message(help_context), words[k]) == NULL)
+      fail_msg("'%s' lacks '%s'", um_core_message(help_context), words[k]);
+  assert_null(history);
+  um_core_message_clear(help_context);
+  um_thermal_network_destroy(&network);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_mli), cmocka_unit_test(test_solar_array),
-                                     cmocka_unit_test(test_shields),
-                                     cmocka_unit_test(test_radiator),
-                                     cmocka_unit_test(test_refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_mli),     cmocka_unit_test(test_solar_array),
+      cmocka_unit_test(test_shields), cmocka_unit_test(test_radiator),
+      cmocka_unit_test(test_refused), cmocka_unit_test(test_below_zero)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
