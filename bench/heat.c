@@ -9,8 +9,10 @@
  *   orbit         an integration with the audit, against its own evaluations of the rate alone:
  *                 what solving and factoring, error control and the audit add; a whole orbit at
  * 1000 nodes, its first half and quarter above per node      its step per node, against the same at
- * 1000 nodes: growth beyond linear periodic      the repeating state to 0.01 K, in orbits of
- * integration, at 1000 nodes (their number does not depend on the size)
+ * 1000 nodes: growth beyond linear
+ *   periodic      the repeating state to 0.01 K, in orbits of integration, at 1000 nodes (their
+ * number does not depend on the size) sensitivities of twenty parameters along an orbit, in orbits
+ * of integration, and how far five of them are from central differences; at 1000 nodes
  *
  * Goals. rate 4 copies: it gathers neighbours and rounds chains of additions, which a copy does
  * not. orbit 8: each evaluation has a triangular solve over factors of three to five times the
@@ -26,16 +28,18 @@
 #include "bench/bench.h"
 #include "core/constants.h"
 #include "thermal/body.h"
+#include "thermal/sensitivity.h"
 #include "thermal/solve.h"
 #include "thermal/system_impl.h"
 
-#define ROWS      632 /* of the loads: 0.08 rad of spin apart */
-#define TURNS     8.0
-#define ALTITUDE  765e3 /* [m] */
-#define SIZES     3
-#define RATE_RUNS 15   /* one orbit is run three times at 1000 nodes, once above */
-#define AUDIT     1e-6 /* [1] */
-#define DISTANCE  0.01 /* [K] */
+#define ROWS       632 /* of the loads: 0.08 rad of spin apart */
+#define TURNS      8.0
+#define ALTITUDE   765e3 /* [m] */
+#define SIZES      3
+#define PARAMETERS 20   /* of sensitivities */
+#define RATE_RUNS  15   /* one orbit is run three times at 1000 nodes, once above */
+#define AUDIT      1e-6 /* [1] */
+#define DISTANCE   0.01 /* [K] */
 
 struct size {
   const char *name;
@@ -242,6 +246,90 @@ static void periodic_figures(struct bench *bench, const struct satellite *s, dou
                found ? report.distance : NAN, DISTANCE, 1.0);
 }
 
+/* Parameter `which` of twenty, times `factor`: absorptances, emittances, capacities, conductances
+ * and MLI of one quarter of the nodes each. */
+static void parameter_move(struct um_thermal_network *network, size_t which, double factor)
+{
+  size_t kind = which % 5, quarter = which / 5, n = network->nnode;
+  for (size_t k = 0; k < network->nsurface; k++) {
+    struct um_thermal_surface *surface = &network->surface[k];
+    if (4 * k / network->nsurface != quarter) continue;
+    if (kind == 0) surface->absorptance *= factor;
+    if (kind == 1) surface->emittance *= factor;
+  }
+  for (size_t i = 0; i < n; i++)
+    if (kind == 2 && 4 * i / n == quarter) network->node[i].capacity *= factor;
+  for (size_t k = 0; k < network->nconductor; k++)
+    if (kind == 3 && 4 * k / network->nconductor == quarter) network->conductor[k].value *= factor;
+  for (size_t k = 0; k < network->nradiator; k++)
+    if (kind == 4 && 4 * k / network->nradiator == quarter) network->radiator[k].value *= factor;
+}
+
+static enum um_status keep(void *user, size_t k, const double *temperature, const double *s)
+{
+  size_t count = *(const size_t *)user;
+  double *out = (double *)((size_t *)user + 1);
+  (void)temperature;
+  memcpy(out + k * count, s, count * sizeof *s);
+  return UM_OK;
+}
+
+/* Largest difference of one parameter's answers from central differences of runs ten times tighter,
+ * over the largest answer. */
+static double sensitivity_error(const struct bench *bench, struct satellite *s, size_t which,
+                                const double *got)
+{
+  struct um_thermal_history *h[2];
+  size_t n = s->body->network->nnode;
+  double largest = 0.0, worst = 0.0;
+  for (int side = 0; side < 2; side++) {
+    double factor = side == 0 ? 1.01 : 0.99;
+    parameter_move(s->body->network, which, factor);
+    h[side] = orbit(bench, s, 1.0, 100.0);
+    parameter_move(s->body->network, which, 1.0 / factor);
+  }
+  for (size_t k = 0; k < 4; k++)
+    for (size_t i = 0; i < n; i++) {
+      double d = (h[0]->temperature[k * n + i] - h[1]->temperature[k * n + i]) / 0.02;
+      largest = fmax(largest, fabs(d));
+      worst = fmax(worst, fabs(d - got[k * PARAMETERS * n + which * n + i]));
+    }
+  um_thermal_history_destroy(bench->context, &h[0]);
+  um_thermal_history_destroy(bench->context, &h[1]);
+  return worst / largest;
+}
+
+static void sensitivity_figures(struct bench *bench, struct satellite *s, double orbit_time)
+{
+  struct um_thermal_variant variant[PARAMETERS];
+  struct satellite moved[PARAMETERS];
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  size_t count = PARAMETERS * s->body->network->nnode;
+  size_t *kept = bench_allocate(bench, 4 * count + 1, sizeof(double));
+  double t[4], worst = 0.0;
+  kept[0] = count;
+  for (int k = 0; k < 4; k++) t[k] = s->period * (k + 1) / 4.0;
+  for (size_t p = 0; p < PARAMETERS; p++) {
+    body_build(bench, sizes[0].facet_size, &moved[p]);
+    parameter_move(moved[p].body->network, p, 1.0 + 1e-5);
+    variant[p] = (struct um_thermal_variant){moved[p].body->network, s->loads, NULL, 1e-5};
+  }
+  double began = bench_cpu();
+  bench_must(bench, um_thermal_sensitivity(bench->context, s->body->network, s->loads, &options,
+                                           0.0, t, 4, variant, PARAMETERS, NULL, keep, kept));
+  double time = bench_cpu() - began;
+  for (size_t p = 0; p < 5; p++) /* one of each kind */
+    worst = fmax(worst, sensitivity_error(bench, s, p, (const double *)(kept + 1)));
+  for (size_t p = 0; p < PARAMETERS; p++) {
+    um_thermal_body_destroy(bench->context, &moved[p].body);
+    um_geometry_destroy(&moved[p].geometry);
+  }
+  um_core_free(bench->context, kept);
+  bench_number(bench, "1000 nodes: 20 sensitivities, to one orbit", "s", time, orbit_time, 8.0);
+  bench_number(bench, "1000 nodes: sensitivities from central differences", "1", worst, 1e-3, 1.0);
+}
+
 /* Figures of one size; returns the step's cost per node [s]. reference: that of 1000 nodes, NaN for
  * them. */
 static double size_figures(struct bench *bench, const struct size *size, double reference)
@@ -283,6 +371,7 @@ static double size_figures(struct bench *bench, const struct size *size, double 
   um_thermal_history_destroy(bench->context, &history);
   if (first) error_figure(bench, &s);
   if (first) periodic_figures(bench, &s, bench_median(&time));
+  if (first) sensitivity_figures(bench, &s, bench_median(&time));
   um_irradiation_loads_destroy(bench->context, &s.loads);
   um_thermal_body_destroy(bench->context, &s.body);
   um_geometry_destroy(&s.geometry);

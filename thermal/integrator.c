@@ -51,6 +51,7 @@ struct um_thermal_integrator {
   double *mean_slope, *slope_before; /* [nthermostat], with mean_cube */
   int *root;                         /* [nthermostat] which thermostats switch; their directions */
   bool switched;                     /* one did at t: a new start is due */
+  bool *heating;                     /* [nthermostat] on during the last step */
   size_t steps, rhs_evaluations, jacobians, run_steps;
   bool balance_lost; /* an eliminated node found no temperature */
   char words[256];   /* of CVODES */
@@ -234,6 +235,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->mean_slope));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->slope_before));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(int), &integrator->root));
+  UM_TRY(um_core_allocate(context, nthermostat, sizeof(bool), &integrator->heating));
   if (SUNContext_Create(NULL, &integrator->sun) != 0) return fail(integrator, CV_MEM_FAIL);
   sunindextype n = (sunindextype)system->nunknown;
   integrator->y = N_VNew_Serial(n, integrator->sun);
@@ -324,6 +326,7 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
   um_core_free(context, i->mean_slope);
   um_core_free(context, i->slope_before);
   um_core_free(context, i->root);
+  um_core_free(context, i->heating);
   um_core_free(context, i);
   *integrator = NULL;
 }
@@ -468,6 +471,46 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
   realtype at;
   SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
   return UM_OK;
+}
+
+/* At a stop or a switching: begin anew. Not at the end of all. */
+static enum um_status segment_enter(struct um_thermal_integrator *integrator)
+{
+  double end = integrator->stop[integrator->segment];
+  if (integrator->t >= end - SHORTEST_GAP && integrator->segment + 1 < integrator->nstop) {
+    integrator->t = end;
+    integrator->segment++;
+    return segment_start(integrator);
+  }
+  return integrator->switched ? segment_start(integrator) : UM_OK;
+}
+
+enum um_status um_thermal_integrator_advance(struct um_thermal_integrator *integrator,
+                                             struct um_thermal_advance *out)
+{
+  const struct um_thermal_system *system = integrator->system;
+  size_t bytes = system->nunknown * sizeof(double);
+  UM_TRY(segment_enter(integrator));
+  for (size_t k = 0; k < system->nthermostat; k++)
+    integrator->heating[k] = system->thermostat[k].on;
+  out->before = integrator->t;
+  UM_TRY(step_once(integrator));
+  out->t = integrator->t;
+  out->heating = integrator->heating;
+  out->ends =
+      integrator->switched || integrator->t >= integrator->stop[integrator->segment] - SHORTEST_GAP;
+  memcpy(out->y, N_VGetArrayPointer(integrator->y), bytes);
+  double *const slope[2] = {out->slope_before, out->slope};
+  for (int k = 0; k < 2; k++) {
+    SUN_CHECK(CVodeGetDky(integrator->cvodes, k == 0 ? out->before : out->t, 1, integrator->dense));
+    memcpy(slope[k], N_VGetArrayPointer(integrator->dense), bytes);
+  }
+  return UM_OK;
+}
+
+double um_thermal_integrator_stop(const struct um_thermal_integrator *integrator)
+{
+  return integrator->stop[integrator->segment];
 }
 
 enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrator, double t,

@@ -36,6 +36,19 @@ const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrat
 /* Go on to time t (not before the last one) and give all node temperatures there [n]. */
 enum um_status um_thermal_integrator_run(struct um_thermal_integrator *integrator, double t,
                                          double *temperature);
+/* One internal step on from where the integration stands. */
+struct um_thermal_advance {
+  double before, t;     /* [s] begin and end of the step */
+  double *y;            /* [nunknown] state at t [K]; of the caller */
+  double *slope_before; /* [nunknown] dT/dt at the begin, [K/s]; of the caller */
+  double *slope;        /* and at the end, before what happens there */
+  bool ends;            /* at a stop or a switching, where the integration begins anew */
+  const bool *heating;  /* [nthermostat] on during the step, borrowed until the next */
+};
+enum um_status um_thermal_integrator_advance(struct um_thermal_integrator *integrator,
+                                             struct um_thermal_advance *out);
+/* The stop that ends the present stretch of smooth loads [s]. */
+double um_thermal_integrator_stop(const struct um_thermal_integrator *integrator);
 /* Which thermostats were on up to the time of the last run [nthermostat]. */
 void um_thermal_integrator_heating(const struct um_thermal_integrator *integrator, bool *on);
 /* Integrals so far [UM_AUDIT_TERMS] [J] and heat content now [J]; valid after a run to `duration`.

@@ -3,6 +3,7 @@
 #include "tests/support/allocator.h"
 #include "tests/thermal/box_help.h"
 #include "thermal/response.h"
+#include "thermal/sensitivity.h"
 
 struct subject {
   struct um_context *context;
@@ -60,6 +61,25 @@ static enum um_status respond(const struct subject *s)
   const struct um_thermal_response_source source = {&node, &weight, 1, 100.0, 500.0};
   return um_thermal_response(s->context, s->network, s->loads, &options, 0.0, t, 2, &source, 1,
                              NULL, take, NULL);
+}
+
+static enum um_status sensitive(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  const double t[2] = {300.0, 600.0};
+  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0};
+  return um_thermal_sensitivity(s->context, s->network, s->loads, &options, 0.0, t, 2, &variant, 1,
+                                NULL, take, NULL);
+}
+static enum um_status sensitive_orbit(const struct subject *s)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  double out[64];
+  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0};
+  return um_thermal_sensitivity_periodic(s->context, s->network, s->loads, &options, 0.0, 6000.0,
+                                         &variant, 1, NULL, out);
 }
 
 /* A power history and a thermostat on `node`. */
@@ -129,6 +149,8 @@ static void test_every_allocation(void **state)
   fail_everywhere(steady, s);
   fail_everywhere(read, s);
   fail_everywhere(respond, s);
+  fail_everywhere(sensitive, s);
+  fail_everywhere(sensitive_orbit, s);
   fail_everywhere(build, s);
   OK(warm(network, interior));
   fail_everywhere(run, s);

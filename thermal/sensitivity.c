@@ -1,0 +1,515 @@
+/* Sensitivities beside a run: stretch by stretch between stops of the loads and switchings of
+ * thermostats, wanted times by cubic interpolation of a step.
+ *
+ * Where thermostat m switches, its instant moves by dt_k, and S_k jumps,
+ *
+ *   dt_k = -(v . S_k - dtheta_m/dp_k) / (v . dT/dt),   S_k <- S_k - dP_m w / C dt_k,
+ *
+ * v the sensor's weights, theta_m the threshold that was passed, dP_m = +-P_m, w where it heats.
+ *
+ * The periodic state's S(0) = S(P) is sought as in periodic.c: with r = S(P) - S(0) and X = -P J of
+ * the orbit's mean, S(0) takes r + (X + tiny)^-1 r - 3 (X + 6)^-1 r, which leaves a tenth of the
+ * error at most. S(P) is linear in S(0): only the first orbit has the forcing, the others follow
+ * what was taken, to a tenth of its size. */
+#include "thermal/sensitivity.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "thermal/sensitivity_impl.h"
+
+#define TOLERANCE    2e-5
+#define ONE_TIME     1e-9 /* [s] nearer times are one */
+#define FIRST_STEP   1.0  /* [s] */
+#define ORBITS       20
+#define COARSE       0.02 /* tolerance of an orbit that follows a correction */
+#define SLOWEST      1e-6 /* modes slower than 1e6 orbits are taken as that */
+#define LINEAR_SHARE 1e-8
+
+/* --- what is refused ---------------------------------------------------------------------------
+ */
+
+static enum um_status nodes_check(struct um_context *context,
+                                  const struct um_thermal_network *network,
+                                  const struct um_thermal_network *variant, size_t k)
+{
+  bool same = variant->nnode == network->nnode && variant->nthermostat == network->nthermostat &&
+              variant->nsource == network->nsource;
+  for (size_t i = 0; i < network->nnode && same; i++)
+    same = variant->node[i].kind == network->node[i].kind;
+  if (same) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "heat sensitivity %zu: the variant has other nodes, thermostats or power "
+                      "histories; accepted: the same, with other values",
+                      k);
+}
+
+static enum um_status loads_check(struct um_context *context,
+                                  const struct um_irradiation_loads *loads,
+                                  const struct um_irradiation_loads *variant, size_t k)
+{
+  if (loads == variant) return UM_OK;
+  bool same = loads != NULL && variant != NULL && loads->ntime == variant->ntime &&
+              loads->nedge == variant->nedge &&
+              memcmp(loads->t, variant->t, loads->ntime * sizeof *loads->t) == 0 &&
+              (loads->nedge == 0 ||
+               memcmp(loads->edge, variant->edge, loads->nedge * sizeof *loads->edge) == 0);
+  if (same) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "heat sensitivity %zu: the variant's loads have other times or edges; "
+                      "accepted: the same, a moved edge has no derivative",
+                      k);
+}
+
+static enum um_status arguments_check(struct um_context *context,
+                                      const struct um_thermal_network *network,
+                                      const struct um_irradiation_loads *loads,
+                                      const struct um_thermal_variant *variant, size_t nvariant,
+                                      const struct um_thermal_sensitivity_options *how)
+{
+  for (size_t k = 0; k < nvariant; k++) {
+    if (!isfinite(variant[k].step) || variant[k].step == 0.0)
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "heat sensitivity %zu: step %g; accepted: finite, not 0", k,
+                          variant[k].step);
+    UM_TRY(nodes_check(context, network, variant[k].network, k));
+    UM_TRY(loads_check(context, loads, variant[k].loads, k));
+  }
+  if (how != NULL && !(how->tolerance >= 0.0 && how->tolerance < 1.0))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "heat sensitivities: tolerance %g; accepted: 0 or more, below 1",
+                        how->tolerance);
+  return UM_OK;
+}
+
+static enum um_status times_check(struct um_context *context, double from, const double *times,
+                                  size_t ntime)
+{
+  for (size_t k = 0; k < ntime; k++)
+    if (!(times[k] >= (k == 0 ? from : times[k - 1])) || !isfinite(times[k]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "heat sensitivities: time %zu is %.6f s; accepted: finite, ascending, "
+                          "not before the start at %.6f s",
+                          k, times[k], from);
+  if (ntime > 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "no times wanted of the heat sensitivities; accepted: 1 or more");
+}
+
+/* --- storage -----------------------------------------------------------------------------------
+ */
+
+/* What a run is of. */
+struct subject {
+  struct um_context *context;
+  const struct um_thermal_network *network;
+  const struct um_irradiation_loads *loads;
+  const struct um_thermal_solve_options *options;
+  double from;
+};
+
+static enum um_status systems_create(struct um_thermal_sensitivity_run *r, const struct subject *of,
+                                     const struct um_thermal_variant *variant, size_t nvariant,
+                                     enum um_thermal_system_kind kind, double duration)
+{
+  UM_TRY(um_thermal_base_create(of->context, of->network, of->loads, of->options, of->from, kind,
+                                duration, &r->base));
+  UM_TRY(um_thermal_system_create(of->context, of->network, of->loads, of->options, of->from, kind,
+                                  &r->system));
+  UM_TRY(um_core_allocate(of->context, nvariant, sizeof *r->variant, &r->variant));
+  for (; r->ncolumn < nvariant; r->ncolumn++) {
+    const struct um_thermal_variant *v = &variant[r->ncolumn];
+    const struct um_thermal_solve_options *options = v->options != NULL ? v->options : of->options;
+    UM_TRY(um_thermal_system_create(of->context, v->network, v->loads, options, of->from, kind,
+                                    &r->variant[r->ncolumn]));
+  }
+  return UM_OK;
+}
+
+static enum um_status run_create(const struct subject *of, const struct um_thermal_variant *variant,
+                                 size_t nvariant, enum um_thermal_system_kind kind, double duration,
+                                 struct um_thermal_sensitivity_run *r)
+{
+  struct um_context *context = of->context;
+  *r = (struct um_thermal_sensitivity_run){
+      .context = context, .parameter = variant, .forced = true, .tolerance = TOLERANCE};
+  UM_TRY(systems_create(r, of, variant, nvariant, kind, duration));
+  UM_TRY(um_thermal_linear_create(r->system, &r->linear));
+  r->n = r->system->nunknown;
+  UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->jacobian));
+  UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->matrix));
+  double **const one[3] = {&r->y, &r->rate, &r->moved};
+  for (int k = 0; k < 3; k++) UM_TRY(um_core_allocate(context, r->n, sizeof(double), one[k]));
+  double **const all[8] = {&r->s,        &r->next,     &r->known,    &r->error,
+                           &r->stage[0], &r->stage[1], &r->stage[2], &r->stage[3]};
+  for (int k = 0; k < 8; k++)
+    UM_TRY(um_core_allocate(context, nvariant, r->n * sizeof(double), all[k]));
+  return um_core_allocate(context, nvariant, sizeof(double), &r->largest);
+}
+
+static void run_free(struct um_thermal_sensitivity_run *r)
+{
+  void *block[] = {r->jacobian, r->matrix,   r->y,        r->rate,   r->moved,
+                   r->s,        r->next,     r->error,    r->known,  r->stage[0],
+                   r->stage[1], r->stage[2], r->stage[3], r->largest};
+  for (size_t k = 0; k < sizeof block / sizeof block[0]; k++) um_core_free(r->context, block[k]);
+  um_thermal_linear_destroy(&r->linear);
+  for (size_t c = 0; c < r->ncolumn; c++) um_thermal_system_destroy(&r->variant[c]);
+  um_core_free(r->context, r->variant);
+  um_thermal_system_destroy(&r->system);
+  um_thermal_base_release(&r->base);
+}
+
+/* --- a run -------------------------------------------------------------------------------------
+ */
+
+/* Columns at time 0 from [ncolumn][nnode], or from the start temperatures (NULL). */
+static void start_take(struct um_thermal_sensitivity_run *r, const double *start)
+{
+  const struct um_thermal_system *system = r->system;
+  for (size_t c = 0; c < r->ncolumn; c++) {
+    const struct um_thermal_network_node *node = system->network->node,
+                                         *moved = r->variant[c]->network->node;
+    r->largest[c] = 0.0;
+    for (size_t k = 0; k < r->n; k++) {
+      size_t i = system->node[k];
+      double s = start != NULL
+                     ? start[c * system->n + i]
+                     : (moved[i].temperature - node[i].temperature) / r->parameter[c].step;
+      r->s[c * r->n + k] = s;
+      r->largest[c] = fmax(r->largest[c], fabs(s));
+    }
+  }
+}
+
+/* The base from the system's start temperatures. */
+static enum um_status start_run(struct um_thermal_sensitivity_run *r)
+{
+  const struct um_thermal_system *base = r->base.system;
+  for (size_t i = 0; i < base->n; i++)
+    base->temperature[i] = r->system->temperature[i] = base->network->node[i].temperature;
+  for (size_t c = 0; c < r->ncolumn; c++)
+    memcpy(r->variant[c]->temperature, base->temperature, base->n * sizeof(double));
+  for (size_t c = 0; c < r->ncolumn; c++)
+    for (size_t i = 0; i < base->n; i++)
+      if (base->fixed[i])
+        r->variant[c]->temperature[i] = r->variant[c]->network->node[i].temperature;
+  r->t = 0.0;
+  r->h = FIRST_STEP;
+  UM_TRY(um_thermal_base_start(&r->base, base->temperature));
+  return um_thermal_sensitivity_begin(r);
+}
+
+/* The jump of all columns at a switching; slope: dT/dt before it. */
+static void switch_jump(struct um_thermal_sensitivity_run *r, size_t m, bool was_on,
+                        const double *slope)
+{
+  const struct um_thermal_system *system = r->system;
+  const struct um_thermal_network_thermostat *t = system->thermostat[m].thermostat;
+  double speed = 0.0, power = was_on ? -t->power : t->power;
+  for (size_t j = 0; j < t->sensor.n; j++)
+    speed += t->sensor.weight[j] * slope[system->unknown[t->sensor.node[j]]];
+  for (size_t c = 0; c < r->ncolumn && speed != 0.0; c++) {
+    const struct um_thermal_network_thermostat *v = r->variant[c]->thermostat[m].thermostat;
+    double *s = r->s + c * r->n;
+    double moved = 0.0;
+    if (r->forced) moved = (was_on ? v->off - t->off : v->on - t->on) / r->parameter[c].step;
+    for (size_t j = 0; j < t->sensor.n; j++)
+      moved -= t->sensor.weight[j] * s[system->unknown[t->sensor.node[j]]];
+    double dt = moved / speed;
+    for (size_t i = 0; i < t->at.n; i++)
+      s[system->unknown[t->at.node[i]]] -=
+          power * t->at.weight[i] / system->capacity[t->at.node[i]] * dt;
+  }
+}
+
+/* From the end of a stretch into the next. */
+static enum um_status stretch_next(struct um_thermal_sensitivity_run *r)
+{
+  const struct um_thermal_base *base = &r->base;
+  /* still as before what happens: the base goes on below */
+  memcpy(r->rate, base->last.slope, r->n * sizeof *r->rate);
+  r->t = base->t[base->npoint - 1];
+  UM_TRY(um_thermal_base_next(&r->base));
+  for (size_t m = 0; m < r->system->nthermostat && r->system->kind == UM_SYSTEM_RUN; m++)
+    if (r->system->thermostat[m].on != r->base.heating[m])
+      switch_jump(r, m, r->system->thermostat[m].on, r->rate);
+  return um_thermal_sensitivity_begin(r);
+}
+
+/* All nodes of all columns from their unknowns, at time t with the base's unknowns in r->y. */
+static enum um_status nodes_fill(struct um_thermal_sensitivity_run *r, double t,
+                                 const double *columns, double *out)
+{
+  struct um_thermal_system *system = r->system;
+  bool lost = !um_thermal_system_state_set(system, t, r->y);
+  for (size_t g = 0; g < system->ncluster && !lost; g++)
+    lost = !um_thermal_system_cluster_linearize(system, &system->cluster[g]);
+  for (size_t c = 0; c < r->ncolumn && !lost; c++) {
+    struct um_thermal_system *variant = r->variant[c];
+    double *s = out + c * system->n, inverse = 1.0 / r->parameter[c].step;
+    if (system->ncluster > 0) lost = !um_thermal_system_state_set(variant, t, r->y);
+    for (size_t i = 0; i < system->n; i++)
+      s[i] = (variant->temperature[i] - system->temperature[i]) * inverse;
+    for (size_t k = 0; k < r->n; k++) s[system->node[k]] = columns[c * r->n + k];
+    for (size_t g = 0; g < system->ncluster; g++) {
+      const struct um_thermal_cluster *cluster = &system->cluster[g];
+      for (size_t a = 0; a < cluster->m; a++)
+        for (size_t p = 0; p < cluster->p; p++)
+          s[cluster->node[a]] +=
+              cluster->response[a * cluster->p + p] * columns[c * r->n + cluster->neighbour[p]];
+    }
+  }
+  if (!lost) return UM_OK;
+  return um_core_fail(r->context, UM_ERR_NUMERIC,
+                      "heat sensitivities: an arithmetic node finds no balance %.3f s after the "
+                      "start",
+                      t);
+}
+
+/* What the caller wants. */
+struct wanted {
+  const double *times; /* [ntime] */
+  size_t ntime, next;
+  double from;
+  double *columns, *out; /* [ncolumn][nunknown], [ncolumn][nnode] */
+  um_thermal_sensitivity_take *take;
+  void *user;
+};
+
+/* Hand over times[next] = from + t, columns as given. */
+static enum um_status hand_over(struct um_thermal_sensitivity_run *r, struct wanted *w, double t,
+                                const double *columns)
+{
+  um_thermal_base_at(&r->base, t, r->y);
+  UM_TRY(nodes_fill(r, t, columns, w->out));
+  UM_TRY(w->take(w->user, w->next, r->system->temperature, w->out));
+  w->next++;
+  return UM_OK;
+}
+
+/* Times within the step of length h that has just ended at r->t. */
+static enum um_status hand_over_step(struct um_thermal_sensitivity_run *r, struct wanted *w,
+                                     double begin)
+{
+  double h = r->t - begin;
+  while (w->next < w->ntime && w->times[w->next] - w->from <= r->t + ONE_TIME) {
+    double t = fmin(w->times[w->next] - w->from, r->t), u = (t - begin) / h;
+    double w1 = u * u * (3.0 - 2.0 * u), w0 = 1.0 - w1;
+    double v0 = h * u * (1.0 - u) * (1.0 - u), v1 = -h * u * u * (1.0 - u);
+    for (size_t k = 0; k < r->ncolumn * r->n; k++)
+      w->columns[k] = w0 * r->next[k] + w1 * r->s[k] + v0 * r->stage[0][k] + v1 * r->stage[3][k];
+    UM_TRY(hand_over(r, w, t, w->columns));
+  }
+  return UM_OK;
+}
+
+/* From time 0 to `end`; w NULL: nothing is wanted on the way. */
+static enum um_status run(struct um_thermal_sensitivity_run *r, double end, struct wanted *w)
+{
+  UM_TRY(start_run(r));
+  while (w != NULL && w->next < w->ntime && w->times[w->next] - w->from <= ONE_TIME)
+    UM_TRY(hand_over(r, w, 0.0, r->s));
+  while (r->t < end - ONE_TIME) {
+    const struct um_thermal_base *base = &r->base;
+    if (base->ended && r->t >= base->t[base->npoint - 1] - ONE_TIME) UM_TRY(stretch_next(r));
+    double begin = r->t;
+    UM_TRY(um_thermal_sensitivity_step(r, end));
+    if (w != NULL) UM_TRY(hand_over_step(r, w, begin));
+    um_thermal_base_drop(&r->base, r->t);
+  }
+  return UM_OK;
+}
+
+enum um_status um_thermal_sensitivity(struct um_context *context,
+                                      const struct um_thermal_network *network,
+                                      const struct um_irradiation_loads *loads,
+                                      const struct um_thermal_solve_options *options, double from,
+                                      const double *times, size_t ntime,
+                                      const struct um_thermal_variant *variant, size_t nvariant,
+                                      const struct um_thermal_sensitivity_options *how,
+                                      um_thermal_sensitivity_take *take, void *user)
+{
+  enum um_status status;
+  struct um_thermal_sensitivity_run r = {.context = context};
+  struct wanted w = {.times = times, .ntime = ntime, .from = from, .take = take, .user = user};
+  const struct subject of = {context, network, loads, options, from};
+  UM_TRY(times_check(context, from, times, ntime));
+  UM_TRY(arguments_check(context, network, loads, variant, nvariant, how));
+  double end = times[ntime - 1] - from;
+  UM_CHECK(run_create(&of, variant, nvariant, UM_SYSTEM_RUN, fmax(end, FIRST_STEP), &r));
+  UM_CHECK(um_core_allocate(context, nvariant, r.n * sizeof(double), &w.columns));
+  UM_CHECK(um_core_allocate(context, nvariant, r.system->n * sizeof(double), &w.out));
+  if (how != NULL && how->tolerance > 0.0) r.tolerance = how->tolerance;
+  start_take(&r, how != NULL ? how->start : NULL);
+  UM_CHECK(run(&r, end, &w));
+  um_core_log(context, UM_LOG_DEBUG, "heat sensitivities: %zu parameters in %zu steps, %zu refused",
+              nvariant, r.steps, r.refused);
+done:
+  um_core_free(context, w.columns);
+  um_core_free(context, w.out);
+  run_free(&r);
+  return status;
+}
+
+/* --- the periodic state ------------------------------------------------------------------------
+ */
+
+struct periodic {
+  struct um_thermal_sensitivity_run run;
+  double period;
+  double *cube, *slope; /* orbit sums, then means */
+  double *total;        /* [ncolumn][n] S(0) found so far */
+  double *taken;        /* [ncolumn][n] what the present orbit starts with */
+  double *left, *part;  /* [ncolumn][n] S(P) - S(0), scratch */
+};
+
+/* part = (X + shift)^-1 left. */
+static enum um_status shifted_solve(struct periodic *p, double shift)
+{
+  struct um_thermal_sensitivity_run *r = &p->run;
+  char fault[256];
+  for (size_t k = 0; k < r->system->nnonzero; k++) r->matrix[k] = -p->period * r->jacobian[k];
+  for (size_t k = 0; k < r->n; k++) r->matrix[r->system->diagonal[k]] += shift;
+  memcpy(p->part, p->left, r->ncolumn * r->n * sizeof *p->part);
+  enum um_status status = um_thermal_linear_factor(r->linear, r->matrix);
+  if (status == UM_OK)
+    status = um_thermal_linear_solve(r->linear, r->ncolumn, LINEAR_SHARE, p->part);
+  if (status != UM_ERR_NUMERIC) return status;
+  return um_core_fail(r->context, UM_ERR_NUMERIC, "periodic heat sensitivities: %s",
+                      um_thermal_linear_fault(r->linear, fault, sizeof fault));
+}
+
+/* taken = r + (X + tiny)^-1 r - 3 (X + 6)^-1 r. */
+static enum um_status correct(struct periodic *p)
+{
+  struct um_thermal_sensitivity_run *r = &p->run;
+  size_t count = r->ncolumn * r->n;
+  memcpy(r->system->cube, p->cube, r->system->n * sizeof *p->cube);
+  for (size_t k = 0; k < r->system->nthermostat; k++) r->system->thermostat[k].slope = p->slope[k];
+  if (!um_thermal_system_jacobian(r->system, r->jacobian))
+    return um_core_fail(r->context, UM_ERR_NUMERIC,
+                        "an arithmetic node finds no balance in the orbit mean");
+  UM_TRY(shifted_solve(p, SLOWEST));
+  for (size_t k = 0; k < count; k++) p->taken[k] = p->left[k] + p->part[k];
+  UM_TRY(shifted_solve(p, 6.0));
+  for (size_t k = 0; k < count; k++) p->taken[k] -= 3.0 * p->part[k];
+  return UM_OK;
+}
+
+/* One orbit from `taken`; left = S(P) - S(0) in all: the first time that of S(0) = taken with the
+ * forcing, then what is left of it and of what was taken. */
+static enum um_status orbit(struct periodic *p, bool first)
+{
+  struct um_thermal_sensitivity_run *r = &p->run;
+  size_t count = r->ncolumn * r->n;
+  memcpy(r->s, p->taken, count * sizeof *r->s);
+  for (size_t c = 0; c < r->ncolumn; c++) {
+    r->largest[c] = 0.0;
+    for (size_t k = c * r->n; k < (c + 1) * r->n; k++)
+      r->largest[c] = fmax(r->largest[c], fabs(r->s[k]));
+  }
+  r->forced = first;
+  if (first) {
+    r->mean_cube = p->cube;
+    r->mean_slope = p->slope;
+  }
+  UM_TRY(run(r, p->period, NULL));
+  for (size_t i = 0; i < r->system->n && first; i++) p->cube[i] /= p->period;
+  for (size_t k = 0; k < r->system->nthermostat && first; k++) p->slope[k] /= p->period;
+  r->mean_cube = NULL;
+  for (size_t k = 0; k < count; k++) {
+    p->total[k] += p->taken[k];
+    p->left[k] = (first ? 0.0 : p->left[k]) + r->s[k] - p->taken[k];
+  }
+  return UM_OK;
+}
+
+/* Largest of what a correction would take beyond what is left, over the answer's size, of any
+ * column: the distance of S(P), which is what is given, from the periodic answer. */
+static double distance(const struct periodic *p)
+{
+  const struct um_thermal_sensitivity_run *r = &p->run;
+  double worst = 0.0;
+  for (size_t c = 0; c < r->ncolumn; c++) {
+    double largest = 0.0, beyond = 0.0;
+    for (size_t k = c * r->n; k < (c + 1) * r->n; k++) {
+      largest = fmax(largest, fabs(p->total[k]));
+      beyond = fmax(beyond, fabs(p->taken[k] - p->left[k]));
+    }
+    if (beyond > 0.0) worst = fmax(worst, beyond / fmax(largest, beyond));
+  }
+  return worst;
+}
+
+static enum um_status periodic_find(struct periodic *p, double tolerance)
+{
+  struct um_thermal_sensitivity_run *r = &p->run;
+  size_t count = r->ncolumn * r->n;
+  double away = INFINITY;
+  r->tolerance = tolerance;
+  for (int k = 0; k < ORBITS; k++) {
+    UM_TRY(orbit(p, k == 0));
+    UM_TRY(correct(p));
+    away = distance(p);
+    if (away <= tolerance) {
+      for (size_t i = 0; i < count; i++) p->total[i] += p->left[i];
+      return UM_OK;
+    }
+    /* what is followed need only be known to a share of itself */
+    r->tolerance = fmin(COARSE, fmax(tolerance, 0.1 * tolerance / away));
+  }
+  return um_core_fail(r->context, UM_ERR_NUMERIC,
+                      "no periodic heat sensitivities after %d orbits: %.3g of the answer away, "
+                      "wanted %.3g",
+                      ORBITS, away, tolerance);
+}
+
+static enum um_status periodic_storage(struct periodic *p)
+{
+  const struct um_thermal_sensitivity_run *r = &p->run;
+  double **const all[4] = {&p->total, &p->taken, &p->left, &p->part};
+  for (int k = 0; k < 4; k++)
+    UM_TRY(um_core_allocate(r->context, r->ncolumn, r->n * sizeof(double), all[k]));
+  UM_TRY(um_core_allocate(r->context, r->system->n, sizeof(double), &p->cube));
+  return um_core_allocate(r->context, r->system->nthermostat, sizeof(double), &p->slope);
+}
+
+enum um_status um_thermal_sensitivity_periodic(
+    struct um_context *context, const struct um_thermal_network *network,
+    const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
+    double from, double period, const struct um_thermal_variant *variant, size_t nvariant,
+    const struct um_thermal_sensitivity_options *how, double *sensitivity)
+{
+  enum um_status status;
+  struct periodic p = {.run = {.context = context}, .period = period};
+  struct um_thermal_sensitivity_run *r = &p.run;
+  const struct subject of = {context, network, loads, options, from};
+  double tolerance = how != NULL && how->tolerance > 0.0 ? how->tolerance : TOLERANCE;
+  if (!(period > 0.0) || !isfinite(period) || !isfinite(from))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "periodic heat sensitivities from %g s over %g s; accepted: finite, period "
+                        "more than 0",
+                        from, period);
+  UM_TRY(arguments_check(context, network, loads, variant, nvariant, how));
+  UM_CHECK(run_create(&of, variant, nvariant, UM_SYSTEM_PERIODIC, period, r));
+  UM_CHECK(periodic_storage(&p));
+  for (size_t c = 0; c < nvariant && how != NULL && how->start != NULL; c++)
+    for (size_t k = 0; k < r->n; k++)
+      p.taken[c * r->n + k] = how->start[c * r->system->n + r->system->node[k]];
+  UM_CHECK(periodic_find(&p, tolerance));
+  r->forced = true;
+  for (size_t k = 0; k < r->n; k++) r->y[k] = network->node[r->system->node[k]].temperature;
+  um_thermal_system_window(r->system, 0.0, period);
+  for (size_t c = 0; c < nvariant; c++) um_thermal_system_window(r->variant[c], 0.0, period);
+  UM_CHECK(nodes_fill(r, 0.0, p.total, sensitivity));
+done:
+  um_core_free(context, p.total);
+  um_core_free(context, p.taken);
+  um_core_free(context, p.left);
+  um_core_free(context, p.part);
+  um_core_free(context, p.cube);
+  um_core_free(context, p.slope);
+  run_free(r);
+  return status;
+}

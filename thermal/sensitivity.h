@@ -1,0 +1,63 @@
+/* How temperatures answer to parameters: S_ik = dT_i / dp_k along a run, for any parameter p_k of
+ * materials, loads, couplings or heat made inside. A parameter is stated as a variant: the network
+ * and loads as they are with p_k moved by a step. Its forcing is a difference of heat balances at
+ * one state, which has no noise of an integration, while S itself is integrated,
+ *
+ *   dS_k/dt = J(T(t)) S_k + (f_k(t, T) - f(t, T)) / h_k,   f = dT/dt, f_k of variant k,
+ *
+ * with one factorisation a step for all parameters; see sensitivity.c. */
+#ifndef UMBRA_THERMAL_SENSITIVITY_H
+#define UMBRA_THERMAL_SENSITIVITY_H
+
+#include "thermal/solve.h"
+
+/* One parameter moved by `step` [its unit], not 0. Same nodes of the same kinds in the same order,
+ * as many thermostats and power histories, and loads with the same times and edges: what moves an
+ * edge in time has no derivative there. Start temperatures may differ. A step of 1e-6 to 1e-4 of
+ * the parameter's size serves: it need only stay clear of rounding and, being one-sided, of
+ * curvature.
+ */
+struct um_thermal_variant {
+  const struct um_thermal_network *network;       /* borrowed */
+  const struct um_irradiation_loads *loads;       /* borrowed; NULL: none, as the base */
+  const struct um_thermal_solve_options *options; /* NULL: the base's; tolerances are not used */
+  double step;
+};
+
+struct um_thermal_sensitivity_options {
+  double tolerance;    /* error of a step over the largest answer so far [1]; 0: 2e-5 */
+  const double *start; /* [nvariant][nnode] S at the start; NULL: of the start temperatures */
+};
+
+/* Takes what is wanted at times[k]: temperature [nnode] [K] of the base (cubic between the steps of
+ * its integration), sensitivity [nvariant][nnode] [K per unit of the parameter]; both borrowed for
+ * the call. Another status than UM_OK ends the run. */
+typedef enum um_status um_thermal_sensitivity_take(void *user, size_t k, const double *temperature,
+                                                   const double *sensitivity);
+
+/* Runs the base as um_thermal_solve does and the sensitivities beside it, and hands over
+ * times[ntime], ascending. A thermostat's instants of switching move with the parameters: dt =
+ * -(dg/dT S + dg/dp) / (dg/dt), g = sensor - threshold, and S jumps by the change of dT/dt times
+ * that. UM_ERR_INPUT as um_thermal_solve, and for variants as above; UM_ERR_NUMERIC. Accuracy: 1e-3
+ * of the largest answer with the default tolerance, against central differences of tight runs
+ * (tests/thermal/sensitivity.c). Twenty parameters cost 3 to 8 runs (bench/thermal.c). */
+enum um_status um_thermal_sensitivity(struct um_context *context,
+                                      const struct um_thermal_network *network,
+                                      const struct um_irradiation_loads *loads,
+                                      const struct um_thermal_solve_options *options, double from,
+                                      const double *times, size_t ntime,
+                                      const struct um_thermal_variant *variant, size_t nvariant,
+                                      const struct um_thermal_sensitivity_options *how,
+                                      um_thermal_sensitivity_take *take, void *user);
+
+/* Sensitivities [nvariant][nnode] of the periodic state, in which the network must start
+ * (um_thermal_solve_periodic, um_thermal_network_temperatures_set): S(from + period) = S(from),
+ * thermostats by their mean power. To how->tolerance (0: 2e-5) of the largest answer of each
+ * parameter; how->start is a guess. UM_ERR_NUMERIC when that is not found in 20 orbits. */
+enum um_status um_thermal_sensitivity_periodic(
+    struct um_context *context, const struct um_thermal_network *network,
+    const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
+    double from, double period, const struct um_thermal_variant *variant, size_t nvariant,
+    const struct um_thermal_sensitivity_options *how, double *sensitivity);
+
+#endif

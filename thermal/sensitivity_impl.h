@@ -1,0 +1,69 @@
+/* Private to thermal/: a run of sensitivities. */
+#ifndef UMBRA_THERMAL_SENSITIVITY_IMPL_H
+#define UMBRA_THERMAL_SENSITIVITY_IMPL_H
+
+#include "thermal/integrator_impl.h"
+#include "thermal/linear_impl.h"
+#include "thermal/sensitivity.h"
+
+/* --- sensitivity_base.c: the base's temperatures along one stretch between stops and switchings --
+ */
+struct um_thermal_base {
+  struct um_thermal_system *system; /* that is integrated; owned */
+  struct um_thermal_integrator *integrator;
+  struct um_thermal_advance last;
+  double *t;         /* [npoint] ascending [s] */
+  double *y, *slope; /* [npoint][nunknown] */
+  size_t npoint, room;
+  bool *heating; /* [nthermostat] in the stretch */
+  bool ended;    /* the last point ends the stretch */
+};
+enum um_status um_thermal_base_create(struct um_context *context,
+                                      const struct um_thermal_network *network,
+                                      const struct um_irradiation_loads *loads,
+                                      const struct um_thermal_solve_options *options, double from,
+                                      enum um_thermal_system_kind kind, double duration,
+                                      struct um_thermal_base *out);
+void um_thermal_base_release(struct um_thermal_base *base);
+/* Begin again at the start temperatures [n]. */
+enum um_status um_thermal_base_start(struct um_thermal_base *base, const double *temperature);
+/* Begin the stretch after the one that ended. */
+enum um_status um_thermal_base_next(struct um_thermal_base *base);
+/* Integrate until t is covered or the stretch ends. */
+enum um_status um_thermal_base_reach(struct um_thermal_base *base, double t);
+/* Points before t are no longer wanted. */
+void um_thermal_base_drop(struct um_thermal_base *base, double t);
+/* Unknowns y[nunknown] at t within what is covered. */
+void um_thermal_base_at(const struct um_thermal_base *base, double t, double *y);
+/* Length of the last internal step [s]. */
+double um_thermal_base_step(const struct um_thermal_base *base);
+
+/* --- sensitivity_step.c: columns through one stretch -------------------------------------------
+ */
+struct um_thermal_sensitivity_run {
+  struct um_context *context;
+  struct um_thermal_base base;
+  struct um_thermal_system *system;   /* the base's balance, evaluated where columns need it */
+  struct um_thermal_system **variant; /* [ncolumn] */
+  const struct um_thermal_variant *parameter;
+  size_t ncolumn, n; /* n: unknowns */
+  bool forced;       /* with the forcing; else what a start leaves alone */
+  struct um_thermal_linear *linear;
+  double *jacobian, *matrix;        /* [nnonzero] */
+  double *y, *rate, *moved;         /* [n] */
+  double *s, *next, *known, *error; /* [ncolumn][n] */
+  double *stage[4];                 /* [ncolumn][n] dS/dt */
+  double *largest;                  /* [ncolumn] |S| so far */
+  double tolerance;
+  double t, h;                    /* [s] where s is; the step to try */
+  bool continued;                 /* stage[3] is the rate where the next step begins */
+  double *mean_cube, *mean_slope; /* [nnode], [nthermostat] integrals over the run, or NULL */
+  size_t steps, refused;
+};
+/* Systems begin a stretch [t, end) of smooth loads with the base's thermostats. */
+enum um_status um_thermal_sensitivity_begin(struct um_thermal_sensitivity_run *r);
+/* One step, not beyond `end` [s]; s before it is then in `next`, its rates before and after are in
+ * stage[0] and stage[3]. */
+enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r, double end);
+
+#endif
