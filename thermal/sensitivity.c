@@ -18,7 +18,7 @@
 
 #include "thermal/sensitivity_impl.h"
 
-#define TOLERANCE    2e-5
+#define TOLERANCE    1e-4
 #define ONE_TIME     1e-9 /* [s] nearer times are one */
 #define FIRST_STEP   1.0  /* [s] */
 #define ORBITS       20

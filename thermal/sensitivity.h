@@ -25,7 +25,7 @@ struct um_thermal_variant {
 };
 
 struct um_thermal_sensitivity_options {
-  double tolerance;    /* error of a step over the largest answer so far [1]; 0: 2e-5 */
+  double tolerance;    /* error of a step over the largest answer so far [1]; 0: 1e-4 */
   const double *start; /* [nvariant][nnode] S at the start; NULL: of the start temperatures */
 };
 
@@ -52,7 +52,7 @@ enum um_status um_thermal_sensitivity(struct um_context *context,
 
 /* Sensitivities [nvariant][nnode] of the periodic state, in which the network must start
  * (um_thermal_solve_periodic, um_thermal_network_temperatures_set): S(from + period) = S(from),
- * thermostats by their mean power. To how->tolerance (0: 2e-5) of the largest answer of each
+ * thermostats by their mean power. To how->tolerance (0: 1e-4) of the largest answer of each
  * parameter; how->start is a guess. UM_ERR_NUMERIC when that is not found in 20 orbits. */
 enum um_status um_thermal_sensitivity_periodic(
     struct um_context *context, const struct um_thermal_network *network,

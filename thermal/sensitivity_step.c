@@ -6,7 +6,7 @@
  *
  * J_i and b_i at the stage's own instant: what forgets within a step is where it belongs at its
  * end. The difference to the embedded method of order 2, damped by one more solution, is the error
- * of a step; its rms over the nodes is held to `tolerance` of the largest answer of a column.
+ * of a step; that of every node is held to `tolerance` of the largest answer of a column.
  *
  * b_k = (f_k - f) / h_k, f_k the balance of variant k at the base's unknowns; the temperatures that
  * follow from these (arithmetic nodes) are the variant's own. */
@@ -17,8 +17,8 @@
 
 #define STAGES       4
 #define POLE         (1767732205903.0 / 4055673282236.0)
-#define SAFETY       0.85
-#define FASTEST      4.0  /* growth of a step */
+#define SAFETY       0.8
+#define FASTEST      2.5  /* growth of a step */
 #define SLOWEST      0.2  /* and its shrinking */
 #define LINEAR_SHARE 1e-6 /* of a right side that iterated linear solutions leave */
 #define SHORTEST     1e-7 /* [s] */
@@ -151,12 +151,12 @@ static enum um_status error_find(struct um_thermal_sensitivity_run *r, double *o
   UM_TRY(solve(r, r->error));
   *out = 0.0;
   for (size_t c = 0; c < r->ncolumn; c++) {
-    double largest = r->largest[c], sum = 0.0;
+    double largest = r->largest[c], worst = 0.0;
     for (size_t k = c * r->n; k < (c + 1) * r->n; k++) {
       largest = fmax(largest, fabs(r->next[k]));
-      sum += r->error[k] * r->error[k];
+      worst = fmax(worst, fabs(r->error[k]));
     }
-    if (sum > 0.0) *out = fmax(*out, sqrt(sum / (double)r->n) / (r->tolerance * largest));
+    if (worst > 0.0) *out = fmax(*out, worst / (r->tolerance * largest));
   }
   return UM_OK;
 }
@@ -208,6 +208,7 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
 {
   if (r->continued) swap(&r->stage[0], &r->stage[STAGES - 1]);
   r->continued = false;
+  bool refused = false;
   for (;;) {
     UM_TRY(um_core_stop_check(r->context, "heat sensitivities were computed"));
     double wanted = r->h, error;
@@ -224,10 +225,12 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
       mean_add(r, h);
       take(r);
       r->continued = true;
-      /* a step cut short by `end` says little of the next */
-      r->h = fmax(factor * h, factor > 1.0 && h < wanted ? wanted : 0.0);
+      /* a step cut short by `end` says little of the next; one that was refused before, enough */
+      r->h = fmax((refused ? fmin(factor, 1.0) : factor) * h,
+                  !refused && factor > 1.0 && h < wanted ? wanted : 0.0);
       return UM_OK;
     }
+    refused = true;
     r->refused++;
     r->h = fmin(factor, 0.9) * h;
     if (r->h < SHORTEST)

@@ -6,7 +6,7 @@
  *   dT/dC = (T_0 - T_e) t/(tau C) e
  *   dT/dG = -P/G^2 (1 - e) - (T_0 - T_e) t/C e
  *
- * Asked: 1e-3 of the largest answer of a parameter, what steps held to 2e-5 give. Central
+ * Asked: 1e-3 of the largest answer of a parameter, what steps held to 1e-4 give. Central
  * differences: runs with tolerances of 1e-10, steps of 1e-2 of the parameter: 1e-4 of curvature,
  * and up to 1e-5 K of integration. */
 #include <stdlib.h>
