@@ -4,7 +4,8 @@
  *
  * Stops. Where the loads jump or kink hard (eclipse edges, repeated grid times) the integration
  * ends exactly and starts anew, so no step straddles an edge. Between stops a step is at most
- * MAX_STEP_INTERVALS grid intervals long: longer ones could pass over a flash of Sun unseen.
+ * MAX_STEP_INTERVALS grid intervals long, longer ones could pass over a flash of Sun unseen, or as
+ * many more as the loads are smooth over (system_smooth.c).
  *
  * Thermostats switch where CVODES finds the root of sensor minus threshold; the integration starts
  * anew there with the heater's other state.
@@ -350,6 +351,20 @@ static enum um_status thermostats_turn(struct um_thermal_integrator *integrator)
   return UM_OK;
 }
 
+/* The longest step [s] in the window; 0: no limit. */
+static enum um_status step_limit(struct um_thermal_system *system, double *out)
+{
+  double longest = 0.0, interval = um_thermal_system_heat_interval(system);
+  size_t rows;
+  for (size_t k = system->row_low; system->loads != NULL && k < system->row_high; k++)
+    longest = fmax(longest, system->grid[k + 1] - system->grid[k]);
+  UM_TRY(um_thermal_system_smooth(system, &rows));
+  longest *= rows == SIZE_MAX ? 0.0 : (double)rows;
+  if (isfinite(interval) && (longest == 0.0 || interval < longest)) longest = interval;
+  *out = MAX_STEP_INTERVALS * longest;
+  return UM_OK;
+}
+
 /* Start CVODES at integrator->t up to the next stop. */
 static enum um_status segment_start(struct um_thermal_integrator *integrator)
 {
@@ -363,12 +378,9 @@ static enum um_status segment_start(struct um_thermal_integrator *integrator)
     SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
   }
   if (switches(system)) UM_TRY(thermostats_turn(integrator));
-  double longest = 0.0;
-  for (size_t k = system->row_low; system->loads != NULL && k < system->row_high; k++)
-    longest = fmax(longest, system->grid[k + 1] - system->grid[k]);
-  double interval = um_thermal_system_heat_interval(system);
-  if (isfinite(interval) && (longest == 0.0 || interval < longest)) longest = interval;
-  SUN_CHECK(CVodeSetMaxStep(integrator->cvodes, MAX_STEP_INTERVALS * longest)); /* 0: no limit */
+  double longest;
+  UM_TRY(step_limit(system, &longest));
+  SUN_CHECK(CVodeSetMaxStep(integrator->cvodes, longest));
   SUN_CHECK(CVodeSetStopTime(integrator->cvodes, end));
   return UM_OK;
 }

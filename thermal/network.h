@@ -56,6 +56,14 @@ struct um_thermal_source {
 enum um_status um_thermal_network_source_add(struct um_thermal_network *network,
                                              const struct um_thermal_source *source);
 
+/* How a thermostat begins a run. */
+enum um_thermal_thermostat_start {
+  UM_THERMOSTAT_BY_SENSOR, /* on where its sensor is below the middle of the band */
+  UM_THERMOSTAT_ON, /* as in um_thermal_history.heating where an earlier run ended; outside of
+                       the band the sensor decides */
+  UM_THERMOSTAT_OFF
+};
+
 /* A heater with hysteresis: releases `power` over nodes, is switched on when the mean over its
  * sensor nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on
  * whose sensor is below the middle of the two. Steady and periodic solutions take its mean power,
@@ -70,6 +78,7 @@ struct um_thermal_thermostat {
   size_t nsensor;
   double power;   /* [W] */
   double on, off; /* [K] */
+  enum um_thermal_thermostat_start start;
 };
 /* Copies. UM_ERR_INPUT as above, nodes that are not diffusive, and thresholds out of order. */
 enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *network,

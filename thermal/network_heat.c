@@ -107,7 +107,8 @@ enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *netw
   UM_TRY(um_core_reallocate(context, network->nthermostat + 1, sizeof *network->thermostat,
                             &network->thermostat));
   struct um_thermal_network_thermostat *to = &network->thermostat[network->nthermostat++];
-  *to = (struct um_thermal_network_thermostat){.power = t.power, .on = t.on, .off = t.off};
+  *to = (struct um_thermal_network_thermostat){
+      .power = t.power, .on = t.on, .off = t.off, .start = t.start};
   UM_TRY(spread_copy(context, t.node, t.weight, t.nnode, &to->at));
   return spread_copy(context, t.sensor, t.sensor_weight, t.nsensor, &to->sensor);
 }

@@ -32,6 +32,7 @@ struct um_thermal_network_source {
 struct um_thermal_network_thermostat {
   struct um_thermal_spread at, sensor;
   double power, on, off; /* [W], [K], [K] */
+  enum um_thermal_thermostat_start start;
 };
 
 /* Nodes from `first` on, up to the next section, belong to a part. */

@@ -188,6 +188,14 @@ void um_thermal_system_heat_make(struct um_thermal_system *system, double t)
   }
 }
 
+static bool begins_on(const struct um_thermal_network_thermostat *thermostat, double t)
+{
+  bool inside = t > thermostat->on && t < thermostat->off;
+  if (inside && thermostat->start != UM_THERMOSTAT_BY_SENSOR)
+    return thermostat->start == UM_THERMOSTAT_ON;
+  return t < 0.5 * (thermostat->on + thermostat->off);
+}
+
 void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool start)
 {
   for (size_t k = 0; k < system->nthermostat; k++) {
@@ -195,7 +203,7 @@ void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool st
     const struct um_thermal_network_thermostat *thermostat = own->thermostat;
     double t = um_thermal_thermostat_sensor(thermostat, system->temperature);
     if (start)
-      own->on = t < 0.5 * (thermostat->on + thermostat->off);
+      own->on = begins_on(thermostat, t);
     else if (own->on ? t >= thermostat->off : t <= thermostat->on)
       own->on = !own->on;
   }

@@ -107,9 +107,10 @@ struct um_thermal_system {
   size_t *diagonal;  /* [nunknown] */
 
   /* loads */
-  double *grid;             /* [ntime] loads->t - from [s] */
-  size_t row_low, row_high; /* rows in force between two stops */
-  size_t interval;          /* last one used */
+  double *grid;                                /* [ntime] loads->t - from [s] */
+  size_t row_low, row_high;                    /* rows in force between two stops */
+  size_t interval;                             /* last one used */
+  size_t smooth_low, smooth_high, smooth_rows; /* last answer of smooth; rows 0: none */
   struct um_thermal_load_row load_row[2];
   double *planet; /* [n] workspace of a row [W] */
   struct um_thermal_load_now now;
@@ -170,6 +171,9 @@ void um_thermal_system_heat_destroy(struct um_thermal_system *system);
 void um_thermal_system_window(struct um_thermal_system *system, double begin, double end);
 /* Use grid row `row` alone. */
 void um_thermal_system_hold(struct um_thermal_system *system, size_t row);
+/* Rows of the window that a step may count as one interval, for what the loads are
+ * (system_smooth.c); SIZE_MAX: all of it. UM_ERR_MEMORY. */
+enum um_status um_thermal_system_smooth(struct um_thermal_system *system, size_t *rows);
 /* The same for the rows of power histories (called by both). */
 void um_thermal_system_heat_window(struct um_thermal_system *system, double begin, double end);
 /* Times at which histories jump or are sampled anew, not sorted; stop NULL: only counts. */

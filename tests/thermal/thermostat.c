@@ -8,6 +8,7 @@
  *   t_off = tau ln((T_off - T_b) / (T_on - T_b)).
  */
 #include "tests/thermal/network_help.h"
+#include "thermal/network_impl.h"
 
 #define C     1600.0 /* [J/K] */
 #define G     1.25   /* [W/K] */
@@ -91,6 +92,52 @@ static void test_start(void **state)
 }
 
 /* 37.5 W hold 230 K: in the band, never switched off; 30 W hold 224 K. Both are simply on. */
+/* A given phase: from 229.8 K, off until it reaches 229 K though the sensor is below the middle, or
+ * on until 230.7 K from above it; outside of the band the sensor decides. A run that goes on where
+ * another ended, with its temperatures and what was on, goes on as one. */
+static void test_given_phase(void **state)
+{
+  (void)state;
+  static const double start[4] = {229.7, 230.2, 228.0, 232.0};
+  static const enum um_thermal_thermostat_start phase[4] = {UM_THERMOSTAT_OFF, UM_THERMOSTAT_ON,
+                                                            UM_THERMOSTAT_OFF, UM_THERMOSTAT_ON};
+  static const bool on[4] = {false, true, true, false};
+  const double t = 5.0;
+  for (int k = 0; k < 4; k++) {
+    uint32_t node;
+    struct um_thermal_solve_options options = help_options(1e-9, 1e-7, 0.0);
+    struct um_thermal_history *history = NULL;
+    struct um_thermal_network *network = heated(start[k], P, &node);
+    network->thermostat[0].start = phase[k];
+    OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history));
+    double toward = T_B + (on[k] ? P / G : 0.0);
+    assert_int_equal(history->heating[0], on[k]);
+    NEAR("given phase", history->temperature[node], toward + (start[k] - toward) * exp(-t / TAU),
+         1e-5);
+    um_thermal_history_destroy(help_context, &history);
+    um_thermal_network_destroy(&network);
+  }
+}
+
+static void test_goes_on(void **state)
+{
+  (void)state;
+  uint32_t node;
+  const double times[2] = {1017.0, 2034.0};
+  struct um_thermal_solve_options options = help_options(1e-10, 1e-8, 0.0);
+  struct um_thermal_history *whole = NULL, *rest = NULL;
+  struct um_thermal_network *network = heated(ON, P, &node);
+  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, times, 2, &whole));
+  um_thermal_network_temperatures_set(network, whole->temperature);
+  network->thermostat[0].start = whole->heating[0] ? UM_THERMOSTAT_ON : UM_THERMOSTAT_OFF;
+  OK(um_thermal_solve(help_context, network, NULL, &options, times[0], times + 1, 1, &rest));
+  NEAR("goes on", rest->temperature[node], whole->temperature[2 + node], 1e-6);
+  assert_int_equal(rest->heating[0], whole->heating[1]);
+  um_thermal_history_destroy(help_context, &whole);
+  um_thermal_history_destroy(help_context, &rest);
+  um_thermal_network_destroy(&network);
+}
+
 static void test_weak(void **state)
 {
   (void)state;
@@ -136,8 +183,8 @@ static void test_remote_sensor(void **state)
   OK(um_thermal_network_conductor_add(network, heater, sensor, 5.0));
   OK(um_thermal_network_conductor_add(network, sensor, help_boundary(network, T_B), G));
   const double weight = 1.0;
-  const struct um_thermal_thermostat thermostat = {&heater, &weight, 1,  &sensor, &weight,
-                                                   1,       100.0,   ON, OFF};
+  const struct um_thermal_thermostat thermostat = {
+      &heater, &weight, 1, &sensor, &weight, 1, 100.0, ON, OFF, UM_THERMOSTAT_BY_SENSOR};
   OK(um_thermal_network_thermostat_add(network, &thermostat));
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
@@ -285,6 +332,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_cycle),         cmocka_unit_test(test_start),
+      cmocka_unit_test(test_given_phase),   cmocka_unit_test(test_goes_on),
       cmocka_unit_test(test_weak),          cmocka_unit_test(test_twins),
       cmocka_unit_test(test_remote_sensor), cmocka_unit_test(test_steady),
       cmocka_unit_test(test_periodic),      cmocka_unit_test(test_refused),
