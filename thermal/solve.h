@@ -1,4 +1,4 @@
-/* Integration of the network in time by CVODES: BDF, analytic sparse Jacobian (KLU), stops at
+/* Integration of the network in time by CVODES: BDF, analytic sparse Jacobian, stops at
  * eclipse edges; energy audit. */
 #ifndef UMBRA_THERMAL_SOLVE_H
 #define UMBRA_THERMAL_SOLVE_H

@@ -31,7 +31,7 @@ struct um_thermal_solve_options {
    * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
   double tolerance_factor;
   const struct um_thermal_aging *aging; /* borrowed; NULL, the default: surfaces stay as they are */
-  enum um_thermal_factors factors; /* default by structure */
+  enum um_thermal_factors factors;      /* default by structure */
 };
 
 #endif
