@@ -1,9 +1,12 @@
 /* Heat by size: what an integration costs as the mesh grows, error beside time, one thread.
  *
  *   block    a solid that cools to space, 1 m by 0.5 m by 0.25 m in tetrahedra, 700 to 30,000
- * nodes, 7200 s; the exponent of the time over nodes; CalculiX on the same tetrahedra with steps of
- * at most 10 K, at 9,500 and 30,000 nodes shell    a box of walls whose six sides differ in
- * emittance and power, 1,000 to 100,000 nodes, 7200 s from 300 K
+ *            nodes, 7200 s; the exponent of the time over nodes; CalculiX on the same tetrahedra
+ *            at 9,500 and 30,000 nodes, with steps of at most 10 K: its mean temperature is then
+ *            2.6 K off, with steps of 0.3 K 0.1 K, in 15 times the time
+ *
+ *   shell    a box of walls whose six sides differ in emittance and power, 800 to 70,000 nodes,
+ *            7200 s from 300 K
  *
  * Goals. A tenth of CalculiX's time at equal nodes: it takes a step of order 1 with a factorisation
  * each; ours are of order up to 5 and share factors. Exponents 1.5 for solids and 1.3 for shells:

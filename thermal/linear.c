@@ -48,8 +48,7 @@ struct um_thermal_linear {
   double *combined; /* [nunknown] */
 };
 
-/* --- the pattern -------------------------------------------------------------------------------
- */
+/* --- the pattern ---------------------------------------------------------------------------- */
 
 static size_t place_find(const struct um_thermal_system *system, size_t row, size_t column)
 {
@@ -165,8 +164,7 @@ const char *um_thermal_linear_method(const struct um_thermal_linear *linear)
   return linear->klu != NULL ? "KLU" : "CHOLMOD";
 }
 
-/* --- factors -----------------------------------------------------------------------------------
- */
+/* --- factors -------------------------------------------------------------------------------- */
 
 static enum um_status klu_factor(struct um_thermal_linear *linear)
 {
@@ -265,8 +263,7 @@ enum um_status um_thermal_linear_factor(struct um_thermal_linear *linear, const 
   return klu_instead(linear);
 }
 
-/* --- GMRES -------------------------------------------------------------------------------------
- */
+/* --- GMRES ---------------------------------------------------------------------------------- */
 
 static double dot(size_t n, const double *a, const double *b)
 {

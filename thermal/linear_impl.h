@@ -37,8 +37,7 @@ SUNMatrix um_thermal_linear_matrix(const struct um_thermal_system *system, SUNCo
 /* The pattern into it, which SUNDIALS clears. */
 void um_thermal_linear_pattern(const struct um_thermal_system *system, SUNMatrix matrix);
 
-/* --- linear_klu.c: LU factors of any matrix, the only place that knows KLU ---------------------
- */
+/* --- linear_klu.c: LU factors of any matrix, the only place that knows KLU ------------------ */
 struct um_thermal_klu;
 /* flops, entries: estimates of one factorisation and of its factors. */
 enum um_status um_thermal_klu_create(const struct um_thermal_system *system,

@@ -38,8 +38,7 @@ void um_thermal_base_at(const struct um_thermal_base *base, double t, double *y)
 /* Length of the last internal step [s]. */
 double um_thermal_base_step(const struct um_thermal_base *base);
 
-/* --- sensitivity_step.c: columns through one stretch -------------------------------------------
- */
+/* --- sensitivity_step.c: columns through one stretch ---------------------------------------- */
 struct um_thermal_sensitivity_run {
   struct um_context *context;
   struct um_thermal_base base;
@@ -60,6 +59,40 @@ struct um_thermal_sensitivity_run {
   double *mean_cube, *mean_slope; /* [nnode], [nthermostat] integrals over the run, or NULL */
   size_t steps, refused;
 };
+/* What a run is of. */
+struct um_thermal_sensitivity_subject {
+  struct um_context *context;
+  const struct um_thermal_network *network;
+  const struct um_irradiation_loads *loads;
+  const struct um_thermal_solve_options *options;
+  double from;
+};
+
+/* --- sensitivity.c -------------------------------------------------------------------------- */
+
+/* What is refused of variants and options. */
+enum um_status um_thermal_sensitivity_check(struct um_context *context,
+                                            const struct um_thermal_network *network,
+                                            const struct um_irradiation_loads *loads,
+                                            const struct um_thermal_variant *variant,
+                                            size_t nvariant,
+                                            const struct um_thermal_sensitivity_options *how);
+/* Freed with _free whatever it returns; *r starts zeroed. */
+enum um_status um_thermal_sensitivity_run_create(const struct um_thermal_sensitivity_subject *of,
+                                                 const struct um_thermal_variant *variant,
+                                                 size_t nvariant, enum um_thermal_system_kind kind,
+                                                 double duration,
+                                                 struct um_thermal_sensitivity_run *r);
+void um_thermal_sensitivity_run_free(struct um_thermal_sensitivity_run *r);
+/* From time 0 and r->s to `end` [s]. */
+enum um_status um_thermal_sensitivity_follow(struct um_thermal_sensitivity_run *r, double end);
+/* All nodes out[ncolumn][nnode] of columns[ncolumn][nunknown] at time t, the base's unknowns in
+ * r->y. */
+enum um_status um_thermal_sensitivity_nodes(struct um_thermal_sensitivity_run *r, double t,
+                                            const double *columns, double *out);
+
+/* --- sensitivity_step.c --------------------------------------------------------------------- */
+
 /* Systems begin a stretch [t, end) of smooth loads with the base's thermostats. */
 enum um_status um_thermal_sensitivity_begin(struct um_thermal_sensitivity_run *r);
 /* One step, not beyond `end` [s]; s before it is then in `next`, its rates before and after are in

@@ -31,8 +31,7 @@ static enum um_status keep(void *user, size_t k, const double *temperature, cons
   return UM_OK;
 }
 
-/* --- closed forms ------------------------------------------------------------------------------
- */
+/* --- closed forms --------------------------------------------------------------------------- */
 
 /* Capacity 400 J/K, conductance 4 W/K, power 20 W, start 300 K, boundary 250 K; one moved. */
 static struct um_thermal_network *node_network(int which, double by)
@@ -76,8 +75,7 @@ static void test_closed_forms(void **state)
   um_thermal_network_destroy(&network);
 }
 
-/* --- the spinning box --------------------------------------------------------------------------
- */
+/* --- the spinning box ----------------------------------------------------------------------- */
 
 #define CELLS      2
 #define PARAMETERS 11
@@ -229,8 +227,7 @@ static void test_periodic(void **state)
   um_thermal_network_destroy(&network);
 }
 
-/* --- thermostats -------------------------------------------------------------------------------
- */
+/* --- thermostats ---------------------------------------------------------------------------- */
 
 /* A plate that a heater of 30 W holds between two thresholds, sensed by a tag on it. */
 static struct um_thermal_network *heated(int which, double factor)
@@ -295,8 +292,7 @@ static void test_thermostat(void **state)
   um_thermal_network_destroy(&network);
 }
 
-/* --- refused -----------------------------------------------------------------------------------
- */
+/* --- refused -------------------------------------------------------------------------------- */
 
 static enum um_status ignore(void *user, size_t k, const double *temperature, const double *s)
 {
