@@ -15,8 +15,8 @@ const struct um_effect um_effects_albedo = {
     .name = "albedo",
     .summary = "Sunlight reflected by the Earth heats the satellite",
     .reference = "Knocke, Ries & Tapley 1988, AIAA 88-4292",
-    .validity =
-        "uniform Lambert Earth of the scenario's albedo; acts on both sides of the terminator",
+    .validity = "Lambert Earth of the scenario's albedo or of earth_map; acts on both sides of the "
+                "terminator",
     .separated_by = "solar_absorptance, which heats in the Sun alone: temperatures of a side that "
                     "faces the Earth, followed past the terminator of the ground below",
     .targets = UM_TARGET_GLOBAL,

@@ -7,6 +7,7 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
                             struct um_environment *environment)
 {
   environment->albedo *= use->value[0];
+  environment->albedo_factor *= use->value[0];
   if (environment->albedo <= 1.0) return UM_OK;
   return um_core_fail(
       context, UM_ERR_INPUT,
@@ -33,7 +34,9 @@ const struct um_effect um_effects_albedo_level = {
     .name = "albedo_level",
     .summary = "The Earth below reflects more or less sunlight than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
-    .validity = "uniform Lambert Earth; the albedo after the factor up to 1",
+    .validity =
+        "Lambert Earth; the scenario's albedo after the factor up to 1, and each place's where "
+        "the Earth is not uniform",
     .separated_by =
         "solar_absorptance: temperatures over a whole orbit, or visible light at large phase "
         "angles; it follows the Sun over the ground below and vanishes on the night side",

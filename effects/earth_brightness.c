@@ -7,6 +7,7 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
                             struct um_environment *environment)
 {
   environment->brightness_temperature += use->value[0];
+  environment->brightness_shift += use->value[0];
   if (environment->brightness_temperature > 0.0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "effect 'earth_brightness': brightness_temperature_shift_K %g makes the "
@@ -32,7 +33,7 @@ const struct um_effect um_effects_earth_brightness = {
     .name = "earth_brightness",
     .summary = "The Earth that the satellite reflects is warmer or colder than stated",
     .reference = "Catsamas et al. 2025, arXiv 2511.13030",
-    .validity = "one brightness temperature for all of the Earth; optics only, while "
+    .validity = "one shift for all of the Earth; optics only, while "
                 "reflected_earth_ir is on",
     .separated_by = "earth_ir_level and internal_power, which change temperatures: thermal "
                     "infrared of bare metal that faces the Earth changes while its temperature "

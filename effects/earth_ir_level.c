@@ -8,6 +8,7 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
 {
   (void)context;
   environment->outgoing_longwave *= use->value[0];
+  environment->longwave_factor *= use->value[0];
   return UM_OK;
 }
 
@@ -30,7 +31,7 @@ const struct um_effect um_effects_earth_ir_level = {
     .name = "earth_ir_level",
     .summary = "The Earth below radiates more or less heat than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
-    .validity = "uniform outgoing longwave radiation; heat load only, the brightness temperature "
+    .validity = "one factor for all of the Earth; heat load only, the brightness temperature "
                 "in the band stays",
     .separated_by = "internal_power and mli_emittance: temperatures of a side that faces the Earth "
                     "beside one that faces space, day and night",

@@ -1,4 +1,5 @@
-/* What the Earth sends to plates: a Lambert sphere of uniform albedo and outgoing longwave.
+/* What the Earth sends to plates: a Lambert sphere of uniform albedo and outgoing longwave; what
+ * differs from place to place comes on top (earth_varied.c).
  *
  * Emitted: OLR times the plate-Earth view factor, in closed form (Howell, catalogue of radiation
  * configuration factors, plate to sphere; Juul 1979, Lett. Heat Mass Transfer 6:513).
@@ -22,52 +23,8 @@
 #include <stdbool.h>
 
 #include "core/constants.h"
-#include "environment/earth_impl.h"
+#include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"
-
-/* cos(angle) at which p + q cos(angle) = 0, q >= 0, and the arc |angle| < *arc on which it is
- * positive. */
-static void positive_arc(double p, double q, double *arc, double *cosine, double *sine)
-{
-  double c = p >= q ? -1.0 : p <= -q ? 1.0 : -p / q;
-  *cosine = c;
-  *sine = sqrt((1.0 - c) * (1.0 + c));
-  *arc = acos(c);
-}
-
-struct um_environment_earth_view um_environment_earth_view(const struct um_environment *environment,
-                                                           struct um_vec3 r, struct um_vec3 sun)
-{
-  struct um_environment_earth_view view;
-  double distance = um_vec3_norm(r);
-  view.h = fmax(distance / environment->earth_radius, 1.0);
-  view.nadir = um_vec3_scale(r, -1.0 / distance);
-  view.cos_zenith = -um_vec3_dot(sun, view.nadir);
-  struct um_vec3 across = um_vec3_axpy(sun, view.cos_zenith, view.nadir);
-  view.sin_zenith = um_vec3_norm(across);
-  if (view.sin_zenith > 1e-8) {
-    view.sunward = um_vec3_scale(across, 1.0 / view.sin_zenith);
-    view.side = um_vec3_cross(view.nadir, view.sunward);
-  } else {
-    um_core_vec3_frame(view.nadir, &view.sunward, &view.side);
-  }
-  return view;
-}
-
-struct um_environment_earth_ring
-um_environment_earth_ring(const struct um_environment_earth_view *view, double w)
-{
-  struct um_environment_earth_ring ring;
-  double se = sqrt((1.0 - w) * (1.0 + w));
-  ring.x = se / view->h;
-  ring.z = sqrt((1.0 - ring.x) * (1.0 + ring.x));
-  ring.solid_angle = ring.z > 0.0 ? w / (view->h * view->h * ring.z) : 0.0;
-  /* psi = e - theta; cos SZA = cos(psi) cos(sigma) + sin(psi) sin(sigma) cos(phi) */
-  ring.a = (w * ring.z + se * ring.x) * view->cos_zenith;
-  ring.b = fmax(se * ring.z - w * ring.x, 0.0) * view->sin_zenith;
-  positive_arc(ring.a, ring.b, &ring.gamma, &ring.cos_gamma, &ring.sin_gamma);
-  return ring;
-}
 
 /* The w of the ring that the terminator touches, psi = |pi/2 - sigma|; -1 if beyond the limb. */
 static double terminator_find(const struct um_environment_earth_view *view)
@@ -157,7 +114,7 @@ static double ring_flux(const struct um_environment_earth_ring *ring, const stru
   double p = plate->c * ring->z, q = plate->s * ring->x;
   if (p <= -q) return 0.0;
   double alpha, ca, sa;
-  positive_arc(p, q, &alpha, &ca, &sa);
+  um_environment_earth_arc(p, q, &alpha, &ca, &sa);
   double first = plate->delta - ring->gamma, last = plate->delta + ring->gamma, sum = 0.0;
   double at_minus_alpha = primitive(ring, p, q, plate, -alpha, ca, -sa);
   double at_alpha = primitive(ring, p, q, plate, alpha, ca, sa);
@@ -241,27 +198,71 @@ double um_environment_sphere_view_factor(double h_ratio)
   return 0.5 * x / (1.0 + sqrt(1.0 - x)); /* (1 - sqrt(1 - 1/h^2)) / 2 */
 }
 
-void um_environment_earth_flux(const struct um_environment *environment, struct um_vec3 r,
+/* Reflected sunlight that a plate gets from the lit cap per albedo and per S/pi [sr]. */
+struct lit_cap {
+  struct um_environment_earth_view view;
+  double terminator, limb; /* w; sine of the tilt that touches the Earth */
+  double nadir, sunward;   /* of the vector flux V [sr] */
+};
+
+static struct lit_cap lit_cap(const struct um_environment *environment, struct um_vec3 r,
+                              struct um_vec3 sun)
+{
+  struct lit_cap cap = {.view = um_environment_earth_view(environment, r, sun)};
+  cap.terminator = terminator_find(&cap.view);
+  vector_flux(&cap.view, cap.terminator, &cap.nadir, &cap.sunward);
+  cap.limb = sqrt(fmax(1.0 - 1.0 / (cap.view.h * cap.view.h), 0.0));
+  return cap;
+}
+
+static double lit_flux(const struct lit_cap *cap, struct um_vec3 normal)
+{
+  struct plate plate = plate_of(&cap->view, normal);
+  double sum = isnan(plate.c + cap->view.cos_zenith) ? NAN : 0.0;
+  if (plate.c > 0.0) { /* E(n) = E(-n) + n.V */
+    sum = plate.c * cap->nadir + plate.s * plate.cos_d * cap->sunward;
+    plate = plate_opposite(plate);
+  }
+  if (plate.s > cap->limb) sum += away_flux(&cap->view, cap->terminator, &plate);
+  return sum < 0.0 ? 0.0 : sum;
+}
+
+/* The uniform Earth of the cap's means, and cell by cell what differs from it. */
+static void varied_flux(const struct um_environment_ground_view *ground, const struct lit_cap *cap,
+                        double irradiance, const struct um_vec3 *normals, size_t n,
+                        struct um_environment_earth_flux *out)
+{
+  struct um_environment_varied varied;
+  um_environment_varied_make(&cap->view, ground, &varied);
+  for (size_t i = 0; i < n; i++) {
+    double albedo, planet;
+    um_environment_varied_plate(&varied, normals[i], &albedo, &planet, &out[i].brightness);
+    albedo += varied.albedo * lit_flux(cap, normals[i]);
+    out[i].albedo = irradiance / UM_PI * (albedo < 0.0 ? 0.0 : albedo);
+    out[i].view_factor = plate_view_factor(cap->view.h, um_vec3_dot(normals[i], cap->view.nadir));
+    planet += varied.longwave * out[i].view_factor;
+    out[i].planet = planet < 0.0 || out[i].view_factor == 0.0 ? 0.0 : planet;
+  }
+}
+
+void um_environment_earth_flux(const struct um_environment *environment,
+                               const struct um_environment_globe *globe, struct um_vec3 r,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,
                                size_t n, struct um_environment_earth_flux *out)
 {
-  struct um_environment_earth_view view = um_environment_earth_view(environment, r, sun);
-  double terminator = terminator_find(&view), vector_nadir, vector_sunward;
-  vector_flux(&view, terminator, &vector_nadir, &vector_sunward);
-  double limb = sqrt(fmax(1.0 - 1.0 / (view.h * view.h), 0.0)); /* sine of the tilt that touches */
-  double scale =
-      environment->albedo * um_environment_solar_irradiance(environment, distance) / UM_PI;
-
+  struct lit_cap cap = lit_cap(environment, r, sun);
+  double irradiance = um_environment_solar_irradiance(environment, distance);
+  if (globe != NULL && um_environment_earth_varies(environment)) {
+    struct um_environment_ground_view ground =
+        um_environment_ground_view(environment, globe, distance);
+    varied_flux(&ground, &cap, irradiance, normals, n, out);
+    return;
+  }
+  double scale = environment->albedo * irradiance / UM_PI;
   for (size_t i = 0; i < n; i++) {
-    struct plate plate = plate_of(&view, normals[i]);
-    double sum = isnan(plate.c + view.cos_zenith) ? NAN : 0.0;
-    if (plate.c > 0.0) { /* E(n) = E(-n) + n.V */
-      sum = plate.c * vector_nadir + plate.s * plate.cos_d * vector_sunward;
-      plate = plate_opposite(plate);
-    }
-    if (plate.s > limb) sum += away_flux(&view, terminator, &plate);
-    out[i].albedo = scale * (sum < 0.0 ? 0.0 : sum);
-    out[i].view_factor = plate_view_factor(view.h, um_vec3_dot(normals[i], view.nadir));
+    out[i].albedo = scale * lit_flux(&cap, normals[i]);
+    out[i].view_factor = plate_view_factor(cap.view.h, um_vec3_dot(normals[i], cap.view.nadir));
     out[i].planet = environment->outgoing_longwave * out[i].view_factor;
+    out[i].brightness = environment->brightness_temperature;
   }
 }

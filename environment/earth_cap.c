@@ -3,34 +3,29 @@
  * Cells: CELLS_ACROSS rings by CELLS_AROUND azimuths from the Sun's. Rings lie at the
  * Gauss-Legendre nodes of cos(theta) between the limb and the nadir, so that the solid angles sum
  * to that of the cap, 2 pi (1 - sqrt(1 - R^2/r^2)). The reflected radiance of a cell is the mean of
- * (a S / pi) max(cos SZA, 0) over its azimuths, which keeps what the terminator leaves. */
+ * (a S / pi) max(cos SZA, 0) over its azimuths, which keeps what the terminator leaves; where the
+ * Earth is not uniform, albedo and exitance are those of the ground in its middle. */
 #include "environment/environment.h"
 
 #include <math.h>
 
 #include "core/constants.h"
-#include "environment/earth_impl.h"
+#include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"
 
 enum { CELLS_ACROSS = 8, CELLS_AROUND = UM_EARTH_CAP_POINTS / CELLS_ACROSS };
 
-/* Mean of max(a + b cos(phi), 0) over [first, last], 0 <= first < last <= pi. */
-static double lit_mean(const struct um_environment_earth_ring *ring, double first, double last)
-{
-  double end = fmin(last, ring->gamma);
-  if (!(end > first)) return 0.0;
-  double sum = ring->a * (end - first) + ring->b * (sin(end) - sin(first));
-  return fmax(sum, 0.0) / (last - first);
-}
-
-size_t um_environment_earth_cap(const struct um_environment *environment, struct um_vec3 r,
+size_t um_environment_earth_cap(const struct um_environment *environment,
+                                const struct um_environment_globe *globe, struct um_vec3 r,
                                 struct um_vec3 sun, double distance,
                                 struct um_environment_cap_point *out)
 {
+  bool varies = globe != NULL && um_environment_earth_varies(environment);
+  struct um_environment_ground_view ground =
+      um_environment_ground_view(environment, varies ? globe : NULL, distance);
   struct um_environment_earth_view view = um_environment_earth_view(environment, r, sun);
   double sine = 1.0 / view.h, cap = sine * sine / (1.0 + sqrt((1.0 - sine) * (1.0 + sine)));
-  double scale =
-      environment->albedo * um_environment_solar_irradiance(environment, distance) / UM_PI;
+  double irradiance = um_environment_solar_irradiance(environment, distance);
   double width = 2.0 * UM_PI / CELLS_AROUND;
   size_t count = 0;
   for (int i = 0; i < CELLS_ACROSS; i++) {
@@ -38,18 +33,22 @@ size_t um_environment_earth_cap(const struct um_environment *environment, struct
     double drop = cap * um_environment_gauss_8[i].x;
     double x = sqrt(drop * (2.0 - drop));
     double se = fmin(view.h * x, 1.0);
-    struct um_environment_earth_ring ring =
-        um_environment_earth_ring(&view, sqrt((1.0 - se) * (1.0 + se)));
+    double w = sqrt((1.0 - se) * (1.0 + se));
+    struct um_environment_earth_ring ring = um_environment_earth_ring(&view, w);
     double solid_angle = cap * um_environment_gauss_8[i].w * width;
     for (int j = 0; j < CELLS_AROUND; j++) {
       double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
       struct um_vec3 across =
           um_vec3_axpy(um_vec3_scale(view.sunward, cos(phi)), sin(phi), view.side);
+      struct um_environment_ground at = {environment->albedo, environment->outgoing_longwave, 0.0};
+      if (varies)
+        at = um_environment_ground_at(&ground, um_environment_earth_ground(&view, &ring, w, phi));
+      double lit = um_environment_earth_lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width);
       out[count++] = (struct um_environment_cap_point){
           .direction = um_vec3_axpy(um_vec3_scale(view.nadir, 1.0 - drop), x, across),
           .solid_angle = solid_angle,
-          .albedo_radiance = scale * lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width),
-          .planet_radiance = environment->outgoing_longwave / UM_PI,
+          .albedo_radiance = at.albedo * irradiance / UM_PI * lit,
+          .planet_radiance = at.longwave / UM_PI,
       };
     }
   }

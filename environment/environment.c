@@ -1,6 +1,8 @@
 /* Defaults of the one Sun and the one Earth. */
 #include "environment/environment.h"
 
+#include <math.h>
+
 #include "core/constants.h"
 
 void um_environment_defaults(struct um_environment *out)
@@ -9,6 +11,14 @@ void um_environment_defaults(struct um_environment *out)
       .solar_irradiance = UM_SOLAR_IRRADIANCE,
       .spectrum = UM_SPECTRUM_E490,
       .solar_temperature = UM_SOLAR_TEMPERATURE,
+      .earth = UM_EARTH_UNIFORM,
+      .albedo_factor = 1.0,
+      .longwave_factor = 1.0,
+      .region = {.everywhere = true,
+                 .from_tai = -INFINITY,
+                 .to_tai = INFINITY,
+                 .albedo_factor = 1.0,
+                 .longwave_factor = 1.0},
       .albedo = 0.30,                  /* Stephens et al. 2012, Nature Geoscience 5:691 */
       .outgoing_longwave = 237.0,      /* the same, rounded */
       .brightness_temperature = 270.0, /* between clear (260-285 K) and cloudy (220-250 K) */

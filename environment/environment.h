@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "core/vec.h"
+#include "environment/ground.h"
 #include "materials/materials.h"
 
 enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
@@ -22,11 +23,16 @@ enum um_environment_disc { UM_DISC_POINT, UM_DISC_UNIFORM, UM_DISC_LIMB_DARKENED
 struct um_environment {
   double solar_irradiance; /* [W/m^2] at 1 au */
   enum um_environment_spectrum spectrum;
-  double solar_temperature;      /* [K] of the black body */
-  double albedo;                 /* [1] Lambert, uniform */
-  double outgoing_longwave;      /* OLR [W/m^2], uniform, Lambert */
-  double brightness_temperature; /* [K] of the Earth in the LWIR window */
-  double earth_radius;           /* [m] of the sphere that loads and reflects */
+  double solar_temperature; /* [K] of the black body */
+  enum um_environment_earth earth;
+  const struct um_environment_map *map;  /* borrowed, never written; NULL: there is none */
+  double albedo;                         /* [1] Lambert, of the uniform Earth */
+  double outgoing_longwave;              /* OLR [W/m^2], Lambert, of the uniform Earth */
+  double brightness_temperature;         /* [K] in the LWIR window, of the uniform Earth */
+  double albedo_factor, longwave_factor; /* of an Earth that is not uniform [1] */
+  double brightness_shift;               /* added to its brightness temperature [K] */
+  struct um_environment_region region;   /* where, and when, the level is another */
+  double earth_radius;                   /* [m] of the sphere that loads and reflects */
   enum um_environment_shadow shadow;
   double
       shadow_radius; /* [m] CYLINDER and SPHERE; equatorial radius of OBLATE (WGS-84 flattening) */
@@ -109,14 +115,20 @@ struct um_environment_earth_flux {
   double albedo;      /* reflected sunlight [W/m^2] */
   double planet;      /* emitted, all wavelengths [W/m^2] */
   double view_factor; /* plate-Earth view factor [1] */
+  double brightness;  /* brightness temperature in 8-12 um of the Earth that it sees [K] */
 };
 /* r [m], unit sun, distance [m] to the Sun, unit normals[n], all in one frame centred on the Earth
- * (GCRS). Albedo integrates a S max(cos SZA, 0) over the visible cap (Earth-central half-angle
- * acos(R/r)); it acts in eclipse too. View factors are exact (Howell; Juul 1979). Switches
- * albedo_on/planet_on do NOT act here: the caller applies them. Accuracy of the albedo, relative to
- * a nadir plate at the same place: 3e-5 for any plate from 200 km up (3e-6 from 765 km), 1e-9 for
- * plates that see the whole cap; test: environment/earth. About 0.4 us a plate. out[n]. */
-void um_environment_earth_flux(const struct um_environment *environment, struct um_vec3 r,
+ * (GCRS), as is the globe; it may be NULL where um_environment_earth_varies is false. Albedo
+ * integrates a S max(cos SZA, 0) over the visible cap (Earth-central half-angle acos(R/r)); it acts
+ * in eclipse too. View factors are exact (Howell; Juul 1979). Switches albedo_on/planet_on do NOT
+ * act here: the caller applies them. Accuracy of the albedo, relative to a nadir plate at the same
+ * place: 3e-5 for any plate from 200 km up (3e-6 from 765 km), 1e-9 for plates that see the whole
+ * cap; test: environment/earth. About 0.4 us a plate. What differs from place to place is summed
+ * over 512 cells of the cap: 1e-3 of the difference for smooth fields; test:
+ * environment/earth_varied. The brightness temperature is that of the mean radiance at 10 um over
+ * what the plate sees. out[n]. */
+void um_environment_earth_flux(const struct um_environment *environment,
+                               const struct um_environment_globe *globe, struct um_vec3 r,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,
                                size_t n, struct um_environment_earth_flux *out);
 /* The same cap as directions, for what a plate cannot see because the satellite is in the way:
@@ -129,7 +141,8 @@ struct um_environment_cap_point {
   double albedo_radiance; /* [W/m^2/sr] */
   double planet_radiance; /* [W/m^2/sr] */
 };
-size_t um_environment_earth_cap(const struct um_environment *environment, struct um_vec3 r,
+size_t um_environment_earth_cap(const struct um_environment *environment,
+                                const struct um_environment_globe *globe, struct um_vec3 r,
                                 struct um_vec3 sun, double distance,
                                 struct um_environment_cap_point *out);
 /* Closed-form plate-Earth view factor; h_ratio = r/R >= 1, tilt of the normal from nadir [rad]. */

@@ -10,6 +10,7 @@ struct um_environment_sample {
   struct um_vec3 sun;         /* apparent unit vector, satellite to Sun, GCRS */
   double sun_distance;        /* [m] */
   struct um_vec3 pole;        /* Earth's pole, unit, GCRS */
+  struct um_vec3 greenwich;   /* where prime meridian and equator meet, unit, GCRS */
   double sunlit_fraction;     /* [1] */
   struct um_quat q;           /* GCRS to body */
   struct um_vec3 to_observer; /* unit, GCRS; zero when nobody looks at this instant */

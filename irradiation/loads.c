@@ -152,25 +152,31 @@ static void trace_earth(const struct tracer *t, size_t k, const struct um_therma
   struct um_environment_earth_flux *flux = &t->flux[slot * t->nnormal];
   for (size_t i = 0; i < t->nnormal; i++)
     normal[i] = um_geometry_surface_normal(t->mesh, scene->pose, t->example[i]);
-  um_environment_earth_flux(t->environment, r, sun, sample->sun_distance, normal, t->nnormal, flux);
+  struct um_environment_globe globe = {.t_tai = sample->t_tai,
+                                       .pole = um_quat_apply(sample->q, sample->pole),
+                                       .greenwich = um_quat_apply(sample->q, sample->greenwich)};
+  um_environment_earth_flux(t->environment, &globe, r, sun, sample->sun_distance, normal,
+                            t->nnormal, flux);
   struct um_thermal_cap cap;
-  cap.n = um_environment_earth_cap(t->environment, r, sun, sample->sun_distance, cap.point);
+  cap.n = um_environment_earth_cap(t->environment, &globe, r, sun, sample->sun_distance, cap.point);
+  cap.varies = t->loads->brightness != NULL;
   if (scene->row != NULL) um_irradiation_cap_spread(&cap);
   struct um_thermal_half half;
   size_t halved = SIZE_MAX; /* normal of `half`: surfaces of one are mostly neighbours */
   for (size_t s = 0; s < t->mesh->nsurface && !um_core_stopped(t->context); s++) {
     size_t of = t->normal_of[s];
     const struct um_environment_earth_flux *f = &flux[of];
-    double albedo = 1.0, planet = 1.0;
+    struct um_thermal_shares share = {1.0, 1.0, 1.0};
     if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s)) {
       if (of != halved) um_irradiation_cap_halve(&cap, normal[of], scene->row != NULL, &half);
       halved = of;
-      um_irradiation_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &albedo, &planet);
+      um_irradiation_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &share);
     }
     size_t at = k * t->mesh->nsurface + s;
-    t->loads->albedo[at] = (float)(f->albedo * albedo);
-    t->loads->planet[at] = (float)(f->planet * planet);
-    t->loads->view_factor[at] = (float)(f->view_factor * planet);
+    t->loads->albedo[at] = (float)(f->albedo * share.albedo);
+    t->loads->planet[at] = (float)(f->planet * share.planet);
+    t->loads->view_factor[at] = (float)(f->view_factor * share.view_factor);
+    if (t->loads->brightness != NULL) t->loads->brightness[at] = (float)f->brightness;
   }
 }
 
@@ -260,6 +266,9 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
     t.loads->sunlit[k] = samples[k].sunlit_fraction;
     t.loads->irradiance[k] = um_environment_solar_irradiance(environment, samples[k].sun_distance);
   }
+  if (um_environment_earth_varies(environment))
+    UM_CHECK(
+        um_core_allocate(context, ntime * t.mesh->nsurface, sizeof(float), &t.loads->brightness));
   if (nedge > 0) memcpy(t.loads->edge, edges, nedge * sizeof *edges);
   UM_CHECK(tracer_prepare(&t));
   for (size_t k = 0; k < ntime; k += BATCH) {

@@ -17,6 +17,8 @@ struct um_irradiation_loads {
   float *albedo;    /* [ntime][nsurface] incident [W/m^2]; switches not applied */
   float *planet;    /* [ntime][nsurface] incident [W/m^2] */
   float *view_factor; /* [ntime][nsurface] free view factor to the Earth [1] */
+  float *brightness;  /* [ntime][nsurface] brightness temperature in 8-12 um of the Earth before the
+                         surface [K]; NULL: the environment's, everywhere and always */
   double *edge;       /* [nedge] times at which the integrator must stop: eclipse edges */
   size_t nedge;
 };

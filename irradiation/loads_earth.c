@@ -87,7 +87,8 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
                               struct um_thermal_half *out)
 {
   out->n = 0;
-  out->albedo = out->planet = 0.0;
+  out->albedo = out->planet = out->longwave = 0.0;
+  out->varies = cap->varies;
   for (size_t i = 0; i < cap->n; i++) {
     double cosine = um_vec3_dot(normal, cap->point[i].direction);
     if (!(cosine > 0.0)) continue;
@@ -96,6 +97,8 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
     out->radiance[k] = cap->point[i].albedo_radiance;
     out->albedo += out->weight[k] * out->radiance[k];
     out->planet += out->weight[k];
+    out->emitted[k] = cap->point[i].planet_radiance;
+    out->longwave += out->weight[k] * out->emitted[k];
     out->ncell[k] = 0;
     for (int j = 0; four && j < 4; j++)
       if (um_vec3_dot(cap->four[i][j], normal) > 0.0)
@@ -147,13 +150,14 @@ static void look_by_rays(const struct um_geometry_mesh *mesh, const struct um_th
   }
 }
 
-/* Free shares of the cap before a surface, for the reflected and for the emitted part. */
+/* Free shares of the cap before a surface. Where all of it emits alike, what is emitted has the
+ * share of the solid angle. */
 void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
                                const struct um_thermal_scene *scene, size_t surface,
                                struct um_vec3 normal, const struct um_thermal_cap *cap,
-                               const struct um_thermal_half *half, double *albedo, double *planet)
+                               const struct um_thermal_half *half, struct um_thermal_shares *out)
 {
-  double open[2] = {0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS];
+  double open[3] = {0.0, 0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS];
   if (scene->row != NULL)
     look_at_sky(scene, surface, half, free_of);
   else
@@ -161,7 +165,9 @@ void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
   for (size_t k = 0; k < half->n; k++) {
     open[0] += free_of[k] * half->weight[k] * half->radiance[k];
     open[1] += free_of[k] * half->weight[k];
+    open[2] += free_of[k] * half->weight[k] * half->emitted[k];
   }
-  *planet = half->planet > 0.0 ? open[1] / half->planet : 1.0;
-  *albedo = half->albedo > 0.0 ? open[0] / half->albedo : *planet;
+  out->view_factor = half->planet > 0.0 ? open[1] / half->planet : 1.0;
+  out->albedo = half->albedo > 0.0 ? open[0] / half->albedo : out->view_factor;
+  out->planet = half->varies && half->longwave > 0.0 ? open[2] / half->longwave : out->view_factor;
 }

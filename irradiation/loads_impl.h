@@ -22,6 +22,7 @@ struct um_thermal_cap {
   struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
   size_t cell[UM_EARTH_CAP_POINTS][4];
   size_t n;
+  bool varies; /* what it emits differs from place to place */
 };
 
 /* What of the cap stands before surfaces of one normal. */
@@ -29,9 +30,12 @@ struct um_thermal_half {
   size_t n;                             /* directions before it */
   double weight[UM_EARTH_CAP_POINTS];   /* cosine times solid angle [sr] */
   double radiance[UM_EARTH_CAP_POINTS]; /* reflected [W/m^2/sr] */
+  double emitted[UM_EARTH_CAP_POINTS];  /* the same [W/m^2/sr], where the cap varies */
   size_t ncell[UM_EARTH_CAP_POINTS];    /* 0 to 4 of the four that are before it too */
   uint16_t cell[UM_EARTH_CAP_POINTS][4];
   double albedo, planet; /* sums of weight times radiance, and of weight, over all */
+  double longwave;       /* sum of weight times emitted, where the cap varies */
+  bool varies;
 };
 
 /* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
@@ -43,12 +47,15 @@ void um_irradiation_cap_spread(struct um_thermal_cap *cap);
 /* The half of a cap before a unit normal; four: those were filled. */
 void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
                               struct um_thermal_half *out);
-/* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made,
- * for what the Earth reflects and for what it emits; 1 where nothing of it lies before the surface.
- */
+/* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made: of
+ * what the Earth reflects, of what it emits, and of its solid angle times cosine; 1 where nothing
+ * of it lies before the surface. */
+struct um_thermal_shares {
+  double albedo, planet, view_factor;
+};
 void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
                                const struct um_thermal_scene *scene, size_t surface,
                                struct um_vec3 normal, const struct um_thermal_cap *cap,
-                               const struct um_thermal_half *half, double *albedo, double *planet);
+                               const struct um_thermal_half *half, struct um_thermal_shares *out);
 
 #endif

@@ -1,14 +1,89 @@
 /* From the scenario's environment and effects to the configuration of Sun and Earth. */
 #include "model/build_environment_impl.h"
 
+#include <math.h>
+
 #include "core/constants.h"
+#include "environment/map.h"
 #include "model/effects_impl.h"
 #include "model/scenario_environment_impl.h"
+#include "model/words_impl.h"
+
+/* Kilometres along the ground as an angle at the geocentre. */
+static double ground_angle(const struct um_model *model, double km)
+{
+  return km * 1e3 / model->environment.earth_radius;
+}
+
+/* The part of the Earth that has a level of its own; without a statement it has none, and begins at
+ * the start for the effects that give it one. */
+static enum um_status build_region(struct um_context *context, struct um_model *model)
+{
+  const struct um_scenario_earth *earth = model->scenario->environment->earth;
+  const struct um_scenario_region *from = earth != NULL ? earth->local : NULL;
+  struct um_environment_region *to = &model->environment.region;
+  double start = model->scenario->time->start;
+  *to = (struct um_environment_region){.everywhere = true,
+                                       .from_tai = start,
+                                       .to_tai = INFINITY,
+                                       .ramp = 60.0,
+                                       .albedo_factor = 1.0,
+                                       .longwave_factor = 1.0};
+  if (from == NULL) return UM_OK;
+  int stated = !isnan(from->latitude_deg) + !isnan(from->longitude_deg) + !isnan(from->radius_km);
+  if (stated != 0 && stated != 3)
+    return um_model_fail(
+        context, &from->at, NULL,
+        "has %d of latitude_deg, longitude_deg and radius_km; accepted: all three, "
+        "or none for all of the Earth",
+        stated);
+  if (!isnan(from->from) && !isnan(from->to) && !(from->to > from->from))
+    return um_model_fail(context, &from->at, "to_utc", "accepted: a time later than from_utc");
+  to->everywhere = stated == 0;
+  if (stated == 3) {
+    to->latitude = from->latitude_deg * UM_DEG;
+    to->longitude = from->longitude_deg * UM_DEG;
+    to->radius = ground_angle(model, from->radius_km);
+    to->edge = ground_angle(model, from->edge_km);
+    to->from_tai = -INFINITY;
+  }
+  if (!isnan(from->from)) to->from_tai = from->from;
+  if (!isnan(from->to)) to->to_tai = from->to;
+  to->ramp = from->ramp_s;
+  to->albedo_factor = from->albedo_factor;
+  to->albedo_offset = from->albedo_offset;
+  to->longwave_factor = from->olr_factor;
+  to->longwave_offset = from->olr_offset_W_m2;
+  to->brightness_shift = from->brightness_shift_K;
+  return UM_OK;
+}
+
+/* The ground: which model, and its file, which a variant has from its origin. */
+static enum um_status build_earth(struct um_context *context, struct um_model *model)
+{
+  const struct um_scenario_earth *from = model->scenario->environment->earth;
+  const char *path = NULL;
+  UM_TRY(build_region(context, model));
+  if (from == NULL) return UM_OK;
+  model->environment.earth = (enum um_environment_earth)from->model;
+  if (from->file == NULL && model->environment.earth == UM_EARTH_MAP)
+    return um_model_fail(context, &from->at, "model",
+                         "map wants a file; accepted: file, a CSV or netCDF of monthly grids");
+  if (from->file != NULL && model->origin == NULL) {
+    UM_TRY(um_model_resolve(context, model, &from->at, from->file, &path));
+    UM_TRY(um_model_blame(
+        context, &from->at, "file",
+        um_environment_map_read(context, path, model->scenario->time->start, &model->earth_map)));
+  }
+  model->environment.map = model->earth_map;
+  return UM_OK;
+}
 
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;
   um_model_scenario_environment(model->scenario->environment, &model->environment);
+  UM_TRY(build_earth(context, model));
   model->sun_frozen = model->scenario->environment->sun == UM_SUN_FROZEN;
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];

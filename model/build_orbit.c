@@ -307,6 +307,7 @@ static enum um_status build_pole(struct um_context *context, struct um_model *mo
   UM_TRY(
       um_orbit_frames_gcrs_to_itrf(context, &model->orientation, model->scenario->time->start, &m));
   model->pole = um_vec3(m.m[2][0], m.m[2][1], m.m[2][2]);
+  model->greenwich = um_vec3(m.m[0][0], m.m[0][1], m.m[0][2]);
   return UM_OK;
 }
 

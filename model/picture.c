@@ -24,7 +24,10 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                   .adjustment = aged != NULL ? aged : model->adjustment,
                                   .temperature = result->surface_temperature + k * result->nsurface,
                                   .albedo = precomputed->loads->albedo + row,
-                                  .view_factor = precomputed->loads->view_factor + row};
+                                  .view_factor = precomputed->loads->view_factor + row,
+                                  .brightness = precomputed->loads->brightness == NULL
+                                                    ? NULL
+                                                    : precomputed->loads->brightness + row};
   struct um_optics_image_options options = {.width = width,
                                             .samples_per_pixel = samples_per_pixel,
                                             .up_gcrs =

@@ -13,14 +13,19 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                    const double *surface, struct um_optics_scene *out)
 {
   size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->loads->nsurface;
-  float *albedo = NULL, *view_factor = NULL;
+  const float *brightness_from = precomputed->loads->brightness;
+  float *albedo = NULL, *view_factor = NULL, *brightness = NULL;
   struct um_materials_adjustment *adjustment = NULL;
   enum um_status status;
   UM_CHECK(um_model_materials_over(context, model, precomputed->sample, n, &adjustment));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *albedo, &albedo));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *view_factor, &view_factor));
+  if (brightness_from != NULL)
+    UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *brightness, &brightness));
   for (size_t i = 0; i < n; i++) {
     size_t row = precomputed->load_row[i] * nsurface;
+    if (brightness != NULL)
+      memcpy(brightness + i * nsurface, brightness_from + row, nsurface * sizeof *brightness);
     memcpy(albedo + i * nsurface, precomputed->loads->albedo + row, nsurface * sizeof *albedo);
     memcpy(view_factor + i * nsurface, precomputed->loads->view_factor + row,
            nsurface * sizeof *view_factor);
@@ -35,6 +40,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .temperature = surface,
                                   .albedo = albedo,
                                   .view_factor = view_factor,
+                                  .brightness = brightness,
                                   .interreflection_samples =
                                       model->scenario->optics->interreflection_samples};
   return UM_OK;
@@ -42,6 +48,7 @@ done:
   um_core_free(context, adjustment);
   um_core_free(context, albedo);
   um_core_free(context, view_factor);
+  um_core_free(context, brightness);
   return status;
 }
 
@@ -50,7 +57,8 @@ void um_model_scene_release(struct um_context *context, struct um_optics_scene *
   if (scene->ages) um_core_free(context, (void *)(uintptr_t)scene->adjustment);
   um_core_free(context, (void *)(uintptr_t)scene->albedo);
   um_core_free(context, (void *)(uintptr_t)scene->view_factor);
-  scene->albedo = scene->view_factor = NULL;
+  um_core_free(context, (void *)(uintptr_t)scene->brightness);
+  scene->albedo = scene->view_factor = scene->brightness = NULL;
 }
 
 static enum um_status result_arrays(struct um_context *context,

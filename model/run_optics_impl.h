@@ -10,8 +10,8 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
                                    const struct um_model_precomputed *precomputed,
                                    const struct um_model_heat_run *run,
                                    struct um_model_result *result);
-/* Scene of the geometry precomputation's instants for the optics; albedo, view_factor and,
- * where surfaces age, adjustment are new memory that um_model_scene_release frees. */
+/* Scene of the geometry precomputation's instants for the optics; albedo, view_factor, brightness
+ * and, where surfaces age, adjustment are new memory that um_model_scene_release frees. */
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
                                    const double *surface, struct um_optics_scene *out);

@@ -104,11 +104,25 @@ struct um_scenario_observer {
   double minimum_elevation_deg;
 };
 
+struct um_scenario_region { /* of the Earth; NaN: not stated */
+  struct um_mark at;
+  double latitude_deg, longitude_deg, radius_km, edge_km;
+  double from, to; /* t_tai [s] */
+  double ramp_s;
+  double albedo_factor, albedo_offset, olr_factor, olr_offset_W_m2, brightness_shift_K;
+};
+struct um_scenario_earth {
+  struct um_mark at;
+  int model; /* enum um_environment_earth */
+  const char *file;
+  struct um_scenario_region *local;
+};
 struct um_scenario_environment {
   struct um_mark at;
   double solar_irradiance_W_m2;
   int solar_spectrum; /* enum um_environment_spectrum */
   double solar_temperature_K;
+  struct um_scenario_earth *earth;
   double albedo, olr_W_m2, brightness_temperature_K, earth_radius_km;
   int shadow; /* enum um_environment_shadow */
   double shadow_radius_km;

@@ -24,11 +24,21 @@ static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r,
     *distance = model->scenario->environment->sun_distance_au * UM_AU;
 }
 
+/* Prime meridian turned about the pole since the start; precession and nutation since then, and the
+ * error of UT1, move it by less than 0.02 deg in a year. */
+static struct um_vec3 greenwich_at(const struct um_model *model, double t_tai)
+{
+  double angle = UM_EARTH_ROTATION * (t_tai - model->scenario->time->start);
+  struct um_vec3 east = um_vec3_cross(model->pole, model->greenwich);
+  return um_vec3_axpy(um_vec3_scale(model->greenwich, cos(angle)), sin(angle), east);
+}
+
 /* Fill everything but the attitude and who looks; r, v, t_tai are set. */
 static void light_of(const struct um_model *model, struct um_environment_sample *s)
 {
   sun_of(model, s->t_tai, s->r, &s->sun, &s->sun_distance);
   s->pole = model->pole;
+  s->greenwich = greenwich_at(model, s->t_tai);
   s->sunlit_fraction =
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
 }

@@ -92,14 +92,16 @@ static void palette_fill(const struct um_optics_spectra *spectra,
   double *dark = palette->dark + surface * n, *sun = palette->sun + surface * n;
   double cos_o = um_vec3_dot(normal, now->observer_body);
   if (!(cos_o > 0.0)) return;
-  struct um_optics_sight sight = {.area_seen = 1.0 / cos_o,
-                                  .area_lit = 1.0 / cos_o,
-                                  .cos_observer = cos_o,
-                                  .cos_sun = um_vec3_dot(normal, now->sun_body),
-                                  .cos_half = um_vec3_dot(normal, now->half_body),
-                                  .temperature = scene->temperature[at],
-                                  .albedo = (double)scene->albedo[at],
-                                  .view_factor = (double)scene->view_factor[at]};
+  struct um_optics_sight sight = {
+      .area_seen = 1.0 / cos_o,
+      .area_lit = 1.0 / cos_o,
+      .cos_observer = cos_o,
+      .cos_sun = um_vec3_dot(normal, now->sun_body),
+      .cos_half = um_vec3_dot(normal, now->half_body),
+      .temperature = scene->temperature[at],
+      .albedo = (double)scene->albedo[at],
+      .view_factor = (double)scene->view_factor[at],
+      .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
   um_optics_sum_clear(spectra, &work->single);
   um_optics_sum_add(spectra, now, material, &sight, work, &work->single);
   um_optics_sum_spectrum(spectra, scene, now, material, &work->single, work, work->spectral);

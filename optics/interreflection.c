@@ -222,9 +222,14 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
   const double *emissivity =
       um_optics_spectra_emissivity(spectra, material, bounce->cosine, work->emissivity);
   const double *diffuse = spectra->diffuse + material * n;
+  const double *earthlight = spectra->earth;
+  if (instant->earth_varies) {
+    um_optics_spectra_planck(spectra, (double)scene->brightness[at], work->earth);
+    earthlight = work->earth;
+  }
   for (size_t b = 0; b < n; b++)
     work->incoming[b] = diffuse[b] * (sun * spectra->sun[b] + albedo * spectra->share[b]) +
-                        (1.0 - emissivity[b]) * earth * spectra->earth[b] +
+                        (1.0 - emissivity[b]) * earth * earthlight[b] +
                         emissivity[b] * work->planck[b];
 }
 

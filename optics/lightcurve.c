@@ -56,14 +56,16 @@ static void spectrum_keep(const struct job *job, size_t time, size_t material,
 static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size_t at, size_t s)
 {
   const struct um_optics_view *view = scene->view;
-  return (struct um_optics_sight){.area_seen = view->area[s] * (double)view->seen[at],
-                                  .area_lit = view->area[s] * (double)view->lit[at],
-                                  .cos_observer = (double)view->cos_observer[at],
-                                  .cos_sun = (double)view->cos_sun[at],
-                                  .cos_half = view->cos_half[at],
-                                  .temperature = scene->temperature[at],
-                                  .albedo = (double)scene->albedo[at],
-                                  .view_factor = (double)scene->view_factor[at]};
+  return (struct um_optics_sight){
+      .area_seen = view->area[s] * (double)view->seen[at],
+      .area_lit = view->area[s] * (double)view->lit[at],
+      .cos_observer = (double)view->cos_observer[at],
+      .cos_sun = (double)view->cos_sun[at],
+      .cos_half = view->cos_half[at],
+      .temperature = scene->temperature[at],
+      .albedo = (double)scene->albedo[at],
+      .view_factor = (double)scene->view_factor[at],
+      .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
 }
 
 /* Variance from the traced fractions: the intensity that a standard error of area would add. */

@@ -73,6 +73,8 @@ struct um_optics_scene {
   const double *temperature; /* [ntime][nsurface] [K] */
   const float *albedo;      /* [ntime][nsurface] incident albedo flux [W/m^2], free share applied */
   const float *view_factor; /* [ntime][nsurface] free view factor to the Earth */
+  const float *brightness;  /* [ntime][nsurface] brightness temperature of the Earth before the
+                               surface [K]; NULL: the environment's */
   int interreflection_samples; /* rays per surface that is not open; 0: off */
 };
 /* Light curve. The Sun term is multiplied by the sunlit fraction, so it is exactly zero in the

@@ -4,6 +4,9 @@
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b)
  *   emitted  eps(lambda, cos_o) B_lambda(T)
  *
+ * T_b is the brightness temperature of the Earth; where the Earth varies, of what of it lies before
+ * the surface.
+ *
  * F is Fresnel's reflectance at the facet that mirrors the Sun to the observer: its angle of
  * incidence is half the phase angle, the same for every surface, so that geometry and spectra
  * factor: one lobe weight per material carries all wavelengths. The Sun's disc widens the lobe,
@@ -35,6 +38,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.earthshine = environment->earthshine_on ? environment->earthshine_factor : 0.0;
   now.earth_reflection =
       environment->earth_reflection_on ? environment->earth_reflection_factor : 0.0;
+  now.earth_varies = scene->brightness != NULL;
   return now;
 }
 
@@ -44,6 +48,7 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   size_t nbin = spectra->nbin, nmaterial = spectra->nmaterial, nband = spectra->nband;
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->planck));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->emissivity));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
   UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
   UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
@@ -83,7 +88,7 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
     void *const blocks[] = {w->planck,         w->emissivity, w->spectral,      w->specular,
                             w->specular_known, w->bins,       w->sum,           w->incoming,
                             w->reflected,      w->band,       w->band_variance, w->ray,
-                            w->occluded,       w->hidden};
+                            w->occluded,       w->hidden,     w->earth};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
   }
   um_core_free(context, *work);
@@ -120,7 +125,11 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   size_t n = spectra->nbin;
   const double *planck = work->planck;
   double *emitted = sum->emitted, *planet = sum->planet;
+  if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
   if (spectra->diffuse_emitter[material]) {
+    const double *row = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
+    for (size_t b = 0; b < n && instant->earth_varies; b++)
+      planet[b] += seen * sight->view_factor * (1.0 - row[b]) * work->earth[b];
     sum->view_factor += seen * sight->view_factor;
     for (size_t b = 0; b < n; b++) emitted[b] += seen * planck[b];
     return;
@@ -130,7 +139,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   double earth = seen * sight->view_factor;
   for (size_t b = 0; b < n; b++) {
     emitted[b] += seen * emissivity[b] * planck[b];
-    planet[b] += earth * (1.0 - emissivity[b]);
+    planet[b] += earth * (1.0 - emissivity[b]) * (instant->earth_varies ? work->earth[b] : 1.0);
   }
 }
 
@@ -175,10 +184,13 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
   }
   double albedo = instant->earthshine * sum->albedo / UM_PI;
   for (size_t b = 0; b < n; b++) {
-    double planet = diffuse_emitter ? (1.0 - emissivity[b]) * sum->view_factor : sum->planet[b];
+    double planet = diffuse_emitter && !instant->earth_varies
+                        ? (1.0 - emissivity[b]) * sum->view_factor
+                        : sum->planet[b];
     planet *= instant->earth_reflection;
+    double earth = instant->earth_varies ? 1.0 : spectra->earth[b];
     double *to = spectral + b * UM_MECHANISM_COUNT;
-    to[UM_MECHANISM_EARTH] = diffuse[b] * spectra->share[b] * albedo + planet * spectra->earth[b];
+    to[UM_MECHANISM_EARTH] = diffuse[b] * spectra->share[b] * albedo + planet * earth;
     to[UM_MECHANISM_EMITTED] = (diffuse_emitter ? emissivity[b] : 1.0) * sum->emitted[b];
   }
 }

@@ -15,6 +15,7 @@ struct um_optics_instant {
   double sun_alpha2;                      /* (theta_s / (2 sqrt 2))^2 [1] */
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
   double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
+  bool earth_varies;                      /* every surface has an Earth of its own before it */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
 
@@ -25,6 +26,7 @@ struct um_optics_sight {
   double temperature;                     /* [K] */
   double albedo;                          /* incident albedo flux [W/m^2] */
   double view_factor;                     /* to the Earth [1] */
+  double brightness;                      /* of the Earth, where it varies [K] */
 };
 
 /* Sums over surfaces of one material. */
@@ -34,12 +36,14 @@ struct um_optics_sum {
   double albedo;      /* sum of area_seen cos_o E_albedo [W] */
   double view_factor; /* sum of area_seen cos_o F [m^2], diffuse emitters */
   double *emitted; /* [nbin] sum of area_seen cos_o eps B [W/sr/m]; eps = 1 for diffuse emitters */
-  double *planet;  /* [nbin] sum of area_seen cos_o (1 - eps) F [m^2], directional emitters */
+  double *planet;  /* [nbin] sum of area_seen cos_o (1 - eps) F [m^2], directional emitters; where
+                      the Earth varies, of all emitters and times B(T_b) [W/sr/m] */
 };
 
 /* Scratch of one thread. */
 struct um_optics_work {
   double *planck, *emissivity;  /* [nbin] */
+  double *earth;                /* [nbin] the Earth before one surface, where it varies */
   double *spectral;             /* [nbin][UM_MECHANISM_COUNT] */
   double *specular;             /* [nmaterial][nbin] F of the current instant, where known */
   bool *specular_known;         /* [nmaterial] */

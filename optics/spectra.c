@@ -114,6 +114,10 @@ static enum um_status temperature_range(struct um_context *context,
                             (unsigned)mesh->surface[s].facet, t, value);
       if (value < *low) *low = value;
       if (value > *high) *high = value;
+      if (scene->brightness == NULL) continue;
+      double earth = (double)scene->brightness[t * mesh->nsurface + s];
+      if (earth > 100.0 && earth < *low) *low = earth; /* colder is evaluated directly */
+      if (earth > *high) *high = earth;
     }
   return UM_OK;
 }

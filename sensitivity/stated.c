@@ -212,10 +212,29 @@ static void of_spin(const struct question *q, struct um_sensitivity_stated *out)
     }
 }
 
+/* What an Earth that differs from place to place is scaled by; false: not of the Earth. */
+static bool of_map(const struct um_environment *e, enum um_effect_stated which,
+                   struct um_sensitivity_stated *out)
+{
+  if (which == UM_STATED_ALBEDO)
+    say(out, "factor of the map's albedo", "1", e->albedo_factor);
+  else if (which == UM_STATED_EARTHSHINE)
+    say(out, "factor of the map's albedo as light", "1", e->albedo_factor * e->earthshine_factor);
+  else if (which == UM_STATED_LONGWAVE)
+    say(out, "factor of the map's outgoing longwave radiation", "1", e->longwave_factor);
+  else if (which == UM_STATED_EARTH_BRIGHTNESS)
+    say(out, "shift of the map's brightness temperature", "K", e->brightness_shift);
+  else
+    return false;
+  if (which == UM_STATED_EARTH_BRIGHTNESS) out->minimum = -INFINITY;
+  return true;
+}
+
 static void of_environment(const struct um_environment *e, enum um_effect_stated which,
                            struct um_sensitivity_stated *out)
 {
   out->minimum = 0.0;
+  if (e->earth != UM_EARTH_UNIFORM && of_map(e, which, out)) return;
   if (which == UM_STATED_SOLAR_IRRADIANCE)
     say(out, "solar irradiance", "W/m^2", e->solar_irradiance);
   if (which == UM_STATED_LONGWAVE)

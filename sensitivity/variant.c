@@ -6,13 +6,35 @@
 #include "core/words.h"
 #include "effects/effects.h"
 
+static bool same_region(const struct um_environment_region *a,
+                        const struct um_environment_region *b)
+{
+  return a->everywhere == b->everywhere && a->latitude == b->latitude &&
+         a->longitude == b->longitude && a->radius == b->radius && a->edge == b->edge &&
+         a->from_tai == b->from_tai && a->to_tai == b->to_tai && a->ramp == b->ramp &&
+         a->albedo_factor == b->albedo_factor && a->albedo_offset == b->albedo_offset &&
+         a->longwave_factor == b->longwave_factor && a->longwave_offset == b->longwave_offset &&
+         a->brightness_shift == b->brightness_shift;
+}
+
+/* The same ground. A brightness temperature is of the light alone while it is one for all of the
+ * Earth; where places differ the precomputation has it. */
+static bool same_earth(const struct um_environment *a, const struct um_environment *b)
+{
+  if (!um_environment_earth_varies(a) && !um_environment_earth_varies(b)) return true;
+  return a->earth == b->earth && a->map == b->map && a->albedo_factor == b->albedo_factor &&
+         a->longwave_factor == b->longwave_factor && a->brightness_shift == b->brightness_shift &&
+         a->brightness_temperature == b->brightness_temperature &&
+         same_region(&a->region, &b->region);
+}
+
 /* Do both environments give the same geometry precomputation? */
 static bool same_light(const struct um_environment *a, const struct um_environment *b)
 {
   return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
          a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
          a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
-         a->limb_darkening == b->limb_darkening;
+         a->limb_darkening == b->limb_darkening && same_earth(a, b);
 }
 
 size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,

@@ -289,7 +289,7 @@ static double sphere_albedo(const struct um_environment *e, struct um_vec3 r, st
       double phi = 2.0 * UM_PI * (j + 0.5) / 100.0;
       normal[j] = um_vec3(c, s * cos(phi), s * sin(phi));
     }
-    um_environment_earth_flux(e, r, sun, UM_AU, normal, 100, flux);
+    um_environment_earth_flux(e, NULL, r, sun, UM_AU, normal, 100, flux);
     for (int j = 0; j < 100; j++) sum += flux[j].albedo / 20000.0;
   }
   return sum;
@@ -324,7 +324,7 @@ static void albedo(struct um_validate_report *report)
     double z = row[i].zenith * UM_DEG;
     struct um_vec3 sun = {cos(z), sin(z), 0.0};
     struct um_environment_earth_flux flux[2];
-    um_environment_earth_flux(&e, r, sun, UM_AU, plate, 2, flux);
+    um_environment_earth_flux(&e, NULL, r, sun, UM_AU, plate, 2, flux);
     const double value[3] = {sphere_albedo(&e, r, sun), flux[0].albedo, flux[1].albedo};
     for (int k = 0; k < 3; k++)
       um_validate_report_add(report, row[i].name[k], "1", row[i].factor[k], value[k], tolerance[k],

@@ -21,8 +21,8 @@ static struct um_environment_earth_flux flux(const struct um_environment *e, dou
                                              struct um_vec3 sun, struct um_vec3 normal)
 {
   struct um_environment_earth_flux out;
-  um_environment_earth_flux(e, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU, &normal, 1,
-                            &out);
+  um_environment_earth_flux(e, NULL, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU, &normal,
+                            1, &out);
   return out;
 }
 
@@ -133,7 +133,7 @@ static double sphere_albedo(const struct um_environment *e, double altitude, str
   static struct um_vec3 normal[NORMALS];
   static struct um_environment_earth_flux out[NORMALS];
   normals_all_round(normal);
-  um_environment_earth_flux(e, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU, normal,
+  um_environment_earth_flux(e, NULL, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU, normal,
                             NORMALS, out);
   double sum = 0.0, factor = 0.0;
   for (int i = 0; i < NORMALS; i++) sum += out[i].albedo, factor += out[i].view_factor;
@@ -320,7 +320,7 @@ static void scaling_rotation_and_nan(void **state)
   check_close("planet", b.planet, 237.0 * a.view_factor, 1e-9);
   struct um_quat q = um_quat_normalize((struct um_quat){0.3, -0.5, 0.7, 0.4});
   struct um_vec3 turned = um_quat_apply(q, n);
-  um_environment_earth_flux(&unit, um_quat_apply(q, um_vec3(UM_EARTH_RADIUS + 765e3, 0, 0)),
+  um_environment_earth_flux(&unit, NULL, um_quat_apply(q, um_vec3(UM_EARTH_RADIUS + 765e3, 0, 0)),
                             um_quat_apply(q, sun), 2.0 * UM_AU, &turned, 1, &c);
   check_close("turned, at 2 au", c.albedo, 0.25 * a.albedo, 1e-13);
   check_close("turned", c.view_factor, a.view_factor, 1e-13);

@@ -8,7 +8,8 @@ static size_t cap_at(double altitude, struct um_vec3 sun, struct um_environment_
                      struct um_environment *e)
 {
   um_environment_defaults(e);
-  return um_environment_earth_cap(e, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU, cap);
+  return um_environment_earth_cap(e, NULL, um_vec3(UM_EARTH_RADIUS + altitude, 0, 0), sun, UM_AU,
+                                  cap);
 }
 
 /* 2 pi (1 - sqrt(1 - R^2/r^2)); every direction points at the Earth. */
@@ -52,7 +53,7 @@ static void sums_reproduce_the_flux(void **state)
         struct um_vec3 normal =
             um_vec3_unit(um_vec3(sin(1.0 + 3 * k), sin(2.0 + 5 * k), sin(3.0 + 7 * k)));
         struct um_environment_earth_flux flux;
-        um_environment_earth_flux(&e, r, sun, UM_AU, &normal, 1, &flux);
+        um_environment_earth_flux(&e, NULL, r, sun, UM_AU, &normal, 1, &flux);
         double a = 0.0, p = 0.0;
         for (size_t j = 0; j < n; j++) {
           double c = fmax(um_vec3_dot(cap[j].direction, normal), 0.0) * cap[j].solid_angle;

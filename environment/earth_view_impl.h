@@ -1,6 +1,8 @@
 /* The visible cap of the Earth as rings about the nadir, private to the environment. */
-#ifndef UMBRA_ENVIRONMENT_EARTH_IMPL_H
-#define UMBRA_ENVIRONMENT_EARTH_IMPL_H
+#ifndef UMBRA_ENVIRONMENT_EARTH_VIEW_IMPL_H
+#define UMBRA_ENVIRONMENT_EARTH_VIEW_IMPL_H
+
+#include <math.h>
 
 #include "core/vec.h"
 #include "environment/environment.h"
@@ -26,5 +28,23 @@ struct um_environment_earth_ring {
  */
 struct um_environment_earth_ring
 um_environment_earth_ring(const struct um_environment_earth_view *view, double w);
+/* cos(angle) at which p + q cos(angle) = 0, q >= 0, and the arc |angle| < *arc on which it is
+ * positive. */
+static inline void um_environment_earth_arc(double p, double q, double *arc, double *cosine,
+                                            double *sine)
+{
+  double c = p >= q ? -1.0 : p <= -q ? 1.0 : -p / q;
+  *cosine = c;
+  *sine = sqrt((1.0 - c) * (1.0 + c));
+  *arc = acos(c);
+}
+/* Mean of max(cos SZA, 0) over azimuths first to last, 0 <= first < last <= pi. */
+double um_environment_earth_lit_mean(const struct um_environment_earth_ring *ring, double first,
+                                     double last);
+/* The ground that is seen on the ring of w at an azimuth from `sunward`: unit vector from the
+ * geocentre. */
+struct um_vec3 um_environment_earth_ground(const struct um_environment_earth_view *view,
+                                           const struct um_environment_earth_ring *ring, double w,
+                                           double phi);
 
 #endif
