@@ -107,6 +107,10 @@ void um_environment_map_finish(struct um_context *context, const char *path,
       um_core_log(context, UM_LOG_INFO, "%s: %s missing on %.2g %% of the Earth: %s", path, name,
                   100.0 * missing, instead);
   }
+  if (map->nmonth == 1) {
+    um_core_log(context, UM_LOG_INFO, "%s: one month, or none stated: the same all year", path);
+    return;
+  }
   if (map->nmonth < 12)
     um_core_log(context, UM_LOG_INFO,
                 "%s: %zu of 12 months; between them, and from the last to the first, it is linear",
