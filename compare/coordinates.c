@@ -104,12 +104,13 @@ static enum um_status add_light(struct um_context *context,
 static double spin_phase(const struct um_scenario *scenario, double t)
 {
   const struct um_scenario_attitude *laws = scenario->attitude.items;
-  const struct um_scenario_spin *spin = NULL;
+  struct um_scenario_turn turn;
+  bool turns_now = false;
   for (size_t i = 0; i < scenario->attitude.count; i++)
-    if (i == 0 || t >= laws[i].from) spin = laws[i].spin;
-  if (spin == NULL) return NAN;
-  double at = isnan(spin->at_utc) ? scenario->time->start : spin->at_utc;
-  double turns = (t - at) / spin->period_s + spin->phase_deg / 360.0;
+    if (i == 0 || t >= laws[i].from) turns_now = um_scenario_turn(&laws[i], &turn);
+  if (!turns_now) return NAN;
+  double at = isnan(turn.at) ? scenario->time->start : turn.at;
+  double turns = (t - at) / turn.period_s + turn.phase_deg / 360.0;
   turns -= floor(turns);
   return turns < 1.0 ? turns : 0.0;
 }
@@ -119,10 +120,11 @@ static enum um_status add_spin(struct um_context *context, const struct um_model
                                struct um_compare_coordinates *c)
 {
   const struct um_scenario_attitude *laws = model->scenario->attitude.items;
+  struct um_scenario_turn turn;
   bool spins = false;
   double *phase;
   for (size_t i = 0; i < model->scenario->attitude.count; i++)
-    spins = spins || laws[i].spin != NULL;
+    spins = spins || um_scenario_turn(&laws[i], &turn);
   if (!spins) return UM_OK;
   UM_TRY(add(context, c, "", "spin_phase", "", &phase));
   c->coordinate[c->count - 1].circular = true;

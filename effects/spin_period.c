@@ -21,7 +21,8 @@ static enum um_status law(struct um_context *context, const struct um_effect_use
                           struct um_orbit_attitude_law *to)
 {
   (void)context;
-  if (to->kind == UM_ATTITUDE_SPIN) to->period *= 1.0 + use->value[0];
+  if (to->kind == UM_ATTITUDE_SPIN || to->kind == UM_ATTITUDE_MAGNETIC)
+    to->period *= 1.0 + use->value[0];
   return UM_OK;
 }
 
@@ -30,8 +31,8 @@ const struct um_effect um_effects_spin_period = {
     .name = "spin_period",
     .summary = "The body spins slower or faster than its law says",
     .reference = "Kucharski et al. 2014, IEEE Trans. Geosci. Remote Sens. 52:7651",
-    .validity =
-        "laws of the kind spin; others stay; the phase is kept at at_utc, by default the start",
+    .validity = "laws of the kind spin, or magnetic with a period; others stay; the phase is kept "
+                "at at_utc, by default the start",
     .separated_by =
         "time_tag and attitude_offset: many revolutions; its lag grows with time, theirs stays",
     .targets = UM_TARGET_GLOBAL,

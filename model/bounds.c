@@ -19,15 +19,14 @@ static double load_row_bytes(const struct um_model *model)
   return (double)sizeof(struct um_environment_sample) + 48.0 + 5.0 * sizeof(float) * nsurface;
 }
 
-/* The law that turns fastest, where a spin decides the grid; NULL: none spins. */
-static const struct um_scenario_attitude *fastest_spin(const struct um_scenario *scenario)
+/* The mark of the law that turns fastest, where a spin decides the grid; NULL: none spins. */
+static const struct um_mark *fastest_spin(const struct um_scenario *scenario)
 {
-  const struct um_scenario_attitude *law = scenario->attitude.items, *best = NULL;
+  const struct um_scenario_attitude *law = scenario->attitude.items;
+  struct um_scenario_turn turn, best = {.period_s = INFINITY};
   for (size_t i = 0; i < scenario->attitude.count; i++)
-    if (law[i].spin != NULL &&
-        (best == NULL || fabs(law[i].spin->period_s) < fabs(best->spin->period_s)))
-      best = &law[i];
-  return best;
+    if (um_scenario_turn(&law[i], &turn) && fabs(turn.period_s) < fabs(best.period_s)) best = turn;
+  return best.mark;
 }
 
 enum um_status um_model_check_load_rows(struct um_context *context, const struct um_model *model,
@@ -36,7 +35,7 @@ enum um_status um_model_check_load_rows(struct um_context *context, const struct
 {
   const struct um_scenario *scenario = model->scenario;
   const struct um_scenario_thermal *thermal = scenario->thermal;
-  const struct um_scenario_attitude *spin = fastest_spin(scenario);
+  const struct um_mark *spin = fastest_spin(scenario);
   double rows = span / step, bytes = rows * load_row_bytes(model);
   if (rows <= LOAD_ROWS_MOST && bytes <= MEMORY_MOST) return UM_OK;
   char cost[160];
@@ -48,8 +47,7 @@ enum um_status um_model_check_load_rows(struct um_context *context, const struct
   if (!isnan(thermal->step_s))
     return um_model_fail(context, &thermal->at, "step_s", "%s, by a longer step", cost);
   if (spin != NULL && step < 1.0)
-    return um_model_fail(context, &spin->spin->at, "period_s",
-                         "%s, by a slower spin or thermal.step_s", cost);
+    return um_model_fail(context, spin, "period_s", "%s, by a slower spin or thermal.step_s", cost);
   double before = precomputed->t_first - precomputed->t_start;
   if (!isnan(precomputed->period) && before > 0.5 * span && thermal->orbits_before > 1.0)
     return um_model_fail(context, &thermal->at, "orbits_before", "%s, by fewer orbits", cost);

@@ -184,6 +184,23 @@ static enum um_status law_of_spin(struct um_context *context, const struct um_mo
   return um_model_unit(context, &spin->at, key, axis->items, &law->axis);
 }
 
+static enum um_status law_of_magnet(struct um_context *context, const struct um_model *model,
+                                    const struct um_scenario_magnetic *magnet,
+                                    struct um_orbit_attitude_law *law)
+{
+  struct um_vec3 other;
+  law->kind = UM_ATTITUDE_MAGNETIC;
+  law->period = magnet->period_s;
+  law->phase = magnet->phase_deg * UM_DEG;
+  law->at_tai = isnan(magnet->at_utc) ? model->scenario->time->start : magnet->at_utc;
+  UM_TRY(um_model_unit(context, &magnet->at, "axis_body", magnet->axis_body, &law->axis_body));
+  um_core_vec3_frame(law->axis_body, &law->clock_body, &other);
+  if (magnet->clock_body.count == 0) return UM_OK;
+  UM_TRY(exact_numbers(context, &magnet->at, "clock_body", &magnet->clock_body, 3));
+  return um_model_unit(context, &magnet->at, "clock_body", magnet->clock_body.items,
+                       &law->clock_body);
+}
+
 static enum um_status law_of(struct um_context *context, struct um_model *model,
                              const struct um_scenario_attitude *from,
                              struct um_orbit_attitude_law *law)
@@ -215,6 +232,7 @@ static enum um_status law_of(struct um_context *context, struct um_model *model,
     return um_model_unit(context, at, "clock_body", pointing->clock_body, &law->clock_body);
   }
   if (from->spin != NULL) return law_of_spin(context, model, from->spin, law);
+  if (from->magnetic != NULL) return law_of_magnet(context, model, from->magnetic, law);
   law->kind = UM_ATTITUDE_TABLE;
   law->max_gap = from->table->max_gap_s;
   return um_model_resolve(context, model, &from->table->at, from->table->file, &law->table_path);

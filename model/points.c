@@ -14,7 +14,8 @@
 #include "model/precompute_impl.h"
 #include "model/words_impl.h"
 
-#define ACCEPTED_LAWS "fixed, sun, target, yaw_steering, table, spin with axis_gcrs or q_gcrs"
+#define ACCEPTED_LAWS                                                                              \
+  "fixed, sun, target, yaw_steering, table, magnetic, spin with axis_gcrs or q_gcrs"
 
 static enum um_status check_attitude(struct um_context *context, const struct um_schema_list *laws)
 {

@@ -68,6 +68,12 @@ struct um_scenario_spin {
   struct um_schema_list q_gcrs; /* of double, 4 or 0 */
   double period_s, phase_deg, at_utc /* t_tai [s], NaN: start */;
 };
+struct um_scenario_magnetic {
+  struct um_mark at;
+  double axis_body[3];
+  struct um_schema_list clock_body; /* of double, 3 or 0 */
+  double period_s, phase_deg, at_utc /* t_tai [s], NaN: start */;
+};
 struct um_scenario_attitude_table {
   struct um_mark at;
   const char *file;
@@ -80,8 +86,28 @@ struct um_scenario_attitude {
   struct um_scenario_lvlh *lvlh;
   struct um_scenario_pointing *sun, *target, *yaw_steering;
   struct um_scenario_spin *spin;
+  struct um_scenario_magnetic *magnetic;
   struct um_scenario_attitude_table *table;
 };
+
+/* A law that turns about an axis of the body; false: it does not. Phase at `at` [deg], which is NaN
+ * for the start. */
+struct um_scenario_turn {
+  const struct um_mark *mark;
+  double period_s, phase_deg, at;
+};
+static inline bool um_scenario_turn(const struct um_scenario_attitude *law,
+                                    struct um_scenario_turn *out)
+{
+  const struct um_scenario_spin *spin = law->spin;
+  const struct um_scenario_magnetic *magnet = law->magnetic;
+  if (spin != NULL)
+    *out = (struct um_scenario_turn){&spin->at, spin->period_s, spin->phase_deg, spin->at_utc};
+  else if (magnet != NULL)
+    *out =
+        (struct um_scenario_turn){&magnet->at, magnet->period_s, magnet->phase_deg, magnet->at_utc};
+  return spin != NULL || (magnet != NULL && magnet->period_s != 0.0);
+}
 
 struct um_scenario_station {
   struct um_mark at;

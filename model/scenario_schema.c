@@ -213,6 +213,26 @@ OBJECT(spin_object, struct um_scenario_spin, "spin", "Steady rotation about one 
        FIELDS(spin_fields), .exactly_one = one);
 
 #define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_magnetic, member, key, type, __VA_ARGS__)
+static const struct um_schema_field magnetic_fields[] = {
+    F(axis_body, "axis_body", UM_SCHEMA_VECTOR, REQUIRED, .length = 3,
+      HELP("body axis along the field, which points north over the equator and down in the north")),
+    F(clock_body, "clock_body", UM_SCHEMA_NUMBERS,
+      HELP("body axis kept as near the orbit normal as possible at phase 0; default: some axis "
+           "across axis_body")),
+    F(period_s, "period_s", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e7, 1e7),
+      HELP("of one turn about the axis, right-handed; 0: it does not turn")),
+    F(phase_deg, "phase_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-360, 360),
+      HELP("turn at at_utc")),
+    F(at_utc, "at_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
+      HELP("when the phase holds; default: the start")),
+};
+#undef F
+OBJECT(magnetic_object, struct um_scenario_magnetic, "magnetic",
+       "A passive magnet: a body axis lies along the Earth's magnetic field (IGRF-14 to degree 4).",
+       FIELDS(magnetic_fields));
+
+#define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_attitude_table, member, key, type, __VA_ARGS__)
 static const struct um_schema_field attitude_table_fields[] = {
     F(file, "file", UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
@@ -237,6 +257,7 @@ static const struct um_schema_field attitude_fields[] = {
     F(yaw_steering, "yaw_steering", UM_SCHEMA_MAP, .object = &yaw_steering_object,
       .alternative = 1),
     F(spin, "spin", UM_SCHEMA_MAP, .object = &spin_object, .alternative = 1),
+    F(magnetic, "magnetic", UM_SCHEMA_MAP, .object = &magnetic_object, .alternative = 1),
     F(table, "table", UM_SCHEMA_MAP, .object = &attitude_table_object, .alternative = 1),
 };
 #undef F

@@ -4,6 +4,8 @@
  *   SUN     axis_body along the Sun, clock_body in the half plane of Sun and orbit normal
  *   TARGET  the same with the observer in place of the Sun
  *   YAW_STEERING  axis_body along -r, clock_body in the half plane of -r and Sun
+ *   MAGNETIC  axis_body along the field, clock_body in the half plane of field and orbit normal,
+ *           then turned about the axis by phase + 2 pi (t - t0) / period
  *   SPIN    frame F -> smallest rotation that lays axis_body on the axis -> turn about it by
  *           phase + 2 pi (t - t0) / period; F is GCRS, or LVLH of the instant
  * Reference: Wertz 1978, Spacecraft Attitude Determination and Control, appendix E. */
@@ -11,6 +13,8 @@
 
 #include "core/constants.h"
 #include "orbit/attitude_table_impl.h"
+#include "orbit/frames.h"
+#include "orbit/magnetic_field.h"
 
 /* Close above a station the direction to it turns faster than the orbit does: v / h against v / r,
  * 17 times at 400 km. */
@@ -20,6 +24,10 @@ static const double TARGET_RATE_FACTOR = 20.0;
  * solar angle beta to the orbital plane: 19 times the orbit at 3 deg. Nearer to the plane it flips
  * faster than the grid of the loads follows; what faces nadir does not notice. */
 static const double YAW_RATE_FACTOR = 20.0;
+
+/* The line of a dipole turns by 3 times the orbit's rate over the magnetic equator, that of the
+ * true field somewhat faster. */
+static const double MAGNETIC_RATE_FACTOR = 4.0;
 
 struct law {
   struct um_orbit_attitude_law law; /* axes are unit; table_path is not kept */
@@ -86,6 +94,14 @@ static enum um_status spin_check(struct um_context *context, struct um_orbit_att
   return UM_OK;
 }
 
+static enum um_status magnetic_check(struct um_context *context, struct um_orbit_attitude_law *law)
+{
+  UM_TRY(pointing_check(context, law));
+  if (isfinite(law->period + law->phase + law->at_tai)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "attitude: period, phase and reference time must be finite numbers");
+}
+
 static enum um_status law_check(struct um_context *context, struct law *law)
 {
   switch (law->law.kind) {
@@ -101,6 +117,8 @@ static enum um_status law_check(struct um_context *context, struct law *law)
     return pointing_check(context, &law->law);
   case UM_ATTITUDE_SPIN:
     return spin_check(context, &law->law);
+  case UM_ATTITUDE_MAGNETIC:
+    return magnetic_check(context, &law->law);
   case UM_ATTITUDE_TABLE:
     break;
   }
@@ -233,12 +251,33 @@ static struct um_quat smallest_rotation(struct um_vec3 axis_body, struct um_vec3
   return um_quat_from_axis(t, UM_PI);
 }
 
+/* Turn about the axis at a time; whole turns are taken off before the angle is formed, so that long
+ * spans keep their digits. */
+static double turn_at(const struct um_orbit_attitude_law *law, double t_tai)
+{
+  double turns = (t_tai - law->at_tai) / law->period;
+  return law->phase + 2.0 * UM_PI * (turns - floor(turns));
+}
+
+/* The orientation of the Earth without UT1-UTC and the motion of the pole: 15 arcsec. */
+static enum um_status magnetic(struct um_context *context, const struct um_orbit_attitude_law *law,
+                               const struct um_orbit_attitude_input *input, struct um_quat *q)
+{
+  const struct um_orbit_earth_orientation none = {0};
+  struct um_mat3 m;
+  UM_TRY(um_orbit_frames_gcrs_to_itrf(context, &none, input->t_tai, &m));
+  struct um_vec3 field =
+      um_orbit_magnetic_field(input->t_tai, um_mat3_apply(m, input->r), UM_MAGNETIC_DEGREE);
+  struct um_vec3 aim = um_vec3_unit(um_mat3_apply(um_mat3_transpose(m), field));
+  double angle = law->period != 0.0 ? turn_at(law, input->t_tai) : law->phase;
+  *q = um_quat_then(pointing(law, input, aim), um_quat_from_axis(law->axis_body, angle));
+  return UM_OK;
+}
+
 static enum um_status spin(struct um_context *context, const struct um_orbit_attitude_law *law,
                            const struct um_orbit_attitude_input *input, struct um_quat *q)
 {
-  /* whole turns are taken off before the angle is formed, so that long spans keep their digits */
-  double turns = (input->t_tai - law->at_tai) / law->period;
-  double angle = law->phase + 2.0 * UM_PI * (turns - floor(turns));
+  double angle = turn_at(law, input->t_tai);
   struct um_quat base = {1.0, 0.0, 0.0, 0.0};
   if (law->axis_frame == UM_AXIS_BODY) {
     *q = um_quat_then(law->q, um_quat_from_axis(law->axis, angle));
@@ -285,6 +324,8 @@ enum um_status um_orbit_attitude_at(struct um_context *context,
     return UM_OK;
   case UM_ATTITUDE_SPIN:
     return spin(context, law, input, q);
+  case UM_ATTITUDE_MAGNETIC:
+    return magnetic(context, law, input, q);
   case UM_ATTITUDE_TABLE:
     break;
   }
@@ -304,6 +345,9 @@ static double law_rate(const struct law *now, double orbital_rate)
     return TARGET_RATE_FACTOR * orbital_rate;
   case UM_ATTITUDE_YAW_STEERING:
     return YAW_RATE_FACTOR * orbital_rate;
+  case UM_ATTITUDE_MAGNETIC:
+    return MAGNETIC_RATE_FACTOR * orbital_rate +
+           (law->period != 0.0 ? 2.0 * UM_PI / fabs(law->period) : 0.0);
   case UM_ATTITUDE_SPIN:
     return 2.0 * UM_PI / fabs(law->period) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
   case UM_ATTITUDE_TABLE:

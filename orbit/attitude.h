@@ -2,8 +2,8 @@
  * tests/orbit/attitude.c.
  *
  * The turn of SPIN is counted in the frame of its axis: with an axis in LVLH the period is that of
- * the body relative to the orbital frame. Where r x v vanishes (a fixed point) SUN and TARGET take
- * GCRS z for the orbit normal, and the laws that need LVLH are UM_ERR_INPUT. */
+ * the body relative to the orbital frame. Where r x v vanishes (a fixed point) SUN, TARGET and
+ * MAGNETIC take GCRS z for the orbit normal, and the laws that need LVLH are UM_ERR_INPUT. */
 #ifndef UMBRA_ORBIT_ATTITUDE_H
 #define UMBRA_ORBIT_ATTITUDE_H
 
@@ -28,6 +28,10 @@ enum um_orbit_attitude_kind {
   UM_ATTITUDE_YAW_STEERING, /* axis_body points at the geocentre, clock_body is as near the Sun as
                                possible: it lies in the plane of nadir and Sun */
   UM_ATTITUDE_SPIN,         /* axis_body is along the inertial axis, turning at 2 pi / period */
+  UM_ATTITUDE_MAGNETIC,     /* axis_body is along the Earth's magnetic field, as a magnet without
+                               damping or lag would have it; clock_body is as near the orbit normal
+                               as possible, and where a period is given the body turns about the
+                               axis from there */
   UM_ATTITUDE_TABLE         /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
 };
 
@@ -39,16 +43,17 @@ struct um_orbit_attitude_law {
   struct um_quat q;          /* FIXED: GCRS to body. SPIN with axis in the BODY frame: GCRS to
                                 body at at_tai */
   double roll, pitch, yaw;   /* LVLH [rad] */
-  struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN: unit */
+  struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN, MAGNETIC: unit */
   struct um_vec3 clock_body; /* all but SPIN: unit, not parallel to axis_body */
   enum um_orbit_axis_frame axis_frame; /* SPIN */
-  struct um_vec3 axis;    /* SPIN: unit axis in that frame. In GCRS: inertial. In LVLH: the
-                             axis co-rotates with the orbital frame at every instant. */
-  double period;          /* SPIN [s]; > 0 right-handed about +axis; negative turns back */
-  double phase;           /* SPIN [rad]: turn at at_tai; phase 0: with e = axis (in GCRS
-                             resp. LVLH axes) the body is the smallest rotation of that
-                             frame that brings axis_body onto the axis */
-  double at_tai;          /* SPIN: reference time */
+  struct um_vec3 axis; /* SPIN: unit axis in that frame. In GCRS: inertial. In LVLH: the
+                          axis co-rotates with the orbital frame at every instant. */
+  double period;       /* SPIN, MAGNETIC [s]; > 0 right-handed about +axis; negative turns
+                          back; MAGNETIC: 0 does not turn */
+  double phase;  /* MAGNETIC [rad]: the same, from clock_body. SPIN [rad]: turn at at_tai; phase 0:
+                    with e = axis (in GCRS  resp. LVLH axes) the body is the smallest rotation of
+                    that  frame that brings axis_body onto the axis */
+  double at_tai; /* SPIN, MAGNETIC: reference time */
   const char *table_path; /* TABLE */
   double max_gap;         /* TABLE [s]; <= 0: ten times the median step */
 };

@@ -205,9 +205,10 @@ static void of_exposure(const struct question *q, double present, struct um_sens
 static void of_spin(const struct question *q, struct um_sensitivity_stated *out)
 {
   const struct um_scenario_attitude *law = q->model->scenario->attitude.items;
+  struct um_scenario_turn turn;
   for (size_t i = 0; i < q->model->scenario->attitude.count; i++)
-    if (law[i].spin != NULL) {
-      say(out, "spin period", "s", law[i].spin->period_s * (1.0 + out->null_value));
+    if (um_scenario_turn(&law[i], &turn)) {
+      say(out, "spin period", "s", turn.period_s * (1.0 + out->null_value));
       return;
     }
 }

@@ -240,7 +240,7 @@ static void refused_scenario(const char *override, const char *message)
   assert_null(model);
 }
 
-#define LAWS "fixed, sun, target, yaw_steering, table, spin with axis_gcrs or q_gcrs"
+#define LAWS "fixed, sun, target, yaw_steering, table, magnetic, spin with axis_gcrs or q_gcrs"
 
 static void scenario_refusals(void **state)
 {
