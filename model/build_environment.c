@@ -65,7 +65,6 @@ static enum um_status build_earth(struct um_context *context, struct um_model *m
   const char *path = NULL;
   UM_TRY(build_region(context, model));
   if (from == NULL) return UM_OK;
-  model->environment.earth = (enum um_environment_earth)from->model;
   if (from->file == NULL && model->environment.earth == UM_EARTH_MAP)
     return um_model_fail(context, &from->at, "model",
                          "map wants a file; accepted: file, a CSV or netCDF of monthly grids");

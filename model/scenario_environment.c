@@ -8,6 +8,7 @@ void um_model_scenario_environment(const struct um_scenario_environment *from,
   to->solar_irradiance = from->solar_irradiance_W_m2;
   to->spectrum = (enum um_environment_spectrum)from->solar_spectrum;
   to->solar_temperature = from->solar_temperature_K;
+  if (from->earth != NULL) to->earth = (enum um_environment_earth)from->earth->model;
   to->albedo = from->albedo;
   to->outgoing_longwave = from->olr_W_m2;
   to->brightness_temperature = from->brightness_temperature_K;

@@ -30,6 +30,7 @@ static const struct entry cases[] = {
     {"reflected_earth_ir", NULL, 0.0, "bus", "a switch"},
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
+    {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
@@ -47,6 +48,8 @@ static const struct entry cases[] = {
     {"albedo_level", NULL, 0.1, "bus", NULL},
     {"earth_ir_level", NULL, 0.05, "bus", NULL},
     {"earth_brightness", NULL, 5.0, "bus", NULL},
+    {"local_albedo", NULL, 0.2, "bus", NULL},
+    {"local_earth_ir", NULL, 0.1, "bus", NULL},
     {"solar_irradiance", NULL, 0.02, "bus", NULL},
     {"shadow_radius", NULL, 10.0, "bus", NULL},
     {"band_emissivity", "grey_panel", 0.05, "vis", NULL},
@@ -114,9 +117,13 @@ static void put_satellite(void)
   put(SCENARIO, text);
 }
 
-static const char *const isothermal[] = {"thermal.start=isothermal", "thermal.orbits_before=0.1",
-                                         "parts.panel.electrical_extraction=0.2",
-                                         "time.exposure_s=10", "time.exposure_samples=2"};
+#define ISOTHERMAL 6
+static const char *const isothermal[ISOTHERMAL] = {"thermal.start=isothermal",
+                                                   "thermal.orbits_before=0.1",
+                                                   "parts.panel.electrical_extraction=0.2",
+                                                   "time.exposure_s=10",
+                                                   "time.exposure_samples=2",
+                                                   "environment.earth=knocke"};
 
 /* At null plus `steps` times the step of its case. */
 static struct um_model_addition away(const struct um_effect *effect, const struct entry *entry,
@@ -189,7 +196,7 @@ static void check_switch(const struct um_effect *effect, const struct entry *ent
 {
   const char *const without[] = {effect->name};
   const struct um_model_options options = {
-      .overrides = isothermal, .noverride = 5, .without = without, .nwithout = 1};
+      .overrides = isothermal, .noverride = ISOTHERMAL, .without = without, .nwithout = 1};
   struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
   struct um_model_addition a = away(effect, entry, 0.0);
   double off[48], on[48];
@@ -223,7 +230,7 @@ static void check_refuses(struct um_sensitivity_forward *f, const struct um_effe
 static void test_physics(void **state)
 {
   (void)state;
-  const struct um_model_options options = {.overrides = isothermal, .noverride = 5};
+  const struct um_model_options options = {.overrides = isothermal, .noverride = ISOTHERMAL};
   double base[48];
   put_satellite();
   struct um_compare_measurements *m = measured();

@@ -27,6 +27,8 @@ static const struct entry entries[] = {
     {"albedo_level", "", "", 0, 0.5, 1.6},
     {"earth_ir_level", "", "", 0, 0.9, 1.1},
     {"earth_brightness", "", "", 0, -12.0, 12.0},
+    {"local_albedo", "", NULL, 0, 0.4, 2.0},
+    {"local_earth_ir", "", "", 0, 0.8, 1.2},
     {"solar_irradiance", "", "", 0, 0.97, 1.034},
     {"shadow_radius", "", "", 0, -4.0, 5.0},
     {"band_emissivity", "cfrp", "mli", 0, 0.92, 1.08},
@@ -75,7 +77,8 @@ static const struct {
                 {"penumbra", true, true},
                 {"oblateness", true, true},
                 {"absorptance_angle", true, false},
-                {"emittance_temperature", true, false}};
+                {"emittance_temperature", true, false},
+                {"earth_map", true, true}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

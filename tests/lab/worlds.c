@@ -44,6 +44,14 @@ static const struct lab_world worlds[] = {
     SPECTRAL("absorptance_angle"),
     SPECTRAL("emittance_temperature"),
 
+    /* The truth has Knocke's Earth, the analyst a uniform one. */
+    {.name = "dusk-earth_map", DUSK, .set = {"environment.earth=knocke"}, .without = "earth_map"},
+    {.name = "dawn-earth_map",
+     DAWN,
+     PLACES,
+     .set = {"environment.earth=knocke"},
+     .without = "earth_map"},
+
     /* To the analyst there is hardly anything inside that stores heat. */
     {.name = "dusk-hollow", DUSK, .set = {"parts.bus.interior.capacity_J_K=3000"}},
     {.name = "dawn-hollow", DAWN, PLACES, .set = {"parts.bus.interior.capacity_J_K=3000"}},
