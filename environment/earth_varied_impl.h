@@ -4,7 +4,7 @@
 #define UMBRA_ENVIRONMENT_EARTH_VARIED_IMPL_H
 
 #include "environment/earth_view_impl.h"
-#include "environment/ground.h"
+#include "environment/ground_view.h"
 
 #define UM_EARTH_VARIED_RINGS  16
 #define UM_EARTH_VARIED_AROUND 32

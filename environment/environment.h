@@ -47,6 +47,8 @@ struct um_environment {
   bool absorptance_by_angle, emittance_by_temperature;
 };
 void um_environment_defaults(struct um_environment *out);
+/* Does the Earth differ from place to place, or in time? Then a globe is wanted. */
+bool um_environment_earth_varies(const struct um_environment *environment);
 
 /* Solar irradiance [W/m^2] at a distance [m] from the Sun. */
 double um_environment_solar_irradiance(const struct um_environment *environment, double distance);

@@ -9,7 +9,6 @@
 
 #include "core/vec.h"
 
-struct um_environment;
 struct um_environment_map; /* environment/map.h */
 
 enum um_environment_earth {
@@ -45,45 +44,5 @@ struct um_environment_ground {
   double longwave;   /* emitted, all wavelengths [W/m^2] */
   double brightness; /* brightness temperature in 8-12 um [K] */
 };
-
-/* The region does nothing: its factors are 1, its offsets 0. */
-bool um_environment_region_is_neutral(const struct um_environment_region *region);
-/* Does the Earth differ from place to place, or in time? Then a globe is wanted. */
-bool um_environment_earth_varies(const struct um_environment *environment);
-
-/* Everything that is one for all places of an instant. */
-struct um_environment_ground_view {
-  const struct um_environment *environment;
-  struct um_vec3 pole, greenwich, east; /* right-handed */
-  double season;                        /* cosine of the annual phase of Knocke's model [1] */
-  double irradiance;                    /* solar, nominal, at the Earth's distance [W/m^2] */
-  double month;          /* 0 in the middle of January, 11 in that of December; -0.5..11.5 */
-  double weight;         /* of the region at this time, 0..1 [1] */
-  struct um_vec3 centre; /* of the region */
-};
-/* globe: NULL for a uniform Earth. sun_distance [m]. */
-struct um_environment_ground_view
-um_environment_ground_view(const struct um_environment *environment,
-                           const struct um_environment_globe *globe, double sun_distance);
-/* At a place, a unit vector from the geocentre. Latitudes are geocentric: against geodetic ones, as
- * grids have them, they are off by 0.19 deg at most. The albedo is kept within 0..1 and the other
- * two above zero. Tests: environment/ground. */
-struct um_environment_ground um_environment_ground_at(const struct um_environment_ground_view *view,
-                                                      struct um_vec3 place);
-
-/* Knocke, Ries & Tapley 1988 (AIAA 88-4292): with P1 = s and P2 = (3 s^2 - 1)/2 of the sine s of
- * the latitude, and the cosine c of 2 pi (days since 1981-12-22)/365.25, albedo = 0.34 + 0.10 c P1
- * + 0.29 P2,  emissivity = 0.68 - 0.07 c P1 - 0.18 P2, the emitted flux being emissivity * S/4 for
- * the solar irradiance S at the Earth's distance. */
-void um_environment_knocke(double sine_latitude, double season, double *albedo, double *emissivity);
-/* c of a date. */
-double um_environment_knocke_season(double t_tai);
-/* Brightness temperature in the window [K] of ground that emits this flux [W/m^2]: the flux
- * temperature T_F = (flux/sigma)^(1/4) is T (1.228 - 1.106e-3/K T) (Ohring, Gruber & Ellingson
- * 1984, J. Climate Appl. Meteor. 23:416, figures as in Yang & Slingo 2001, Mon. Wea. Rev. 129:784).
- * Meant for 100 to 320 W/m^2; does not fail. */
-double um_environment_window_temperature(double longwave);
-/* Month of a date, as in the view; and days since 2000-01-01 of a civil date, for readers. */
-double um_environment_month_of(double t_tai);
 
 #endif

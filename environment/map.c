@@ -10,6 +10,7 @@
 
 #include "core/constants.h"
 #include "core/interpolation.h"
+#include "environment/knocke.h"
 
 #define PERIHELION 0.1    /* month in which the Earth is nearest to the Sun: 3 January */
 #define NEARER     0.0334 /* irradiance there over its mean, less 1: 2 e */

@@ -35,7 +35,4 @@ struct um_environment_map_range {
 };
 extern const struct um_environment_map_range um_environment_map_range[UM_MAP_QUANTITIES];
 
-/* Gregorian year, month 0..11 and day of the month from 0 [d], of days since 2000-03-01 0 h. */
-int um_environment_month_split(double days, int *year, double *in_month);
-
 #endif

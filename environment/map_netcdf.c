@@ -15,6 +15,7 @@
 
 #include "core/child.h"
 #include "core/constants.h"
+#include "environment/knocke.h"
 #include "environment/map_impl.h"
 
 #define SECONDS    120.0

@@ -9,7 +9,8 @@
 
 #include "core/constants.h"
 #include "core/planck.h"
-#include "environment/environment.h"
+#include "environment/ground_view.h"
+#include "environment/knocke.h"
 
 #define DAY     86400.0
 #define EQUINOX (6107.5 * DAY) /* 2016-09-21 0 h */

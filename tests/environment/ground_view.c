@@ -3,7 +3,8 @@
 #include "check.h"
 
 #include "core/constants.h"
-#include "environment/environment.h"
+#include "environment/ground_view.h"
+#include "environment/knocke.h"
 
 #define DAY        86400.0
 #define EQUINOX_16 (6107.5 * DAY) /* 2016-09-21 0 h, 12692 days from 1981-12-22 */
