@@ -184,7 +184,8 @@ static enum um_status take_defaults(struct um_context *context, struct um_model 
     struct um_model_effect *use = NULL;
     if (!effect->on_by_default) continue;
     UM_TRY(use_of(context, model, effect, NULL, &use));
-    use->off = effect->is_off != NULL && effect->is_off(&environment);
+    use->off_by_keys = effect->is_off != NULL && effect->is_off(&environment);
+    use->off = use->off_by_keys;
   }
   return UM_OK;
 }

@@ -36,6 +36,7 @@ struct um_model_effect {
   const char *target; /* NULL: everything it can act on; owned by the document */
   double value[UM_EFFECT_PARAMETERS_MAX];
   bool off;
+  bool off_by_keys;          /* a core switch that keys of `environment` hold off */
   const struct um_mark *at;  /* entry of the scenario; NULL: of the command line, or by default */
   const char *option, *text; /* "--with" and what was typed; NULL otherwise */
 };

@@ -139,11 +139,12 @@ static enum um_status new_entry(struct overrides *o, const struct um_model_effec
   return add_override(o, copy);
 }
 
-/* Does an entry have to say this? Not that an effect is off, nor that a switch is on by default;
+/* Does an entry have to say this? Not that an effect is off, which keys of `environment` say of a
+ * switch already, nor that a switch is on by default;
  * one that was asked for may be held off by another key of the scenario. */
 static bool is_needed(const struct um_model_effect *use)
 {
-  if (use->off) return use->effect->on_by_default != 0;
+  if (use->off) return use->effect->on_by_default != 0 && !use->off_by_keys;
   bool changed = !use->effect->on_by_default || use->option != NULL;
   for (size_t p = 0; p < use->effect->nparameter; p++)
     changed = changed || use->value[p] != use->effect->parameters[p].default_value;

@@ -18,6 +18,15 @@ static struct case_run with_set(const char *a, const char *b, const char *with)
   return case_compute(case_satellite, effects, NULL, set);
 }
 
+/* Without what the temperature of the Earth does to absorptances: a level changes it, a part of the
+ * Earth does not. */
+static struct case_run with_one_emittance(const char *set_key, const char *with)
+{
+  const char *const set[] = {set_key, NULL}, *const effects[] = {with, NULL};
+  const char *const without[] = {"emittance_temperature", NULL};
+  return case_compute(case_satellite, effects, without, set);
+}
+
 static double largest(const struct case_run *a, const struct case_run *b)
 {
   double worst = 0.0;
@@ -92,8 +101,8 @@ static void region_is_a_level_where_it_is(void **state)
   struct case_run level = case_with(case_satellite, "albedo_level,albedo_factor=1.5");
   struct case_run all = with_set(always, NULL, "local_albedo,local_albedo_factor=1.5");
   assert_true(largest(&level, &all) < SAME);
-  struct case_run warm = case_with(case_satellite, "earth_ir_level,olr_factor=0.8");
-  struct case_run cold = with_set(always, NULL, "local_earth_ir,local_olr_factor=0.8");
+  struct case_run warm = with_one_emittance(NULL, "earth_ir_level,olr_factor=0.8");
+  struct case_run cold = with_one_emittance(always, "local_earth_ir,local_olr_factor=0.8");
   assert_true(largest(&warm, &cold) < SAME);
   struct case_run plain = case_with(case_satellite, NULL);
   struct case_run never = with_set("environment.earth.local={to_utc: 1990-01-01T00:00:00Z, "
