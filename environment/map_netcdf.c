@@ -89,7 +89,27 @@ static double civil_days(int year, int month, double day)
 {
   int y = year - (month < 3), m = (month + 9) % 12;
   return 365.0 * (y - 2000) + floor(y / 4.0) - floor(y / 100.0) + floor(y / 400.0) - 485.0 +
-         (153 * m + 2) / 5 + day - 1.0;
+         floor((153 * m + 2) / 5.0) + day - 1.0;
+}
+
+/* "days since 2000-03-01 ...": the unit's word and the date; false: it does not say so. */
+static bool since_date(const char *text, char word[16], int *year, int *month, int *day)
+{
+  const char *since = strstr(text, " since ");
+  char *end = NULL;
+  if (since == NULL || since - text > 15) return false;
+  memcpy(word, text, (size_t)(since - text));
+  word[since - text] = '\0';
+  long y = strtol(since + strlen(" since "), &end, 10);
+  if (*end != '-') return false;
+  long m = strtol(end + 1, &end, 10);
+  if (*end != '-') return false;
+  long d = strtol(end + 1, &end, 10);
+  if (y < 1 || y > 9999 || m < 1 || m > 12 || d < 1 || d > 31) return false;
+  *year = (int)y;
+  *month = (int)m;
+  *day = (int)d;
+  return true;
 }
 
 /* Unit of time and its origin. */
@@ -101,8 +121,7 @@ static bool time_unit(struct reader *r, const char *name, double *unit, double *
   } units[] = {
       {"day", 1.0}, {"hour", 1.0 / 24.0}, {"minute", 1.0 / 1440.0}, {"second", 1.0 / 86400.0}};
   char text[128] = "", word[16] = "";
-  int variable, year = 0, month = 0;
-  double day = 0.0;
+  int variable, year = 0, month = 0, day = 0;
   size_t length = 0;
   nc_type type;
   if (nc_inq_varid(r->file, name, &variable) == NC_NOERR &&
@@ -111,12 +130,11 @@ static bool time_unit(struct reader *r, const char *name, double *unit, double *
     (void)nc_get_att_text(r->file, variable, "units", text);
   *origin = NAN; /* months of a climatology */
   if (strncmp(text, "month", 5) == 0 && strstr(text, "since") == NULL) return true;
-  if (sscanf(text, "%15[a-z] since %d-%d-%lf", word, &year, &month, &day) == 4 && month >= 1 &&
-      month <= 12 && day >= 1.0 && day < 32.0 && year > 0 && year < 10000)
+  if (since_date(text, word, &year, &month, &day))
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
       if (strncmp(word, units[i].word, strlen(units[i].word)) == 0) {
         *unit = units[i].days;
-        *origin = civil_days(year, month, floor(day));
+        *origin = civil_days(year, month, day);
         return true;
       }
   return FAIL(r,
