@@ -1,0 +1,31 @@
+/* Surfaces gathered into patches: the unit in which surfaces of a satellite see and heat each
+ * other. A patch has surfaces of one part, group and side, and so of one material. */
+#ifndef UMBRA_GEOMETRY_PATCHES_H
+#define UMBRA_GEOMETRY_PATCHES_H
+
+#include "geometry/geometry.h"
+
+/* More than this are refused: their exchange is a full matrix. */
+#define UM_GEOMETRY_PATCHES_MAX 4096
+
+struct um_geometry_patches {
+  size_t nsurface, npatch;
+  uint32_t *patch;   /* [nsurface] UM_GEOMETRY_NONE: nothing of the satellite stands before it */
+  uint32_t *surface; /* [nmember] surfaces by patch */
+  size_t *begin;     /* [npatch + 1] first of a patch in `surface` */
+  double *area;      /* [npatch] [m^2] */
+};
+
+/* covered: [nsurface], not 0 where something may stand before the surface. As many patches as there
+ * are covered surfaces, or `limit` where those are more: groups are then halved across their
+ * longest edge, the longest first, in the pose. A side of a group is one patch at least, so that
+ * there may be more than `limit`. UM_ERR_INPUT above UM_GEOMETRY_PATCHES_MAX. The caller destroys.
+ */
+enum um_status um_geometry_patches_create(struct um_context *context,
+                                          const struct um_geometry_mesh *mesh,
+                                          const struct um_geometry_pose *pose,
+                                          const uint8_t *covered, size_t limit,
+                                          struct um_geometry_patches **out);
+void um_geometry_patches_destroy(struct um_context *context, struct um_geometry_patches **patches);
+
+#endif

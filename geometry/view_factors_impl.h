@@ -1,0 +1,13 @@
+/* Private to geometry/: the closure of sampled exchange areas. */
+#ifndef UMBRA_GEOMETRY_VIEW_FACTORS_IMPL_H
+#define UMBRA_GEOMETRY_VIEW_FACTORS_IMPL_H
+
+#include "geometry/view_factors.h"
+
+/* Change area and space so that every row has the sum wanted[npatch]; see view_factors_close.c.
+ * Sets unclosed and residual. UM_ERR_NUMERIC when it does not converge. */
+enum um_status um_geometry_view_factors_close(struct um_context *context,
+                                              struct um_geometry_view_factors *factors,
+                                              const double *wanted);
+
+#endif
