@@ -17,6 +17,7 @@
 
 #include "core/sampling.h"
 #include "core/sort.h"
+#include "geometry/points_impl.h"
 #include "geometry/view_factors_impl.h"
 #include "geometry/visibility_impl.h"
 

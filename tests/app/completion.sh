@@ -46,7 +46,7 @@ expect "--temperature-sigma|--temperatures|" umbra synth --temp
 expect "--json|" umbra schema --j
 expect "albedo|albedo_level|" umbra run x --with alb
 expect "panel_extraction|" umbra effects pan
-expect "emittance|" umbra fit s m --add emit
+expect "roughness|" umbra fit s m --add rough
 expect "mli_kapton|mli_kapton_ito|" umbra materials mli_k
 expect "orbit.circular.altitude_km|" umbra schema orbit.circular.alt
 expect "bash|zsh|" umbra completion ""
