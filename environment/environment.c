@@ -33,6 +33,8 @@ void um_environment_defaults(struct um_environment *out)
       .earth_reflection_on = true,
       .earthshine_factor = 1.0,
       .earth_reflection_factor = 1.0,
+      .mutual_radiation_on = true,
+      .solar_reflection_on = true,
       .absorptance_by_angle = true,
       .emittance_by_temperature = true,
   };

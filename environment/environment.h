@@ -42,6 +42,8 @@ struct um_environment {
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */
   double earthshine_factor, earth_reflection_factor; /* of those two [1] */
+  /* heat between surfaces of the satellite: of their own emission, of sunlight that they reflect */
+  bool mutual_radiation_on, solar_reflection_on;
   /* how surfaces take what comes: at normal incidence for all angles and with the emittance of
    * 300 K, or as their spectra say */
   bool absorptance_by_angle, emittance_by_temperature;

@@ -1,15 +1,19 @@
 /* Gathering of surfaces: sides of groups, halved at the middle of their members along the longest
- * edge of the box around them. */
+ * edge of the box around them, where extent and exchange are large. What a patch sends and receives
+ * is spread evenly over it, so that its error grows with both. */
 #include "geometry/patches.h"
 
 #include <string.h>
 
 #include "core/sort.h"
 
+#define LEAST 1e-3 /* share seen that all have at least: few rays see little */
+
 /* A surface on its way into a patch. */
 struct member {
   struct um_vec3 centre; /* of its facet [m] */
   double along;          /* centre along the edge that is halved [m] */
+  double exchange;       /* area times share seen [m^2] */
   uint32_t surface, part, group;
   uint8_t back;
 };
@@ -17,8 +21,9 @@ struct member {
 /* A run of members that may be halved. */
 struct run {
   size_t begin, end;
-  double edge; /* longest of the box around the centres [m]; 0: cannot be halved */
-  int axis;    /* of that edge */
+  double edge;  /* longest of the box around the centres [m]; 0: cannot be halved */
+  double worth; /* edge times exchange of all [m^3] */
+  int axis;     /* of that edge */
 };
 
 static int compare_place(const void *pa, const void *pb)
@@ -37,6 +42,12 @@ static int compare_along(const void *pa, const void *pb)
   return (a->surface > b->surface) - (a->surface < b->surface);
 }
 
+static int compare_runs(const void *pa, const void *pb)
+{
+  const struct run *a = pa, *b = pb;
+  return (a->begin > b->begin) - (a->begin < b->begin);
+}
+
 static double coordinate(struct um_vec3 v, int axis)
 {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -44,7 +55,7 @@ static double coordinate(struct um_vec3 v, int axis)
 
 static struct run run_of(const struct member *member, size_t begin, size_t end)
 {
-  struct run run = {begin, end, 0.0, 0};
+  struct run run = {begin, end, 0.0, 0.0, 0};
   for (int axis = 0; axis < 3; axis++) {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = begin; i < end; i++) {
@@ -56,21 +67,23 @@ static struct run run_of(const struct member *member, size_t begin, size_t end)
       run.axis = axis;
     }
   }
+  for (size_t i = begin; i < end; i++) run.worth += run.edge * member[i].exchange;
   return run;
 }
 
 static void fill_members(const struct um_geometry_mesh *mesh, const struct um_geometry_pose *pose,
-                         const uint8_t *covered, struct member *member)
+                         const double *seen, struct member *member)
 {
   size_t n = 0;
   for (size_t s = 0; s < mesh->nsurface; s++) {
-    if (!covered[s]) continue;
+    if (!(seen[s] >= 0.0)) continue;
     const struct um_geometry_surface *surface = &mesh->surface[s];
     const uint32_t *c = mesh->corner[surface->facet];
     struct um_vec3 sum =
         um_vec3_add(um_vec3_add(pose->vertex[c[0]], pose->vertex[c[1]]), pose->vertex[c[2]]);
     member[n++] = (struct member){.centre = um_vec3_scale(sum, 1.0 / 3.0),
                                   .surface = (uint32_t)s,
+                                  .exchange = mesh->area[surface->facet] * fmax(seen[s], LEAST),
                                   .part = surface->part,
                                   .group = surface->group,
                                   .back = surface->back};
@@ -103,14 +116,14 @@ static enum um_status split(struct um_context *context, struct member *member, s
     run[(*nrun)++] = run_of(member, begin, end);
   }
   while (*nrun < limit && *nrun < nmember) {
-    size_t longest = 0;
+    size_t best = 0;
     for (size_t k = 1; k < *nrun; k++)
-      if (run[k].edge > run[longest].edge) longest = k;
-    if (!(run[longest].edge > 0.0)) break;
-    UM_TRY(halve(context, member, run, longest, nrun));
+      if (run[k].worth > run[best].worth) best = k;
+    if (!(run[best].worth > 0.0)) break;
+    UM_TRY(halve(context, member, run, best, nrun));
     UM_TRY(um_core_stop_check(context, "surfaces were gathered"));
   }
-  return UM_OK;
+  return um_core_sort(context, run, *nrun, sizeof *run, compare_runs);
 }
 
 static enum um_status fill_patches(struct um_context *context, const struct um_geometry_mesh *mesh,
@@ -135,9 +148,8 @@ static enum um_status fill_patches(struct um_context *context, const struct um_g
 
 enum um_status um_geometry_patches_create(struct um_context *context,
                                           const struct um_geometry_mesh *mesh,
-                                          const struct um_geometry_pose *pose,
-                                          const uint8_t *covered, size_t limit,
-                                          struct um_geometry_patches **out)
+                                          const struct um_geometry_pose *pose, const double *seen,
+                                          size_t limit, struct um_geometry_patches **out)
 {
   enum um_status status;
   struct um_geometry_patches *patches = NULL;
@@ -145,14 +157,14 @@ enum um_status um_geometry_patches_create(struct um_context *context,
   struct run *run = NULL;
   size_t nmember = 0;
   *out = NULL;
-  for (size_t s = 0; s < mesh->nsurface; s++) nmember += covered[s] != 0;
+  for (size_t s = 0; s < mesh->nsurface; s++) nmember += seen[s] >= 0.0;
   UM_CHECK(um_core_allocate(context, 1, sizeof *patches, &patches));
   patches->nsurface = mesh->nsurface;
   UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *patches->patch, &patches->patch));
   memset(patches->patch, 0xff, mesh->nsurface * sizeof *patches->patch);
   UM_CHECK(um_core_allocate(context, nmember, sizeof *member, &member));
   UM_CHECK(um_core_allocate(context, nmember, sizeof *run, &run));
-  fill_members(mesh, pose, covered, member);
+  fill_members(mesh, pose, seen, member);
   UM_CHECK(split(context, member, nmember, limit, run, &patches->npatch));
   if (patches->npatch > UM_GEOMETRY_PATCHES_MAX) {
     status = um_core_fail(context, UM_ERR_INPUT,

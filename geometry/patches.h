@@ -16,16 +16,16 @@ struct um_geometry_patches {
   double *area;      /* [npatch] [m^2] */
 };
 
-/* covered: [nsurface], not 0 where something may stand before the surface. As many patches as there
- * are covered surfaces, or `limit` where those are more: groups are then halved across their
- * longest edge, the longest first, in the pose. A side of a group is one patch at least, so that
- * there may be more than `limit`. UM_ERR_INPUT above UM_GEOMETRY_PATCHES_MAX. The caller destroys.
- */
+/* Patches of one side of a group follow each other. seen: [nsurface], share of a surface's view
+ * that other surfaces of the satellite may take; negative where nothing stands before it. As many
+ * patches as there are surfaces with something before them, or `limit` where those are more: groups
+ * are then halved across their longest edge, in the pose, first where edge times area times share
+ * seen is largest. A side of a group is one patch at least, so that there may be more than `limit`.
+ * UM_ERR_INPUT above UM_GEOMETRY_PATCHES_MAX. The caller destroys. */
 enum um_status um_geometry_patches_create(struct um_context *context,
                                           const struct um_geometry_mesh *mesh,
-                                          const struct um_geometry_pose *pose,
-                                          const uint8_t *covered, size_t limit,
-                                          struct um_geometry_patches **out);
+                                          const struct um_geometry_pose *pose, const double *seen,
+                                          size_t limit, struct um_geometry_patches **out);
 void um_geometry_patches_destroy(struct um_context *context, struct um_geometry_patches **patches);
 
 #endif

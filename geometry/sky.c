@@ -1,8 +1,8 @@
 /* The sky of each surface in body frame: free fraction per directional cell.
  *
- * Cells are the squares of a 16 x 16 grid on the equal-area octahedral map of the sphere (Clarberg
+ * Cells are the squares of a 32 x 32 grid on the equal-area octahedral map of the sphere (Clarberg
  * 2008, "Fast equal-area mapping of the (hemi)sphere using SIMD", J. Graphics Tools 13:53): every
- * cell has solid angle 4 pi / 256. Each cell is sampled with nsample rays from points of the facet
+ * cell has solid angle 4 pi / 1024. Each cell is sampled with nsample rays from points of the facet
  * in directions spread over the cell, both keyed by the facet; fractions are kept in steps of
  * 1/255. A direction of a cell that lies below the surface's horizon is mirrored at its plane. Open
  * surfaces have no cells. */
@@ -13,7 +13,7 @@
 #include "geometry/points_impl.h"
 #include "geometry/visibility.h"
 
-#define SIDE       16
+#define SIDE       32
 #define NCELL      (SIDE * SIDE)
 #define NDIRECTION 64
 #define KEY_SKY    UINT64_C(0x736b79)

@@ -19,7 +19,6 @@
 #include "core/sort.h"
 #include "geometry/points_impl.h"
 #include "geometry/view_factors_impl.h"
-#include "geometry/visibility_impl.h"
 
 #define BATCH   ((size_t)1 << 17) /* rays whose ends are kept at a time */
 #define BUNDLE  256               /* rays traced at a time, on the stack */

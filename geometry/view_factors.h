@@ -45,6 +45,13 @@ enum um_status um_geometry_view_factors_create(
     const struct um_geometry_pose *pose, const struct um_geometry_visibility *visibility,
     const struct um_geometry_patches *patches,
     const struct um_geometry_view_factor_options *options, struct um_geometry_view_factors **out);
+/* The share of each surface's view that something stands in, by a few rays, added to seen[nsurface]
+ * where it is not negative: for um_geometry_patches_create. UM_ERR_CANCELLED. */
+enum um_status um_geometry_view_factors_seen(struct um_context *context,
+                                             const struct um_geometry_mesh *mesh,
+                                             const struct um_geometry_pose *pose,
+                                             const struct um_geometry_visibility *visibility,
+                                             double *seen);
 void um_geometry_view_factors_destroy(struct um_context *context,
                                       struct um_geometry_view_factors **factors);
 /* S_pq [m^2], 0 where there is no entry. */

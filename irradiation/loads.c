@@ -17,7 +17,7 @@
 #include "irradiation/loads_impl.h"
 
 #define DARK_MARGIN 120.0 /* [s] */
-#define SKY_SAMPLES 16
+#define SKY_SAMPLES 4
 #define BATCH       32 /* times whose scenes are alive together */
 
 struct tracer {

@@ -12,7 +12,7 @@ struct um_thermal_scene {
   size_t *row;      /* [nsurface] first cell; SIZE_MAX where open. NULL: rays are to be asked */
   uint8_t *freedom; /* [ncovered][UM_THERMAL_CUBE_CELLS] free fraction times 255 */
 };
-#define UM_THERMAL_CUBE_SIDE  16 /* 5.6 deg: the sky's own cells have 12.6 deg */
+#define UM_THERMAL_CUBE_SIDE  32 /* 2.8 deg: the sky's own cells have 6.3 deg */
 #define UM_THERMAL_CUBE_CELLS (6 * UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE)
 
 /* The visible cap; every direction also as four within its cell, since cells of the sky and of the

@@ -4,8 +4,8 @@
 
 #include "model/model.h"
 
-/* What of each surface's sky the satellite itself covers, into the heat network.
- */
+/* What of each surface's sky the satellite itself covers, into the heat network, where
+ * mutual_radiation is off. */
 enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model);
 
 #endif

@@ -17,6 +17,7 @@
 #include "model/bounds_impl.h"
 #include "model/effects_impl.h"
 #include "model/line_of_sight_impl.h"
+#include "model/precompute_exchange_impl.h"
 #include "model/timeline.h"
 #include "model/words_impl.h"
 
@@ -239,6 +240,7 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
   UM_CHECK(um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n,
                                       edge, precomputed->nevent, model->scenario->thermal->samples,
                                       &precomputed->loads));
+  UM_CHECK(um_model_precompute_view_factors(context, model, samples, n, precomputed));
 done:
   um_core_free(context, edge);
   um_core_free(context, samples);
@@ -354,6 +356,7 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_core_free(context, t->load_row);
   um_core_free(context, t->event);
   um_irradiation_loads_destroy(context, &t->loads);
+  um_geometry_view_factor_table_destroy(context, &t->view_factors);
   um_optics_view_destroy(context, &t->view);
   um_core_free(context, t);
   *precomputed = NULL;

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "environment/timeline.h"
+#include "geometry/view_factor_table.h"
 #include "irradiation/loads.h"
 #include "optics/optics.h"
 #include "orbit/observer.h"
@@ -25,7 +26,9 @@ struct um_model_precomputed {
   double t_periodic_end;              /* end of the orbit that is made periodic; t_start if none */
   struct um_irradiation_loads *loads; /* over [t_start, last observation] */
   size_t *load_row;                   /* [nobs * nsub] row of loads at each instant */
-  struct um_optics_view *view;        /* [nobs * nsub]; NULL without an observer */
+  struct um_geometry_view_factor_table *view_factors; /* at the times of the loads, or 1 where
+                                                         nothing moves; NULL: no heat to follow */
+  struct um_optics_view *view;                        /* [nobs * nsub]; NULL without an observer */
   struct um_environment_event *event; /* [nevent], eclipse edges from t_start to the end */
   size_t nevent;
   bool points; /* observations stand alone: one instant and one row of loads each, in their order;

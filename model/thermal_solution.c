@@ -6,6 +6,7 @@
 
 #include "model/start_offset_impl.h"
 #include "model/thermal_solution_impl.h"
+#include "thermal/exchange.h"
 
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
 
@@ -20,6 +21,25 @@ static struct um_thermal_solve_options options_of(const struct um_model *model)
   options.albedo_on = model->environment.albedo_on;
   options.planet_on = model->environment.planet_on;
   return options;
+}
+
+static struct um_thermal_exchange_options exchange_options(const struct um_model *model)
+{
+  return (struct um_thermal_exchange_options){.infrared = model->environment.mutual_radiation_on,
+                                              .solar = model->environment.solar_reflection_on};
+}
+
+/* Radiation between surfaces, with the optics that the model has. */
+static enum um_status make_exchange(struct um_context *context,
+                                    struct um_model_thermal_solution *heat)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  struct um_thermal_exchange_options options = exchange_options(heat->model);
+  if (precomputed->view_factors == NULL) return UM_OK;
+  UM_TRY(um_thermal_exchange_create(context, heat->model->body->network, precomputed->loads,
+                                    precomputed->view_factors, &options, &heat->exchange));
+  heat->options.exchange = heat->exchange;
+  return UM_OK;
 }
 
 /* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
@@ -166,6 +186,7 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
   if (!precomputed->points)
     UM_CHECK(um_model_aging_create(context, model, precomputed->loads, &heat->aging));
   if (heat->aging != NULL) heat->options.aging = &heat->aging->table;
+  UM_CHECK(make_exchange(context, heat));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
@@ -195,6 +216,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   um_core_free(context, (*heat)->run.surface);
   um_core_free(context, (*heat)->start);
   um_model_aging_destroy(context, &(*heat)->aging);
+  um_thermal_exchange_destroy(context, &(*heat)->exchange);
   um_core_free(context, *heat);
   *heat = NULL;
 }
@@ -217,6 +239,42 @@ static bool loads_equal(const struct um_irradiation_loads *a, const struct um_ir
          same(a->incidence, b->incidence, n, sizeof *a->incidence) &&
          same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
          same(a->planet, b->planet, n, sizeof *a->planet);
+}
+
+static bool factors_equal(const struct um_geometry_view_factors *a,
+                          const struct um_geometry_view_factors *b)
+{
+  size_t n = a->npatch, nentry = a->begin[n];
+  return a->npatch == b->npatch && same(a->begin, b->begin, n + 1, sizeof *a->begin) &&
+         same(a->other, b->other, nentry, sizeof *a->other) &&
+         same(a->area, b->area, nentry, sizeof *a->area);
+}
+
+static bool tables_equal(const struct um_geometry_view_factor_table *a,
+                         const struct um_geometry_view_factor_table *b)
+{
+  if (a == b) return true;
+  if (a == NULL || b == NULL || a->npose != b->npose || a->ntime != b->ntime ||
+      a->ncorner != b->ncorner || a->patches->npatch != b->patches->npatch ||
+      a->patches->nsurface != b->patches->nsurface)
+    return false;
+  size_t n = a->ntime * a->ncorner;
+  for (size_t k = 0; k < a->npose; k++)
+    if (!factors_equal(a->pose[k], b->pose[k])) return false;
+  return same(a->corner, b->corner, n, sizeof *a->corner) &&
+         same(a->weight, b->weight, n, sizeof *a->weight) &&
+         same(a->patches->patch, b->patches->patch, a->patches->nsurface,
+              sizeof *a->patches->patch);
+}
+
+/* Optics stand in the networks, which are compared themselves. */
+static bool exchange_equal(const struct um_model_thermal_solution *heat,
+                           const struct um_model *model,
+                           const struct um_model_precomputed *precomputed)
+{
+  struct um_thermal_exchange_options a = exchange_options(heat->model), b = exchange_options(model);
+  return a.infrared == b.infrared && a.solar == b.solar &&
+         tables_equal(heat->precomputed->view_factors, precomputed->view_factors);
 }
 
 static bool times_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
@@ -256,6 +314,7 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
          times_equal(heat->precomputed, precomputed) &&
          loads_equal(heat->precomputed->loads, precomputed->loads) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
+         exchange_equal(heat, model, precomputed) &&
          um_model_start_offset_equal(heat->model, model);
   if (!*out || precomputed->points) return UM_OK;
   UM_TRY(um_model_aging_create(context, model, precomputed->loads, &aging));

@@ -19,9 +19,10 @@ struct um_model_thermal_solution {
   const struct um_model *model;                   /* borrowed */
   const struct um_model_precomputed *precomputed; /* borrowed */
   struct um_thermal_solve_options options;
-  struct um_model_aging *aging; /* behind options.aging; NULL: nothing ages */
-  double *start;                /* [nnode] start temperatures [K] */
-  double periodic_drift;        /* what the periodic start left [K]; NaN when isothermal */
+  struct um_model_aging *aging;         /* behind options.aging; NULL: nothing ages */
+  struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces */
+  double *start;                        /* [nnode] start temperatures [K] */
+  double periodic_drift;                /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
 

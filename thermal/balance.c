@@ -21,6 +21,7 @@ double um_thermal_system_node_heat(const struct um_thermal_system *system, size_
   const double *t = system->temperature, *p = system->power4;
   double heat = system->power[node] + system->now.q[node];
   if (system->made != NULL) heat += system->made[node];
+  if (system->exchange != NULL) heat += system->exchange->gain[node];
   heat -= system->space[node] * (p[node] - system->space4);
   double exchange = 0.0;
   for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {

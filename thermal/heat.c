@@ -50,7 +50,7 @@ static enum um_status surfaces_add(struct um_context *context,
     double irradiance =
         (1.0 - at.u) * loads->irradiance[at.low] + at.u * loads->irradiance[at.high];
     double sunlit = (1.0 - at.u) * loads->sunlit[at.low] + at.u * loads->sunlit[at.high];
-    um_thermal_load_row_sum(network, loads, aging, row, sun, albedo, planet);
+    um_thermal_load_row_sum(network, loads, aging, options->exchange, row, sun, albedo, planet);
     for (size_t i = 0; i < n; i++) {
       out[i].solar += u * irradiance * sunlit * sun[i];
       if (options->albedo_on) out[i].albedo += u * albedo[i];
@@ -82,6 +82,48 @@ static void links_add(const struct um_thermal_network *network, const double *te
       out[link->b].exchanged -= flow;
     }
   }
+}
+
+/* What patches receive of each other, and what of their emission is received: that is exchanged,
+ * and not lost to space as surfaces_add has it. */
+static enum um_status exchange_add(struct um_context *context,
+                                   const struct um_thermal_network *network,
+                                   const struct um_thermal_exchange *x, double t,
+                                   const double *temperature, double space4,
+                                   struct um_thermal_heat *out)
+{
+  enum um_status status;
+  struct um_thermal_mix mix;
+  double *work = NULL;
+  size_t n = x->npatch;
+  UM_CHECK(um_core_allocate(context, 4 * n, sizeof *work, &work));
+  double *power4 = work, *heat = work + n, *one = work + 2 * n, *sent = work + 3 * n;
+  for (size_t p = 0; p < n; p++) one[p] = 1.0;
+  um_thermal_exchange_mix(x, t, &mix);
+  um_thermal_exchange_apply(x, x->between, &mix, one, sent); /* [W/K^4] */
+  for (int pass = 0; pass < 2; pass++) {
+    for (size_t s = 0; s < network->nsurface; s++) {
+      const struct um_thermal_surface *surface = &network->surface[s];
+      uint32_t p = x->patch[s];
+      for (int c = 0; c < 3 && network->attached[s] && p != UM_THERMAL_NO_PATCH; c++) {
+        uint32_t node = surface->node[c];
+        if (node == UM_THERMAL_SPACE) continue;
+        double share = surface->weight[c] * surface->area / x->area[p];
+        double slope, own = pow(temperature[node], 4) - space4;
+        own *= um_thermal_surface_law_emittance(surface->law, temperature[node], &slope);
+        if (pass == 0) {
+          power4[p] += share * own;
+        } else {
+          out[node].exchanged += share * (heat[p] - sent[p] * own);
+          out[node].radiated += share * sent[p] * own;
+        }
+      }
+    }
+    if (pass == 0) um_thermal_exchange_apply(x, x->between, &mix, power4, heat);
+  }
+done:
+  um_core_free(context, work);
+  return status;
 }
 
 static void spread_add(const struct um_thermal_spread *at, double power,
@@ -119,6 +161,8 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
     spread_add(&network->source[k].at, um_thermal_source_power(&network->source[k], t), out);
   links_add(network, temperature, space4, out);
   UM_TRY(surfaces_add(context, network, loads, options, t, temperature, space4, out));
+  if (options->exchange != NULL && options->exchange->between != NULL)
+    UM_TRY(exchange_add(context, network, options->exchange, t, temperature, space4, out));
   for (size_t i = 0; i < network->nnode; i++) {
     struct um_thermal_heat *h = &out[i];
     h->stored =

@@ -16,6 +16,7 @@
  * error test instead of the usual 0.1. */
 #include "core/order.h"
 #include "core/sort.h"
+#include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
 
@@ -31,6 +32,7 @@
 #define MAX_STEP_INTERVALS 2.0
 #define NEWTON_SHARE       1e-4
 #define LINEAR_SHARE       1e-5      /* of a right side that iterated linear solutions leave */
+#define EXCHANGE_SHARE     1e-4      /* the same with exchange between surfaces */
 #define STEPS_LIMIT        50000000u /* of one run: an end for what would never come to one */
 #define SHORTEST_SEGMENT   1e-6      /* [s] stops closer than this are one */
 #define SHORTEST_GAP       1e-9      /* [s] a switching this near to a stop happens there */
@@ -47,6 +49,7 @@ struct um_thermal_integrator {
   size_t nstop, segment;
   double t;                /* [s] of y */
   double tolerance_factor; /* factor on the tolerances [1] */
+  double gamma;            /* of Newton's matrix 1 - gamma J [s] */
   bool initialized;        /* CVodeInit was done */
   double *mean_cube, *cube_before;
   double *mean_slope, *slope_before; /* [nthermostat], with mean_cube */
@@ -138,6 +141,8 @@ static int newton_callback(realtype t, N_Vector y, N_Vector rate, SUNMatrix matr
   um_thermal_linear_pattern(system, matrix);
   if (!um_thermal_system_state_set(system, t, N_VGetArrayPointer(y))) return 1;
   if (!um_thermal_system_jacobian(system, value)) return 1;
+  if (system->exchange != NULL) um_thermal_system_exchange_hold(system, true);
+  integrator->gamma = gamma;
   for (size_t k = 0; k < system->nnonzero; k++) value[k] *= -gamma;
   for (size_t k = 0; k < system->nunknown; k++) value[system->diagonal[k]] += 1.0;
   return 0;
@@ -189,6 +194,7 @@ static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
       term[UM_AUDIT_INTERNAL] += system->power[i];
       if (system->made != NULL) term[UM_AUDIT_INTERNAL] += system->made[i];
       term[UM_AUDIT_RADIATED] -= system->space[i] * (power4[i] - system->space4);
+      if (system->exchange != NULL) term[UM_AUDIT_RADIATED] += system->exchange->gain[i];
       continue;
     }
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
@@ -250,6 +256,9 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   UM_TRY(um_thermal_linear_create(system, &integrator->linear));
   integrator->solver =
       um_thermal_linear_sundials(integrator->linear, LINEAR_SHARE, integrator->sun);
+  if (system->exchange != NULL)
+    integrator->solver = um_thermal_exchange_sundials(
+        system, integrator->solver, &integrator->gamma, EXCHANGE_SHARE, integrator->sun);
   if (integrator->solver == NULL) return fail(integrator, CV_MEM_FAIL);
   integrator->cvodes = CVodeCreate(CV_BDF, integrator->sun);
   if (integrator->cvodes == NULL) return fail(integrator, CV_MEM_FAIL);

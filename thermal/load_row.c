@@ -21,7 +21,8 @@ static double aged_emittance(const struct um_thermal_aging *aging, size_t row, s
 
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
-                             const struct um_thermal_aging *aging, size_t row, double *sun,
+                             const struct um_thermal_aging *aging,
+                             const struct um_thermal_exchange *exchange, size_t row, double *sun,
                              double *albedo, double *planet)
 {
   size_t n = network->nnode, at = row * loads->nsurface;
@@ -39,13 +40,22 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
       absorptance *= surface->law->albedo;
       emittance *= surface->law->planet;
     }
+    double of_sun = taken * (double)loads->sun[at + s];
+    double of_albedo = absorptance * (double)loads->albedo[at + s];
+    double of_planet = emittance * (double)loads->planet[at + s];
+    if (exchange != NULL) {
+      const struct um_thermal_reflected *r = &exchange->reflected;
+      of_sun += absorptance * um_thermal_reflected_at(exchange, r->sun, row, s);
+      of_albedo += absorptance * um_thermal_reflected_at(exchange, r->albedo, row, s);
+      of_planet += emittance * um_thermal_reflected_at(exchange, r->planet, row, s);
+    }
     for (int k = 0; k < 3; k++) {
       uint32_t node = surface->node[k];
       if (node == UM_THERMAL_SPACE) continue;
       double area = surface->weight[k] * surface->area;
-      sun[node] += area * taken * (double)loads->sun[at + s];
-      albedo[node] += area * absorptance * (double)loads->albedo[at + s];
-      planet[node] += area * emittance * (double)loads->planet[at + s];
+      sun[node] += area * of_sun;
+      albedo[node] += area * of_albedo;
+      planet[node] += area * of_planet;
     }
   }
 }

@@ -3,6 +3,7 @@
 #define UMBRA_THERMAL_LOAD_ROW_IMPL_H
 
 #include "irradiation/loads.h"
+#include "thermal/exchange_impl.h"
 #include "thermal/network_impl.h"
 #include "thermal/solve_options.h"
 
@@ -13,10 +14,13 @@
  *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W]
  *
  * with x the extraction, k the surface's law (surface_law.h), theta the angle of incidence, and
- * alpha, eps those of the row where surfaces age (aging NULL: they do not). */
+ * alpha, eps those of the row where surfaces age (aging NULL: they do not). What other surfaces
+ * reflect (exchange NULL: nothing) adds to each load; reflected sunlight comes from all sides, like
+ * the albedo, and nothing of it is extracted. */
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
-                             const struct um_thermal_aging *aging, size_t row, double *sun,
+                             const struct um_thermal_aging *aging,
+                             const struct um_thermal_exchange *exchange, size_t row, double *sun,
                              double *albedo, double *planet);
 /* Emission to space of share k of a surface at that row without its law [W/K^4]: sigma w A eps
  * (1 - blocked). */

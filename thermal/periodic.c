@@ -32,6 +32,7 @@
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 
+#include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
 #include "thermal/solve.h"
@@ -45,7 +46,8 @@
 #define LOOSENED       30.0  /* a third of the steps */
 #define WORTH_A_STAGE  5.0   /* a rough stage with less loosening saves nothing */
 #define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
-#define SLOWEST        1e-6  /* modes slower than 1e6 orbits are taken as that */
+#define EXCHANGE       1e-11 /* the same with exchange between surfaces: slow modes are small in it */
+#define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
   struct um_thermal_system *system;
@@ -54,6 +56,7 @@ struct periodic {
   SUNContext sun;
   N_Vector y, sum, right, part, one;
   struct um_thermal_linear *linear;
+  struct um_thermal_exchange_solver *exchange; /* NULL: none between surfaces */
   void *kinsol;
   double *start, *end, *mean_cube; /* [n]: [K], [K], [K^3] */
   double *jacobian;                /* [nnonzero] of the orbit mean [1/s] */
@@ -79,6 +82,21 @@ static enum um_status memory_fail(struct periodic *periodic)
                       "out of memory in the periodic heat balance");
 }
 
+static enum um_status inner_solve(void *self, double *x)
+{
+  struct periodic *periodic = self;
+  return um_thermal_linear_solve(periodic->linear, 1, LINEAR_SHARE, x);
+}
+
+/* x <- (X + shift)^-1 x by the factors of the matrix. */
+static enum um_status factored_solve(struct periodic *periodic, double *x)
+{
+  const struct um_thermal_inner inner = {inner_solve, periodic};
+  if (periodic->exchange == NULL) return inner_solve(periodic, x);
+  return um_thermal_exchange_solve(periodic->exchange, &inner, periodic->matrix, periodic->period,
+                                   EXCHANGE, x);
+}
+
 /* part = (X + shift)^-1 right with X = -P J. */
 static enum um_status shifted_solve(struct periodic *periodic, double shift)
 {
@@ -90,7 +108,7 @@ static enum um_status shifted_solve(struct periodic *periodic, double shift)
   double *part = N_VGetArrayPointer(periodic->part);
   memcpy(part, N_VGetArrayPointer(periodic->right), system->nunknown * sizeof *part);
   enum um_status status = um_thermal_linear_factor(periodic->linear, periodic->matrix);
-  if (status == UM_OK) status = um_thermal_linear_solve(periodic->linear, 1, LINEAR_SHARE, part);
+  if (status == UM_OK) status = factored_solve(periodic, part);
   if (status == UM_ERR_NUMERIC)
     return um_core_fail(system->context, UM_ERR_NUMERIC,
                         "the orbit-mean heat balance cannot be solved: %s",
@@ -133,6 +151,7 @@ static enum um_status correct(struct periodic *periodic)
   if (!um_thermal_system_jacobian(system, periodic->jacobian))
     return um_core_fail(system->context, UM_ERR_NUMERIC,
                         "an arithmetic node finds no balance in the orbit mean");
+  if (system->exchange != NULL) um_thermal_system_exchange_hold(system, false);
   /* dT = r + (X + tiny)^-1 r - 3 (X + 6)^-1 r */
   UM_TRY(shifted_solve(periodic, SLOWEST));
   N_VLinearSum(1.0, periodic->right, 1.0, periodic->part, periodic->sum);
@@ -205,6 +224,8 @@ static enum um_status storage_create(struct periodic *periodic)
     if (*vectors[k] == NULL) return memory_fail(periodic);
   }
   UM_TRY(um_thermal_linear_create(system, &periodic->linear));
+  if (system->exchange != NULL)
+    UM_TRY(um_thermal_exchange_solver_create(system, &periodic->exchange));
   periodic->kinsol = KINCreate(periodic->sun);
   return periodic->kinsol != NULL ? UM_OK : memory_fail(periodic);
 }
@@ -212,6 +233,7 @@ static enum um_status storage_create(struct periodic *periodic)
 static void storage_free(struct periodic *periodic, struct um_context *context)
 {
   if (periodic->kinsol != NULL) KINFree(&periodic->kinsol);
+  um_thermal_exchange_solver_destroy(&periodic->exchange);
   um_thermal_linear_destroy(&periodic->linear);
   if (periodic->y != NULL) N_VDestroy(periodic->y);
   if (periodic->sum != NULL) N_VDestroy(periodic->sum);

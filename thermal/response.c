@@ -54,8 +54,10 @@ static enum um_status linearize(struct um_thermal_response_run *r, double t,
 {
   struct um_thermal_system *system = r->system;
   um_thermal_system_loads_at(system, t); /* surfaces that age emit as they do then */
+  if (system->exchange != NULL) um_thermal_system_exchange_at(system, t);
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
   um_thermal_system_powers(system);
+  if (system->exchange != NULL) um_thermal_system_exchange_hold(system, false);
   if (um_thermal_system_jacobian(system, r->jacobian)) return UM_OK;
   return um_core_fail(r->context, UM_ERR_NUMERIC,
                       "an arithmetic node finds no balance in the heat responses");
@@ -205,7 +207,7 @@ static void start_take(struct um_thermal_response_run *r, const double *start)
 
 static enum um_status storage_create(struct um_thermal_response_run *r)
 {
-  const struct um_thermal_system *system = r->system;
+  struct um_thermal_system *system = r->system;
   UM_TRY(um_thermal_stepper_create(system, &r->stepper));
   UM_TRY(um_core_allocate(r->context, r->nsource, sizeof *r->order, &r->order));
   UM_TRY(um_core_allocate(r->context, r->nsource * system->nunknown, sizeof(double), &r->s));

@@ -38,7 +38,7 @@ void um_thermal_response_times(const struct um_thermal_response_run *r, const do
 
 struct um_thermal_stepper;
 
-enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
+enum um_status um_thermal_stepper_create(struct um_thermal_system *system,
                                          struct um_thermal_stepper **out);
 void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper);
 /* Factor for steps of h [s] with the Jacobian jacobian[nnonzero] [1/s]. */

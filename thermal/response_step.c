@@ -20,6 +20,7 @@
  * instant.
  *
  * Columns go four at a time: the factors are read once for them. */
+#include "thermal/exchange_solve_impl.h"
 #include "thermal/response_impl.h"
 
 #include <math.h>
@@ -30,16 +31,18 @@
 #define STAGES       5
 #define POLE         0.27805384
 #define TOGETHER     4
+#define EXCHANGE     1e-9 /* the same with exchange between surfaces */
 #define LINEAR_SHARE 1e-8 /* of a right side that iterated linear solutions leave */
 
 struct um_thermal_stepper {
-  const struct um_thermal_system *system; /* borrowed */
+  struct um_thermal_system *system; /* borrowed */
   struct um_thermal_linear *linear;
-  double *matrix;   /* [nnonzero] 1 - g h J */
-  double *work;     /* [TOGETHER][nunknown] */
-  double *b;        /* [TOGETHER][nunknown] */
-  double *chain[2]; /* [STAGES][TOGETHER][nunknown] X^i S and X^i b */
-  double h;         /* [s] */
+  struct um_thermal_exchange_solver *exchange; /* NULL: none between surfaces */
+  double *matrix;                              /* [nnonzero] 1 - g h J */
+  double *work;                                /* [TOGETHER][nunknown] */
+  double *b;                                   /* [TOGETHER][nunknown] */
+  double *chain[2];                            /* [STAGES][TOGETHER][nunknown] X^i S and X^i b */
+  double h;                                    /* [s] */
   double c[STAGES + 1], d[STAGES + 1];
 };
 
@@ -73,7 +76,7 @@ static void coefficients_set(double share, double c[STAGES + 1], double d[STAGES
   d[0] = 0.0;
 }
 
-enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
+enum um_status um_thermal_stepper_create(struct um_thermal_system *system,
                                          struct um_thermal_stepper **out)
 {
   enum um_status status;
@@ -90,6 +93,8 @@ enum um_status um_thermal_stepper_create(const struct um_thermal_system *system,
   for (int k = 0; k < 2; k++)
     UM_CHECK(um_core_allocate(context, STAGES * TOGETHER * n, sizeof(double), &stepper->chain[k]));
   UM_CHECK(um_thermal_linear_create(system, &stepper->linear));
+  if (system->exchange != NULL)
+    UM_CHECK(um_thermal_exchange_solver_create(system, &stepper->exchange));
   *out = stepper;
   return UM_OK;
 done:
@@ -103,6 +108,7 @@ void um_thermal_stepper_destroy(struct um_thermal_stepper **stepper)
   struct um_thermal_stepper *s = *stepper;
   struct um_context *context = s->system->context;
   um_thermal_linear_destroy(&s->linear);
+  um_thermal_exchange_solver_destroy(&s->exchange);
   um_core_free(context, s->matrix);
   um_core_free(context, s->work);
   um_core_free(context, s->b);
@@ -132,10 +138,24 @@ enum um_status um_thermal_stepper_factor(struct um_thermal_stepper *stepper, con
   return fail(stepper, um_thermal_linear_factor(stepper->linear, stepper->matrix));
 }
 
+/* x[nunknown] <- X x without exchange between surfaces. */
+static enum um_status solve_one(void *self, double *x)
+{
+  struct um_thermal_stepper *stepper = self;
+  return um_thermal_linear_solve(stepper->linear, 1, LINEAR_SHARE, x);
+}
+
 /* x[count][nunknown] <- X x. */
 static enum um_status solve(struct um_thermal_stepper *stepper, size_t count, double *x)
 {
-  return fail(stepper, um_thermal_linear_solve(stepper->linear, count, LINEAR_SHARE, x));
+  if (stepper->exchange == NULL)
+    return fail(stepper, um_thermal_linear_solve(stepper->linear, count, LINEAR_SHARE, x));
+  const struct um_thermal_inner inner = {solve_one, stepper};
+  for (size_t j = 0; j < count; j++)
+    UM_TRY(fail(stepper, um_thermal_exchange_solve(stepper->exchange, &inner, stepper->matrix,
+                                                   POLE * stepper->h, EXCHANGE,
+                                                   x + j * stepper->system->nunknown)));
+  return UM_OK;
 }
 
 /* Horner's sum to the end of the step, in place. on: whose source is on. */

@@ -118,6 +118,10 @@ enum um_status um_thermal_sensitivity_run_create(const struct um_thermal_sensiti
   struct um_context *context = of->context;
   *r = (struct um_thermal_sensitivity_run){
       .context = context, .parameter = variant, .forced = true, .tolerance = TOLERANCE};
+  if (of->options->exchange != NULL)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "sensitivities of a satellite whose surfaces exchange radiation; accepted: "
+                        "without mutual_radiation and solar_multiple_reflection");
   UM_TRY(systems_create(r, of, variant, nvariant, kind, duration));
   UM_TRY(um_thermal_linear_create(r->system, &r->linear));
   r->n = r->system->nunknown;

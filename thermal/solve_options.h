@@ -22,6 +22,8 @@ enum um_thermal_factors {
   UM_THERMAL_CHOLESKY              /* CHOLMOD; GMRES around it where the balance is not symmetric */
 };
 
+struct um_thermal_exchange;
+
 struct um_thermal_solve_options {
   double relative_tolerance; /* default 2e-7: errors of one sign add to some 5 mK in an orbit */
   double absolute_tolerance; /* [K], default 2e-5 */
@@ -31,7 +33,8 @@ struct um_thermal_solve_options {
    * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
   double tolerance_factor;
   const struct um_thermal_aging *aging; /* borrowed; NULL, the default: surfaces stay as they are */
-  enum um_thermal_factors factors;      /* default by structure */
+  const struct um_thermal_exchange *exchange; /* between surfaces, borrowed; NULL: none */
+  enum um_thermal_factors factors;            /* default by structure */
 };
 
 #endif

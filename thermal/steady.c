@@ -11,6 +11,7 @@
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
+#include "thermal/exchange_solve_impl.h"
 #include "thermal/linear_impl.h"
 #include "thermal/solve.h"
 
@@ -18,6 +19,7 @@
 #define ITERATIONS   400
 #define SOFTEST      1024.0 /* factor on the width of thermostats to begin with */
 #define SHARPER      4.0    /* from one to the next */
+#define EXCHANGE     1e-10  /* the same with exchange between surfaces */
 #define LINEAR_SHARE 1e-8   /* of a right side that iterated linear solutions leave */
 
 struct steady {
@@ -57,6 +59,7 @@ static int jacobian_callback(N_Vector y, N_Vector heat, SUNMatrix matrix, void *
   struct um_thermal_system *system = steady->system;
   um_thermal_linear_pattern(system, matrix);
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
+  if (system->exchange != NULL) um_thermal_system_exchange_hold(system, false);
   return um_thermal_system_jacobian(system, SUNSparseMatrix_Data(matrix)) ? 0 : 1;
 }
 
@@ -74,6 +77,10 @@ static enum um_status vectors_create(struct steady *steady)
     goto memory;
   UM_TRY(um_thermal_linear_create(system, &steady->linear));
   steady->solver = um_thermal_linear_sundials(steady->linear, LINEAR_SHARE, steady->sun);
+  static const double of_jacobian = -1.0; /* the matrix is J itself */
+  if (system->exchange != NULL)
+    steady->solver = um_thermal_exchange_sundials(steady->system, steady->solver, &of_jacobian,
+                                                  EXCHANGE, steady->sun);
   steady->kinsol = KINCreate(steady->sun);
   if (steady->solver == NULL || steady->kinsol == NULL) goto memory;
   return UM_OK;

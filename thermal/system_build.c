@@ -100,6 +100,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
   UM_CHECK(um_thermal_system_emission_build(system));
   UM_CHECK(um_thermal_system_links_build(system));
   UM_CHECK(um_thermal_system_clusters_build(system));
+  UM_CHECK(um_thermal_system_exchange_build(system));
   UM_CHECK(um_thermal_system_heat_build(system));
   UM_CHECK(um_thermal_system_pattern_build(system));
   UM_CHECK(um_thermal_system_loads_build(system));
@@ -118,6 +119,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
   struct um_context *context = s->context;
   um_thermal_system_clusters_destroy(s);
   um_thermal_system_heat_destroy(s);
+  um_thermal_system_exchange_destroy(s);
   void *const block[] = {s->node,
                          s->unknown,
                          s->capacity,

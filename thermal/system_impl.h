@@ -7,6 +7,7 @@
 #define UMBRA_THERMAL_SYSTEM_IMPL_H
 
 #include "irradiation/loads.h"
+#include "thermal/exchange_impl.h"
 #include "thermal/network_impl.h"
 #include "thermal/solve_options.h"
 
@@ -58,6 +59,29 @@ struct um_thermal_system_thermostat {
 
 /* Width of the transition of a mean thermostat, of its band [1]. */
 #define UM_THERMAL_TRANSITION 0.1
+
+/* Exchange between patches in force; NULL in a system without infrared exchange. gain and slope are
+ * of nodes: what patches receive is shared among their nodes by area. */
+struct um_thermal_system_exchange {
+  const struct um_thermal_exchange *exchange; /* borrowed */
+  size_t *start;                              /* [n + 1] shares of a node */
+  uint32_t *patch;                            /* [nshare] */
+  double *share;                              /* [nshare] of the patch's area [1] */
+  double *power4;                             /* [npatch] mean of T^4 - T_space^4 [K^4] */
+  double *heat;                               /* [npatch] absorbed of the others' emission [W] */
+  double *gain;                               /* [n] the same at the last state [W] */
+  double *slope;                              /* [n] 4 |T|^3 of the last linearisation [K^3] */
+  double *made;                               /* [n] emitted over sigma eps of gain [K^4] */
+  double *stated;                             /* [n] emission of surfaces as stated, of which
+                                                 system->space is the one now [W/K^4] */
+  double *rest;                               /* [n] other emission to space [W/K^4] */
+  bool strong;                                /* the tangent has the larger areas alone */
+  bool fresh;                                 /* gain is of `made` and mix */
+  double *change, *follow, *warm;             /* [n] scratch of the tangent */
+  double *cluster;                            /* [n] the same, of an eliminated group */
+  struct um_thermal_mix mix, held;            /* poses at the last state; of the linearisation */
+  double t;                                   /* [s] of mix; NaN: none yet */
+};
 
 /* What a system is made for. */
 enum um_thermal_system_kind {
@@ -122,6 +146,8 @@ struct um_thermal_system {
   size_t nsource, nthermostat;
   double *made;    /* [n] by sources and thermostats at the last state [W]; NULL: there are none */
   double softness; /* of mean thermostats: factor on the width of their transition [1] */
+
+  struct um_thermal_system_exchange *exchange; /* NULL: none (system_exchange.c) */
 
   /* workspace */
   double *temperature; /* [n] of the last evaluation [K]; eliminated nodes start from it */
@@ -208,6 +234,21 @@ void um_thermal_system_rate(const struct um_thermal_system *system, double *rate
 bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value);
 /* Heat content sum C T over unknowns [J]. */
 double um_thermal_system_content(const struct um_thermal_system *system, const double *y);
+
+/* --- system_exchange.c; all but build and destroy want system->exchange ---------------------- */
+enum um_status um_thermal_system_exchange_build(struct um_thermal_system *system);
+void um_thermal_system_exchange_destroy(struct um_thermal_system *system);
+/* Poses at t [s from `from`]. */
+void um_thermal_system_exchange_at(struct um_thermal_system *system, double t);
+/* gain at the poses set and system->power4; the largest change of it [W]. */
+double um_thermal_system_exchange_make(struct um_thermal_system *system);
+/* Take poses and system->cube for the tangent, as the Jacobian takes them at the same moment;
+ * strong: the larger exchange areas do, for iterations that correct themselves. */
+void um_thermal_system_exchange_hold(struct um_thermal_system *system, bool strong);
+/* out[nunknown] += factor times what the Jacobian's pattern leaves out, d(gain_i / C_i)/dT_j x_j
+ * [1/s] [K], x[nunknown]. */
+void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double factor,
+                                        const double *x, double *out);
 
 /* Solve the balance of all clusters, temperatures of the unknowns given. */
 bool um_thermal_system_clusters_solve(struct um_thermal_system *system);

@@ -121,8 +121,8 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
   if (r->row == row) return r;
   double albedo_on = system->options.albedo_on ? 1.0 : 0.0;
   double planet_on = system->options.planet_on ? 1.0 : 0.0;
-  um_thermal_load_row_sum(system->network, system->loads, system->options.aging, row, r->sun,
-                          r->earth, system->planet);
+  um_thermal_load_row_sum(system->network, system->loads, system->options.aging,
+                          system->options.exchange, row, r->sun, r->earth, system->planet);
   r->sun_total = r->albedo_total = r->planet_total = 0.0;
   for (size_t i = 0; i < system->n; i++) {
     double albedo = albedo_on * r->earth[i], planet = planet_on * system->planet[i];

@@ -33,6 +33,8 @@ static const struct entry cases[] = {
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
+    {"mutual_radiation", NULL, 0.0, "bus", "a switch"},
+    {"solar_multiple_reflection", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},

@@ -22,6 +22,8 @@ static const char *const scenario =
     "     mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 60},\n"
     "     interior: {capacity_J_K: 20000, power_W: 20, conductance_W_K: 6}}\n"
     "contacts: [{a: panel.back, b: bus.+x, conductance_W_K: 2}]\n"
+    "effects: [{effect: mutual_radiation, off: true}, {effect: solar_multiple_reflection, off: "
+    "true}]\n"
     "thermal: {relative_tolerance: 1.0e-9, absolute_tolerance_K: 1.0e-7}\n"
     "bands:\n"
     "  vis: {from_um: 0.38, to_um: 0.78, bins: 4}\n"

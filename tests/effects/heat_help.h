@@ -3,7 +3,8 @@
  *
  *        Sun  <---- +x                    panel: 2 m x 1 m, front to the Sun, two layers
  *   (                |panel|  [bus]       bus:   1 m cube in its shade, MLI over walls, interior
- *   ( Earth                               contact panel.back - bus.+x, 2 W/K
+ *   ( Earth                               contact panel.back - bus.+x, 2 W/K; surfaces do
+ *   (                                      not exchange radiation (tests/thermal/exchange.c)
  *   (
  */
 #ifndef UMBRA_TESTS_EFFECTS_HEAT_HELP_H

@@ -18,13 +18,13 @@ static enum um_status factors_make(struct factors *v, size_t limit, size_t rays,
   um_geometry_view_factor_defaults(&options);
   options.rays = rays;
   options.open = open;
-  uint8_t *covered = calloc(v->s.mesh->nsurface, 1);
-  assert_non_null(covered);
+  double *seen = calloc(v->s.mesh->nsurface, sizeof *seen);
+  assert_non_null(seen);
   for (size_t i = 0; i < v->s.mesh->nsurface; i++)
-    covered[i] = !um_geometry_visibility_is_open(v->s.visibility, i);
+    seen[i] = um_geometry_visibility_is_open(v->s.visibility, i) ? -1.0 : 1.0;
   enum um_status status =
-      um_geometry_patches_create(v->s.context, v->s.mesh, v->s.pose, covered, limit, &v->patches);
-  free(covered);
+      um_geometry_patches_create(v->s.context, v->s.mesh, v->s.pose, seen, limit, &v->patches);
+  free(seen);
   if (status != UM_OK) return status;
   return um_geometry_view_factors_create(v->s.context, v->s.mesh, v->s.pose, v->s.visibility,
                                          v->patches, &options, &v->f);

@@ -78,7 +78,9 @@ static const struct {
                 {"oblateness", true, true},
                 {"absorptance_angle", true, false},
                 {"emittance_temperature", true, false},
-                {"earth_map", true, true}};
+                {"earth_map", true, true},
+                {"mutual_radiation", true, true},
+                {"solar_multiple_reflection", true, true}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

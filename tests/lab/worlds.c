@@ -39,6 +39,8 @@ static const struct lab_world worlds[] = {
     WITHOUT("reflected_earth_ir"),
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
+    WITHOUT("mutual_radiation"),
+    WITHOUT("solar_multiple_reflection"),
 
     /* Only materials with spectra go with angle and temperature. */
     SPECTRAL("absorptance_angle"),

@@ -62,8 +62,8 @@ static void blanket_exchanges_what_it_lets_through(void **state)
 static void columns_add_up(void **state)
 {
   (void)state;
-  struct heat_run run =
-      heat_compute(LIST(EXPOSED, "parts.panel.electrical_extraction=0.18"), NONE, NONE);
+  struct heat_run run = heat_compute(LIST(EXPOSED, "parts.panel.electrical_extraction=0.18"),
+                                     LIST("mutual_radiation", "solar_multiple_reflection"), NONE);
   for (size_t p = 0; p < run.model->body->nplace; p++) {
     const struct um_thermal_heat *h = &run.result->heat[p];
     const double part[] = {h->solar,     h->albedo,   h->planet,   h->internal,

@@ -1,0 +1,33 @@
+/* View factors over the angles of joints: poses on a lattice of angles, interpolated between. */
+#ifndef UMBRA_GEOMETRY_VIEW_FACTOR_TABLE_H
+#define UMBRA_GEOMETRY_VIEW_FACTOR_TABLE_H
+
+#include "geometry/view_factors.h"
+
+struct um_geometry_view_factor_table {
+  struct um_geometry_patches *patches; /* the same in every pose */
+  size_t npose;
+  struct um_geometry_view_factors **pose; /* [npose] */
+  size_t ntime, ncorner;
+  uint32_t *corner;     /* [ntime][ncorner] pose */
+  double *weight;       /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used */
+  double step;          /* between poses [rad]; 0: nothing moves */
+  double interpolation; /* estimate of the largest error of a view factor between poses [1] */
+};
+
+/* angles: [ntime][njoint] [rad], the joints' angles at times that are asked for; NULL with ntime 1
+ * where there is no joint. Poses stand 15 deg apart, or so much farther that there are at most 64;
+ * those that some time needs are traced. Between them exchange areas are linear in the angle of
+ * each joint (in a simplex of the lattice where several move), so that they stay closed and
+ * reciprocal; the error is judged by second differences. limit: of patches, see
+ * um_geometry_patches_create. Progress is reported. The caller destroys. Test:
+ * geometry/view_factor_table. */
+enum um_status
+um_geometry_view_factor_table_create(struct um_context *context, const struct um_geometry *geometry,
+                                     const double *angles, size_t ntime, size_t limit,
+                                     const struct um_geometry_view_factor_options *options,
+                                     struct um_geometry_view_factor_table **out);
+void um_geometry_view_factor_table_destroy(struct um_context *context,
+                                           struct um_geometry_view_factor_table **table);
+
+#endif

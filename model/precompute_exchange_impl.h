@@ -1,0 +1,19 @@
+/* View factors between the surfaces of the satellite. Private to model/. */
+#ifndef UMBRA_MODEL_PRECOMPUTE_EXCHANGE_IMPL_H
+#define UMBRA_MODEL_PRECOMPUTE_EXCHANGE_IMPL_H
+
+#include "geometry/view_factor_table.h"
+#include "model/model.h"
+#include "model/precomputed.h"
+
+/* At joint angles [ntime][njoint], by the keys of the scenario. The caller destroys. */
+enum um_status um_model_view_factors(struct um_context *context, const struct um_model *model,
+                                     const double *angles, size_t ntime,
+                                     struct um_geometry_view_factor_table **out);
+/* precomputed->view_factors: joints as they stand at samples[n], the times of the loads. */
+enum um_status um_model_precompute_view_factors(struct um_context *context,
+                                                const struct um_model *model,
+                                                const struct um_environment_sample *samples,
+                                                size_t n, struct um_model_precomputed *precomputed);
+
+#endif

@@ -1,0 +1,49 @@
+/* Radiation between the surfaces of a satellite, over patches of them (geometry/patches.h), in two
+ * bands: sunlight, reflected diffusely with 1 - absorptance, and infrared, emitted with the
+ * emittance and reflected with 1 - emittance. All orders of reflection.
+ *
+ * Radiosity, per area of a patch:  J = e + r H,  H = F J + E,  E what falls in from outside, e own
+ * emission, r reflectance, F view factors. So what arrives over that from outside, of own emission
+ * and of reflected light, is
+ *
+ *   H - E = A^-1 B (e + r E),   B = S (1 - r A^-1 S)^-1,   S = A F exchange areas,
+ *
+ * with a symmetric B. Of emission e = eps sigma T^4, eps_p B_pq eps_q sigma T_q^4 is absorbed: the
+ * radiative conductances of Gebhart (1961) and Hottel's total exchange areas. Where the emittance
+ * goes with temperature, or surfaces age, what is emitted does; what is absorbed of it and
+ * reflected is taken with the numbers of the network. A patch emits with the mean of T^4 over its
+ * area and receives evenly. (A specular share would add exchange areas of mirrored paths to S.) */
+#ifndef UMBRA_THERMAL_EXCHANGE_H
+#define UMBRA_THERMAL_EXCHANGE_H
+
+#include "geometry/view_factor_table.h"
+#include "irradiation/loads.h"
+#include "thermal/network.h"
+
+struct um_thermal_exchange;
+
+struct um_thermal_exchange_options {
+  bool infrared; /* emission between surfaces, and infrared of the Earth that they reflect */
+  bool solar;    /* sunlight, direct and from the Earth, that they reflect to each other */
+};
+
+/* Exchange of a network whose surfaces are those of the table, with the optics that they have now;
+ * its own emission is to go everywhere (`blocked` 0) where infrared is on. loads: those that are
+ * reflected, NULL: none; their times are those of the table, which has 1 where nothing moves. *out
+ * is NULL where no surface sees another, or nothing is on. UM_ERR_INPUT: sizes that do not agree;
+ * UM_ERR_NUMERIC: a room without a way out whose walls absorb nothing. The caller destroys. Tests:
+ * thermal/exchange, thermal/exchange_reference. */
+enum um_status um_thermal_exchange_create(struct um_context *context,
+                                          const struct um_thermal_network *network,
+                                          const struct um_irradiation_loads *loads,
+                                          const struct um_geometry_view_factor_table *table,
+                                          const struct um_thermal_exchange_options *options,
+                                          struct um_thermal_exchange **out);
+void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_exchange **exchange);
+
+/* Total exchange area eps_p B_pq eps_q between patches in a pose of the table [m^2]; NaN where
+ * infrared is off. */
+double um_thermal_exchange_area(const struct um_thermal_exchange *exchange, size_t pose, size_t p,
+                                size_t q);
+
+#endif

@@ -1,0 +1,64 @@
+/* Private to thermal/: exchange between patches as numbers. */
+#ifndef UMBRA_THERMAL_EXCHANGE_IMPL_H
+#define UMBRA_THERMAL_EXCHANGE_IMPL_H
+
+#include "thermal/exchange.h"
+
+#define UM_THERMAL_NO_PATCH UINT32_MAX
+
+/* What surfaces reflect to each other of a load, per patch. */
+struct um_thermal_reflected {
+  double *sun;    /* [ntime][npatch] of the free share times cosine [1]; NULL: off */
+  double *albedo; /* [ntime][npatch] [W/m^2]; NULL: off */
+  double *planet; /* [ntime][npatch] [W/m^2]; NULL: off */
+};
+
+/* Total exchange areas eps_p B_pq eps_q of one pose [m^2], in rows; what is small is left with the
+ * patch that sends it, see exchange.c. */
+struct um_thermal_between {
+  size_t *begin;   /* [npatch + 1] */
+  uint32_t *other; /* [nentry] */
+  double *area;    /* [nentry] [m^2] */
+};
+
+struct um_thermal_exchange {
+  size_t nsurface, npatch, npose;
+  uint32_t *patch;                    /* [nsurface] or UM_THERMAL_NO_PATCH */
+  double *area;                       /* [npatch] [m^2] */
+  struct um_thermal_between *between; /* [npose]; NULL: infrared is off */
+  struct um_thermal_between *strong;  /* [npose] the larger ones of them, for Newton's matrix */
+  size_t ntime, ncorner;
+  double *t;                             /* [ntime] [s]; used where there is more than one pose */
+  uint32_t *corner;                      /* [ntime][ncorner] */
+  double *weight;                        /* [ntime][ncorner] */
+  struct um_thermal_reflected reflected; /* ntime of the loads */
+};
+
+/* Poses at an instant. */
+#define UM_THERMAL_MIX 20
+struct um_thermal_mix {
+  size_t n;
+  uint32_t pose[UM_THERMAL_MIX];
+  double weight[UM_THERMAL_MIX];
+};
+void um_thermal_exchange_mix(const struct um_thermal_exchange *exchange, double t,
+                             struct um_thermal_mix *mix);
+/* heat[npatch] = sum_q (eps B eps)_pq sigma x_q [W] for x[npatch] [K^4]; between: a member of the
+ * exchange. */
+void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
+                               const struct um_thermal_between *between,
+                               const struct um_thermal_mix *mix, const double *x, double *heat);
+/* A reflected load on surface s at a row; 0 without. table: a member of `reflected`. */
+static inline double um_thermal_reflected_at(const struct um_thermal_exchange *exchange,
+                                             const double *table, size_t row, size_t s)
+{
+  if (table == NULL || exchange->patch[s] == UM_THERMAL_NO_PATCH) return 0.0;
+  return table[row * exchange->npatch + exchange->patch[s]];
+}
+
+/* B of exchange.h [npatch][npatch] for one pose and reflectance [npatch]; reflections.c. */
+enum um_status um_thermal_reflections(struct um_context *context,
+                                      const struct um_geometry_view_factors *factors,
+                                      const double *area, const double *reflectance, double *b);
+
+#endif

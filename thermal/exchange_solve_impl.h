@@ -1,0 +1,34 @@
+/* Private to thermal/: linear equations (A - s E) x = b, A on the pattern of the Jacobian with a
+ * solver of its own, E the derivative of the exchange between surfaces, which is full. */
+#ifndef UMBRA_THERMAL_EXCHANGE_SOLVE_IMPL_H
+#define UMBRA_THERMAL_EXCHANGE_SOLVE_IMPL_H
+
+#include <sundials/sundials_linearsolver.h>
+
+#include "thermal/system_impl.h"
+
+/* What solves with A alone: x[nunknown] <- A^-1 x. */
+struct um_thermal_inner {
+  enum um_status (*solve)(void *self, double *x);
+  void *self;
+};
+
+struct um_thermal_exchange_solver;
+
+enum um_status um_thermal_exchange_solver_create(struct um_thermal_system *system,
+                                                 struct um_thermal_exchange_solver **out);
+void um_thermal_exchange_solver_destroy(struct um_thermal_exchange_solver **solver);
+/* x[nunknown]: b in, the solution out, by flexible GMRES (Saad 1993, SIAM J. Sci. Comput. 14:461)
+ * preconditioned with A. value [nnonzero]: of A. The residual falls below tolerance times that of
+ * x = 0; UM_ERR_NUMERIC when it does not within 300 products. */
+enum um_status um_thermal_exchange_solve(struct um_thermal_exchange_solver *solver,
+                                         const struct um_thermal_inner *inner, const double *value,
+                                         double scale, double tolerance, double *x);
+
+/* The same around a SUNLinearSolver of A, which it takes over and frees; *scale is read at every
+ * solution. NULL: out of memory. system->exchange is there. */
+SUNLinearSolver um_thermal_exchange_sundials(struct um_thermal_system *system,
+                                             SUNLinearSolver inner, const double *scale,
+                                             double tolerance, SUNContext sun);
+
+#endif
