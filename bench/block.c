@@ -221,7 +221,9 @@ struct block_peer block_calculix(const struct bench *bench, const struct block *
   static const char *const files[] = {"block.inp", "block.dat", "block.frd",   "block.sta",
                                       "block.cvg", "block.12d", "spooles.out", "log"};
   struct block_peer peer = {NAN, NAN};
-  char folder[] = "/tmp/umbra-block-XXXXXX", path[64];
+  const char *base = getenv("TMPDIR");
+  char folder[512], path[600];
+  snprintf(folder, sizeof folder, "%s/umbra-block-XXXXXX", base != NULL ? base : P_tmpdir);
   double *share = bench_allocate(bench, b->nvertex, sizeof *share), total = 0.0, k[6];
   for (size_t e = 0; e < b->ntetrahedron; e++) {
     struct um_vec3 corner[4];

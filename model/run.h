@@ -11,7 +11,8 @@ enum um_status um_model_run(struct um_context *context, const struct um_model *m
                             const struct um_model_precomputed *precomputed,
                             struct um_model_result **out);
 
-/* Run with heat that matches. um_model_run is this with heat of its own, not loosened. */
+/* Run with heat that matches. um_model_run is this with heat of its own and a factor on tolerances
+ * of 1. */
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
                                  const struct um_model_precomputed *precomputed,
                                  const struct um_model_thermal_solution *heat,

@@ -59,7 +59,7 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
  * comparison or for bands and places that were not measured. grid: false: times of the
  * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
  * measurements). Owned by the caller, released by _release. Tolerances are the scenario's times
- * loosened. */
+ * tolerance_factor. */
 struct um_sensitivity_forward_run {
   struct um_model *model;
   struct um_model_precomputed *precomputed;

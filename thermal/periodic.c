@@ -41,10 +41,10 @@
 #define ANDERSON_DEPTH 1
 #define ANDERSON_DELAY 2    /* plain corrections first, while radiation is far from linear */
 #define LARGEST_CHANGE 0.25 /* of a temperature, beyond where the orbit itself leads */
-#define ROUGH          0.1 /* [K] down to here orbits are integrated with tolerances times LOOSENED */
-#define ROUGH_ORBITS   8   /* after so many the rough stage has done what it can */
-#define LOOSENED       30.0  /* a third of the steps */
-#define WORTH_A_STAGE  5.0   /* a rough stage with less loosening saves nothing */
+#define ROUGH          0.1  /* [K] down to here orbits are integrated with a factor on tolerances */
+#define ROUGH_ORBITS   8    /* after so many the rough stage has done what it can */
+#define ROUGH_FACTOR   30.0 /* on the tolerances; a third of the steps */
+#define WORTH_A_STAGE  5.0  /* a rough stage with less loosening saves nothing */
 #define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE       1e-11 /* the same with exchange between surfaces: slow modes are small in it */
 #define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
@@ -329,7 +329,7 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
   if (code < 0) return not_converged(periodic, tolerance, code);
-  double rough = LOOSENED / system->options.tolerance_factor;
+  double rough = ROUGH_FACTOR / system->options.tolerance_factor;
   if (tolerance < ROUGH && rough >= WORTH_A_STAGE)
     UM_TRY(approach(periodic, ROUGH, rough, ROUGH_ORBITS, &code));
   UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));

@@ -67,7 +67,7 @@ static enum um_status options_check(struct um_context *context,
     return um_core_fail(context, UM_ERR_INPUT, "absolute tolerance %g K; accepted: more than 0",
                         options->absolute_tolerance);
   if (!(options->tolerance_factor >= 1.0) || !isfinite(options->tolerance_factor))
-    return um_core_fail(context, UM_ERR_INPUT, "tolerances loosened by %g; accepted: 1 or more",
+    return um_core_fail(context, UM_ERR_INPUT, "factor on tolerances %g; accepted: 1 or more",
                         options->tolerance_factor);
   if (!(options->space_temperature >= 0.0) || !isfinite(options->space_temperature))
     return um_core_fail(context, UM_ERR_INPUT, "space temperature %g K; accepted: 0 or more",

@@ -76,8 +76,8 @@ static void test_same_bits(void **state)
 
 /* A periodic state is found again within the tolerance of the search, 0.01 K of every node, from
  * either side: 0.02 K, which is 0.04 sigma of the temperatures (0.5 K) and, as dE/E = 4 to 5 dT/T
- * at 280 K, 0.04 sigma of the LWIR observations (1 %). Tolerances loosened by 30 add what they may
- * leave in an orbit, 30 times some mK (solve.h), to both sides. */
+ * at 280 K, 0.04 sigma of the LWIR observations (1 %). A factor of 30 on the tolerances adds what
+ * they may leave in an orbit, 30 times some mK (solve.h), to both sides. */
 static void test_periodic(void **state)
 {
   (void)state;
