@@ -8,6 +8,7 @@
 #include "core/words.h"
 #include "model/aging_impl.h"
 #include "model/build_power_impl.h"
+#include "model/build_wall_impl.h"
 #include "model/effects_impl.h"
 #include "model/start_offset_impl.h"
 #include "model/surface_law_impl.h"
@@ -35,97 +36,17 @@ static void optics_of(const struct um_model *model, uint32_t material, double *a
   *law = model->surface_law[material];
 }
 
-/* Wall by explicit numbers, or by a bulk material and a thickness. */
-static enum um_status shell_of(const struct assembly *a, const struct um_scenario_shell *from,
-                               struct um_thermal_shell *to)
-{
-  to->front_share = from->front_share;
-  to->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
-  to->conductance = from->conductance_W_K;
-  to->through_conductance =
-      isnan(from->through_conductance_W_m2_K) ? INFINITY : from->through_conductance_W_m2_K;
-  if (from->material != NULL) {
-    const struct um_materials_record *record =
-        um_materials_library_find(a->model->library, from->material);
-    struct um_materials_bulk bulk = um_materials_bulk(record);
-    double thickness = isnan(from->thickness_mm) ? bulk.thickness : from->thickness_mm * 1e-3;
-    if (isnan(to->areal_heat_capacity))
-      to->areal_heat_capacity = isnan(from->thickness_mm) && !isnan(bulk.areal_heat_capacity)
-                                    ? bulk.areal_heat_capacity
-                                    : bulk.density * bulk.specific_heat * thickness;
-    if (isnan(to->conductance)) to->conductance = bulk.conductivity * thickness;
-    if (isnan(to->areal_heat_capacity))
-      return um_document_mark_fail(a->context, &from->at,
-                                   "material '%s' has no density, specific heat or thickness; give "
-                                   "areal_heat_capacity_J_m2_K or thickness_mm",
-                                   from->material);
-  }
-  if (isnan(to->conductance)) to->conductance = 0.0;
-  if (isnan(to->areal_heat_capacity))
-    return um_document_mark_fail(a->context, &from->at,
-                                 "areal_heat_capacity_J_m2_K is missing; give it, or material and "
-                                 "thickness_mm");
-  return UM_OK;
-}
-
-/* A part that says nothing of its wall gets it from its materials as built. */
-static enum um_status shell_of_materials(const struct assembly *a,
-                                         const struct um_scenario_part *part,
-                                         const struct um_geometry_group *group,
-                                         struct um_thermal_shell *to)
-{
-  *to = (struct um_thermal_shell){0.0, 0.5, 0.0, INFINITY};
-  const uint32_t side[2] = {group->front_material, group->back_material};
-  for (int k = 0; k < 2; k++) {
-    if (side[k] == UM_GEOMETRY_NONE || (k == 1 && side[1] == side[0])) continue;
-    struct um_materials_bulk bulk = um_materials_bulk(a->model->material[side[k]]);
-    if (isnan(bulk.areal_heat_capacity))
-      return um_document_mark_fail(a->context, &part->at,
-                                   "group '%s' has no wall: material '%s' has no thickness; give "
-                                   "shell, solid, or mli that wraps the interior",
-                                   group->name, um_materials_name(a->model->material[side[k]]));
-    to->areal_heat_capacity += bulk.areal_heat_capacity;
-    if (!isnan(bulk.conductivity) && !isnan(bulk.thickness))
-      to->conductance += bulk.conductivity * bulk.thickness;
-  }
-  return UM_OK;
-}
-
-static const struct um_scenario_group *group_named(const struct um_scenario_part *part,
-                                                   const char *name)
-{
-  const struct um_scenario_group *groups = part->groups.items;
-  for (size_t i = 0; i < part->groups.count; i++)
-    if (strcmp(groups[i].name, name) == 0) return &groups[i];
-  return NULL;
-}
-
-static enum um_status mli_of(const struct assembly *a, const struct um_scenario_part *part,
-                             const struct um_scenario_mli *from, struct um_thermal_mli **out)
-{
-  struct um_thermal_mli *mli = NULL;
-  if (from->wraps == 1 && part->interior == NULL)
-    return um_document_mark_fail(
-        a->context, &from->at, "wraps the interior, but the part '%s' has no interior", part->name);
-  UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, 1, sizeof *mli, &mli));
-  mli->effective_emittance = from->effective_emittance;
-  mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
-  mli->wraps_interior = from->wraps == 1;
-  *out = mli;
-  return UM_OK;
-}
-
 static enum um_status group_of(const struct assembly *a, const struct um_scenario_part *part,
                                uint32_t index, struct um_thermal_group_spec *to)
 {
   const struct um_geometry_group *group = um_geometry_group(a->model->geometry, index);
-  const struct um_scenario_group *own = group_named(part, group->name);
+  const struct um_scenario_group *own = um_model_group_named(part, group->name);
   const struct um_scenario_mli *mli = own != NULL && own->mli != NULL ? own->mli
                                       : own != NULL && own->bare      ? NULL
                                                                       : part->mli;
   to->group = index;
   struct um_thermal_mli *blanket = NULL;
-  if (mli != NULL) UM_TRY(mli_of(a, part, mli, &blanket));
+  if (mli != NULL) UM_TRY(um_model_build_mli(a->context, a->model, part, mli, &blanket));
   to->mli = blanket;
 
   const struct um_scenario_shell *wall =
@@ -134,9 +55,9 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
   if (part->solid == NULL) {
     UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, 1, sizeof *shell, &shell));
     if (wall != NULL)
-      UM_TRY(shell_of(a, wall, shell));
+      UM_TRY(um_model_build_shell(a->context, a->model, wall, shell));
     else if (to->mli == NULL || !to->mli->wraps_interior)
-      UM_TRY(shell_of_materials(a, part, group, shell));
+      UM_TRY(um_model_build_shell_of_materials(a->context, a->model, part, group, shell));
     to->shell = shell;
   }
 
@@ -179,7 +100,7 @@ static void share_interior(const struct assembly *a, const struct um_scenario_pa
   for (int pass = 0; pass < 2; pass++)
     for (size_t i = 0; i < n; i++) {
       const char *name = um_geometry_group(a->model->geometry, groups[i].group)->name;
-      const struct um_scenario_group *own = group_named(part, name);
+      const struct um_scenario_group *own = um_model_group_named(part, name);
       if (own != NULL && !isnan(own->interior_conductance_W_K)) continue;
       double area = a->group_area[groups[i].group];
       if (pass == 0)
@@ -187,31 +108,6 @@ static void share_interior(const struct assembly *a, const struct um_scenario_pa
       else
         groups[i].interior_conductance = part->interior->conductance_W_K * area / total;
     }
-}
-
-static enum um_status solid_of(const struct assembly *a, const struct um_scenario_part *part,
-                               struct um_thermal_part_spec *to)
-{
-  const struct um_scenario_solid *from = part->solid;
-  to->kind = UM_THERMAL_SOLID;
-  to->density = from->density_kg_m3;
-  to->specific_heat = from->specific_heat_J_kg_K;
-  to->conductivity = from->conductivity_W_m_K;
-  to->tetrahedron_size = from->tetrahedron_size_m;
-  if (from->material != NULL) {
-    const struct um_materials_record *record =
-        um_materials_library_find(a->model->library, from->material);
-    struct um_materials_bulk bulk = um_materials_bulk(record);
-    if (isnan(to->density)) to->density = bulk.density;
-    if (isnan(to->specific_heat)) to->specific_heat = bulk.specific_heat;
-    if (isnan(to->conductivity)) to->conductivity = bulk.conductivity;
-  }
-  if (isnan(to->density) || isnan(to->specific_heat) || isnan(to->conductivity))
-    return um_document_mark_fail(
-        a->context, &from->at,
-        "density, specific heat or conductivity is missing; give them or a "
-        "material that has them");
-  return UM_OK;
 }
 
 static enum um_status check_group_names(const struct assembly *a,
@@ -235,35 +131,6 @@ static enum um_status check_group_names(const struct assembly *a,
                            own[k].name, um_core_words_hint(&guess, hint), names);
   }
   return UM_OK;
-}
-
-/* Is the name one of a blanket's outer layer: mli, mli_kapton, grey_mli? */
-static bool is_blanket(const char *name)
-{
-  for (const char *at = name; (at = strstr(at, "mli")) != NULL; at += 3) {
-    bool begins = at == name || at[-1] == '_' || at[-1] == '-';
-    if (begins && (at[3] == '\0' || at[3] == '_' || at[3] == '-')) return true;
-  }
-  return false;
-}
-
-/* A blanket's outer layer on a wall without a blanket carries the wall's heat straight to space. */
-static void warn_of_bare_blanket(const struct assembly *a, const struct um_scenario_part *part,
-                                 const struct um_thermal_group_spec *groups, size_t n)
-{
-  for (size_t i = 0; i < n; i++) {
-    const struct um_geometry_group *group = um_geometry_group(a->model->geometry, groups[i].group);
-    const struct um_scenario_group *own = group_named(part, group->name);
-    if (group->front_material == UM_GEOMETRY_NONE) continue;
-    const char *name = um_geometry_material_name(a->model->geometry, group->front_material);
-    if (groups[i].mli != NULL || (own != NULL && own->bare) || !is_blanket(name)) continue;
-    um_core_log(a->context, UM_LOG_WARNING,
-                "%s:%d: parts.%s: '%s' is the outer layer of a blanket, but the part has no mli: "
-                "its wall is as warm as its surface; accepted: mli: {effective_emittance: ...}, or "
-                "groups with bare: true",
-                part->at.file, part->at.line, part->name, name);
-    return;
-  }
 }
 
 /* Heat that is released inside must get out, by conduction or through a blanket around it. */
@@ -302,7 +169,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   if (part->lumped && part->solid != NULL)
     return um_model_fail(a->context, &part->at, "solid",
                          "excludes lumped; accepted: one of the two");
-  if (part->solid != NULL) UM_TRY(solid_of(a, part, to));
+  if (part->solid != NULL) UM_TRY(um_model_build_solid(a->context, a->model, part, to));
   UM_TRY(check_group_names(a, part, index));
   to->start_temperature = isnan(part->start_temperature_K)
                               ? a->model->scenario->thermal->start_temperature_K
@@ -327,7 +194,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
     if (use.effect->hooks.part != NULL)
       UM_TRY(use.effect->hooks.part(a->context, &use, part->name, to));
-  warn_of_bare_blanket(a, part, groups, n);
+  um_model_warn_of_bare_blanket(a->context, a->model, part, groups, n);
   return check_way_out(a, part, to);
 }
 

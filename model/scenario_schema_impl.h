@@ -1,0 +1,48 @@
+/* Words of which the schema table of a scenario is written, and its parts: one file to a subject.
+ */
+#ifndef UMBRA_MODEL_SCENARIO_SCHEMA_IMPL_H
+#define UMBRA_MODEL_SCENARIO_SCHEMA_IMPL_H
+
+#include <math.h>
+
+#include "document/schema.h"
+#include "model/scenario.h"
+#include "orbit/time.h"
+
+#define REQUIRED           .required = true
+#define POSITIVE(top)      .minimum = 0.0, .maximum = (top), .open_minimum = true
+#define BETWEEN(low, high) .minimum = (low), .maximum = (high)
+#define NO_DEFAULT         .default_value = NAN
+#define DEFAULT(v)         .default_value = (v)
+#define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_hook
+#define HELP(text)         .help = (text)
+#define NAMES_FILE         .file = true
+#define NAME               .name = true
+#define MOST(n)            .most = (n)
+#define FIELDS(array)      .fields = (array), .nfield = UM_FIELD_COUNT(array)
+#define OBJECT(identifier, structure, name_, help_, ...)                                           \
+  static const struct um_schema_object identifier = {                                              \
+      .name = (name_), .help = (help_), .size = sizeof(structure), __VA_ARGS__}
+#define SHARED_OBJECT(identifier, structure, name_, help_, ...)                                    \
+  const struct um_schema_object identifier = {                                                     \
+      .name = (name_), .help = (help_), .size = sizeof(structure), __VA_ARGS__}
+
+extern const struct um_schema_object um_model_orbit_schema;
+extern const struct um_schema_object um_model_attitude_schema;
+extern const struct um_schema_object um_model_observer_schema;
+extern const struct um_schema_object um_model_environment_schema;
+extern const struct um_schema_object um_model_part_schema;
+extern const struct um_schema_object um_model_contact_schema;
+extern const struct um_schema_object um_model_box_schema;
+extern const struct um_schema_object um_model_plate_schema;
+extern const struct um_schema_object um_model_disc_schema;
+extern const struct um_schema_object um_model_sphere_schema;
+extern const struct um_schema_object um_model_cylinder_schema;
+extern const struct um_schema_object um_model_cone_schema;
+extern const struct um_schema_object um_model_paraboloid_schema;
+extern const struct um_schema_object um_model_mesh_schema;
+extern const struct um_schema_object um_model_pose_schema;
+extern const struct um_schema_object um_model_joint_schema;
+extern const struct um_schema_object um_model_measurements_schema;
+
+#endif

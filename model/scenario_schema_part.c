@@ -1,0 +1,146 @@
+/* Keys of scenario.yaml: parts: what they are made of, walls, insulation, what is inside; contacts.
+ */
+#include "model/scenario_schema_impl.h"
+
+static const int one[] = {1, 0};
+
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_skin, member, key, type, __VA_ARGS__)
+static const struct um_schema_field skin_fields[] = {
+    F(front, "front", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("material outside, or of the front")),
+    F(back, "back", UM_SCHEMA_TEXT, NAME, HELP("material of the back of an open surface")),
+};
+#undef F
+OBJECT(skin_object, struct um_scenario_skin, "materials of a group", "What a group is made of.",
+       FIELDS(skin_fields), .scalar_key = "front");
+
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_shell, member, key, type, __VA_ARGS__)
+static const struct um_schema_field shell_fields[] = {
+    F(areal_heat_capacity_J_m2_K, "areal_heat_capacity_J_m2_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
+      POSITIVE(1e9), HELP("of the whole wall; or by material and thickness_mm")),
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e6),
+      HELP("in plane, k t; default 0, or by material and thickness_mm")),
+    F(through_conductance_W_m2_K, "through_conductance_W_m2_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
+      BETWEEN(0, 1e9), HELP("between the two sides; default: both sides are one temperature")),
+    F(front_share, "front_share", UM_SCHEMA_NUMBER, DEFAULT(0.5), BETWEEN(0.001, 0.999),
+      HELP("share of capacity and conductance in the front layer")),
+    F(material, "material", UM_SCHEMA_TEXT, NAME,
+      HELP("record whose thermal properties fill the wall")),
+    F(thickness_mm, "thickness_mm", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
+      HELP("of the wall, with material")),
+};
+#undef F
+OBJECT(shell_object, struct um_scenario_shell, "shell", "The wall of a part as a thin sheet.",
+       FIELDS(shell_fields));
+static const char *const wraps_choices[] = {"wall", "interior", NULL};
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_mli, member, key, type, __VA_ARGS__)
+static const struct um_schema_field mli_fields[] = {
+    F(effective_emittance, "effective_emittance", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1),
+      HELP("e*, between the outer layer and what it wraps")),
+    F(areal_heat_capacity_J_m2_K, "areal_heat_capacity_J_m2_K", UM_SCHEMA_NUMBER, REQUIRED,
+      POSITIVE(1e6), HELP("of the outer layer")),
+    F(wraps, "wraps", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = wraps_choices,
+      HELP("the wall, or the interior directly (then there is no wall)")),
+};
+#undef F
+OBJECT(mli_object, struct um_scenario_mli, "mli", "Multi-layer insulation on the outside.",
+       FIELDS(mli_fields));
+#define POWER_FILE                                                                                 \
+  "CSV time_utc,power_W, added to power_W: linear between rows, a jump where two rows have one "   \
+  "time, 0 before the first and after the last; satellite's own time"
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_interior, member, key, type, __VA_ARGS__)
+static const struct um_schema_field interior_fields[] = {
+    F(capacity_J_K, "capacity_J_K", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e12),
+      HELP("of everything inside")),
+    F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
+      HELP("dissipated inside")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e6),
+      HELP("to the walls, shared by area among groups that state none")),
+};
+#undef F
+OBJECT(interior_object, struct um_scenario_interior, "interior", "One node inside the part.",
+       FIELDS(interior_fields));
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_solid, member, key, type, __VA_ARGS__)
+static const struct um_schema_field solid_fields[] = {
+    F(material, "material", UM_SCHEMA_TEXT, NAME,
+      HELP("record with density, specific heat, conductivity")),
+    F(density_kg_m3, "density_kg_m3", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
+      HELP("instead of the record's")),
+    F(specific_heat_J_kg_K, "specific_heat_J_kg_K", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
+      HELP("instead of the record's")),
+    F(conductivity_W_m_K, "conductivity_W_m_K", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
+      HELP("instead of the record's")),
+    F(tetrahedron_size_m, "tetrahedron_size_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e3),
+      HELP("longest edge wanted; 0: the facet size")),
+};
+#undef F
+OBJECT(solid_object, struct um_scenario_solid, "solid",
+       "The part is solid: tetrahedra, three-dimensional conduction.", FIELDS(solid_fields),
+       .scalar_key = "material");
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_group, member, key, type, __VA_ARGS__)
+static const struct um_schema_field group_fields[] = {
+    F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
+    F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
+    F(bare, "bare", UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
+    F(interior_conductance_W_K, "interior_conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
+      BETWEEN(0, 1e6), HELP("of the whole group to the interior")),
+    F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
+      HELP("dissipated in the wall of the group, both layers")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
+};
+#undef F
+OBJECT(group_object, struct um_scenario_group, "group", "What differs thermally on one group.",
+       FIELDS(group_fields));
+
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_part, member, key, type, __VA_ARGS__)
+static const struct um_schema_field part_fields[] = {
+    F(name, "name", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("unique; no dots, no slashes")),
+    F(parent, "parent", UM_SCHEMA_TEXT, NAME,
+      HELP("part that carries this one; default: the body frame")),
+    F(box, "box", UM_SCHEMA_MAP, .object = &um_model_box_schema, .alternative = 1),
+    F(plate, "plate", UM_SCHEMA_MAP, .object = &um_model_plate_schema, .alternative = 1),
+    F(disc, "disc", UM_SCHEMA_MAP, .object = &um_model_disc_schema, .alternative = 1),
+    F(cylinder, "cylinder", UM_SCHEMA_MAP, .object = &um_model_cylinder_schema, .alternative = 1),
+    F(cone, "cone", UM_SCHEMA_MAP, .object = &um_model_cone_schema, .alternative = 1),
+    F(sphere, "sphere", UM_SCHEMA_MAP, .object = &um_model_sphere_schema, .alternative = 1),
+    F(paraboloid, "paraboloid", UM_SCHEMA_MAP, .object = &um_model_paraboloid_schema,
+      .alternative = 1),
+    F(mesh, "mesh", UM_SCHEMA_MAP, .object = &um_model_mesh_schema, .alternative = 1),
+    F(pose, "pose", UM_SCHEMA_MAP, .object = &um_model_pose_schema),
+    F(joint, "joint", UM_SCHEMA_MAP, .object = &um_model_joint_schema),
+    F(outside, "outside", UM_SCHEMA_TEXT, NAME, HELP("material of a closed part")),
+    F(front, "front", UM_SCHEMA_TEXT, NAME, HELP("material of the front of an open part")),
+    F(back, "back", UM_SCHEMA_TEXT, NAME, HELP("material of the back of an open part")),
+    F(materials, "materials", UM_SCHEMA_DICT, MOST(10000), .object = &skin_object,
+      HELP("material by group, before outside/front/back")),
+    F(groups, "groups", UM_SCHEMA_DICT, MOST(10000), .object = &group_object,
+      HELP("thermal properties by group, before the part's own")),
+    F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
+    F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
+    F(interior, "interior", UM_SCHEMA_MAP, .object = &interior_object),
+    F(solid, "solid", UM_SCHEMA_MAP, .object = &solid_object),
+    F(lumped, "lumped", UM_SCHEMA_BOOL, DEFAULT(0), HELP("one isothermal node per group and side")),
+    F(facet_size_m, "facet_size_m", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
+      HELP("longest facet edge; default thermal.facet_size_m")),
+    F(start_temperature_K, "start_temperature_K", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(5000),
+      HELP("default thermal.start_temperature_K")),
+    F(electrical_extraction, "electrical_extraction", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1),
+      HELP("share of direct sunlight on the front that leaves as electricity")),
+};
+#undef F
+SHARED_OBJECT(um_model_part_schema, struct um_scenario_part, "part", "One piece of the satellite.",
+              FIELDS(part_fields), .exactly_one = one);
+
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_contact, member, key, type, __VA_ARGS__)
+static const struct um_schema_field contact_fields[] = {
+    F(a, "a", UM_SCHEMA_TEXT, NAME, REQUIRED,
+      HELP("part, part.group, part.front, part.back or part.interior")),
+    F(b, "b", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("the other end")),
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1e9),
+      HELP("of the whole contact")),
+};
+#undef F
+SHARED_OBJECT(um_model_contact_schema, struct um_scenario_contact, "contact",
+              "Heat conducted between two places.", FIELDS(contact_fields));
