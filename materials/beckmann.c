@@ -81,27 +81,3 @@ double um_materials_beckmann_albedo(double alpha, double cos_i)
   if (!(c > 0.0)) return 0.0;
   return fmin(1.0, um_materials_lobe_sample(alpha, c, 128, 128, NULL, NULL));
 }
-
-double um_materials_beckmann_loss(double alpha)
-{
-  /* 1 - 2 int E cos dcos at alpha = 0, 0.05 .. 1.5, by this file's own quadrature (tests/materials/
-   * bsdf.c repeats it) */
-  static const double loss[] = {
-      0.000000, 0.001200, 0.004783, 0.010692, 0.018841, 0.029122, 0.041406, 0.055556,
-      0.071428, 0.088877, 0.107756, 0.127922, 0.149233, 0.171547, 0.194724, 0.218621,
-      0.243091, 0.267988, 0.293166, 0.318480, 0.343791, 0.368965, 0.393884, 0.418434,
-      0.442523, 0.466066, 0.488995, 0.511253, 0.532801, 0.553605, 0.573645};
-  const int last = (int)(sizeof loss / sizeof loss[0]) - 1;
-  double x = alpha / 0.05;
-  if (!(x > 0.0)) return 0.0;
-  if (x >= last) return loss[last];
-  int i = (int)x;
-  double t = x - i;
-  /* the loss is even in alpha: loss[-1] = loss[1] */
-  double before = i > 0 ? loss[i - 1] : loss[1];
-  double after = i + 2 <= last ? loss[i + 2] : 2.0 * loss[last] - loss[last - 1];
-  /* Catmull-Rom cubic */
-  double a = loss[i], b = loss[i + 1], slope_a = 0.5 * (b - before), slope_b = 0.5 * (after - a);
-  return a + t * (slope_a + t * (3.0 * (b - a) - 2.0 * slope_a - slope_b +
-                                 t * (2.0 * (a - b) + slope_a + slope_b)));
-}

@@ -18,9 +18,9 @@ double um_materials_beckmann_masking(double alpha, double cos_theta);
 double um_materials_beckmann_lobe(double alpha, double cos_h, double cos_i, double cos_o);
 /* Directional albedo of that lobe for F = 1, at cos_i, by quadrature; <= 1. */
 double um_materials_beckmann_albedo(double alpha, double cos_i);
-/* What the lobe's masking loses: 1 - hemispherical mean of that albedo, tabulated to alpha 1.5,
- * constant above; accurate to 1e-4. */
-double um_materials_beckmann_loss(double alpha);
+/* The same from a table to alpha 1.5, constant above; accurate to 2e-4, continuous slope in alpha.
+ */
+double um_materials_beckmann_albedo_tabulated(double alpha, double cos_i);
 /* Table 1 of the Flying Laptop paper: alpha = sqrt(2) Rq / tau (same unit). */
 double um_materials_roughness_alpha(double rq, double tau);
 

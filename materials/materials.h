@@ -74,14 +74,22 @@ const char *um_materials_citation(const struct um_materials_record *record);
 bool um_materials_is_grey(const struct um_materials_record *record);
 
 /* --- optics; wavelength [m], cosines of angles from the normal; adjustment NULL for none -------
- * f_r(i, o, lambda) = rho_d(lambda)/pi + F(cos_h, lambda) D(h) G(i, o) / (4 cos_i cos_o)
- * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes).
- * rho_d of a spectral record includes what the masking of the lobe loses (hemispherical mean), so
- * that f_r integrates to 1 - hemispherical emissivity; a grey record's numbers are taken as given,
- * its lobe exists below 2.5 um only. Spectral look-ups are tabulated: about 20 ns each. */
+ * f_r(i, o, lambda) = R/pi + M(i) M(o)/(pi <M>) + F(cos_h, lambda) D(h) G(i, o) / (4 cos_i cos_o)
+ * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes), R
+ * the Lambert part and M what the masking of the lobe keeps back, so that f_r integrates to
+ * 1 - emissivity in every direction; a grey record's numbers are taken as given: its M is 0, its
+ * lobe exists below 2.5 um only. Spectral look-ups are tabulated: about 20 ns each. */
+/* rho_d = R + <M>: what is scattered of light from all sides. */
 double um_materials_diffuse_reflectance(const struct um_materials_record *record,
                                         const struct um_materials_adjustment *adjustment,
                                         double wavelength);
+/* M at the cosine of an angle, and <M>, its hemispherical mean. */
+double um_materials_masked_reflectance(const struct um_materials_record *record,
+                                       const struct um_materials_adjustment *adjustment,
+                                       double wavelength, double cosine);
+double um_materials_masked_mean(const struct um_materials_record *record,
+                                const struct um_materials_adjustment *adjustment,
+                                double wavelength);
 /* F(cos_h): Fresnel or constant specular reflectance of the lobe; 0 for a record without a lobe. */
 double um_materials_specular_reflectance(const struct um_materials_record *record,
                                          const struct um_materials_adjustment *adjustment,
@@ -91,7 +99,7 @@ bool um_materials_has_lobe(const struct um_materials_record *record);
 double um_materials_roughness(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment);
 /* Directional spectral emissivity, Kirchhoff: 1 - described Lambert part - F averaged over the
- * facets that the lobe uses at cos_o (what masking loses is no absorption), >= 0;
+ * facets that the lobe uses at cos_o (what masking keeps back is no absorption), >= 0;
  * grey records: their band emissivity where a band covers the wavelength, else emittance. */
 double um_materials_emissivity(const struct um_materials_record *record,
                                const struct um_materials_adjustment *adjustment, double wavelength,

@@ -174,7 +174,6 @@ static enum um_status read_input(struct um_context *context, const struct um_mat
     UM_TRY(um_materials_reflectance_read(context, in, record));
   else
     UM_TRY(um_materials_substrate_read(context, in, record));
-  record->loss = um_materials_beckmann_loss(record->alpha);
   um_materials_integrals_build(sun, record);
   compare_catalogue(context, sun, record);
   return UM_OK;

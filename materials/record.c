@@ -1,8 +1,8 @@
 /* Evaluation of a record, with and without adjustments.
  *
- *   f_r = rho_d/pi + F D G / (4 cos_i cos_o)
- * rho_d is the Lambert part as described plus what the lobe's masking loses (spectrum.c). Without
- * an adjustment, or with null values, the tabulated numbers come back bit for bit.
+ *   f_r = rho_d/pi + M(i) M(o)/(pi Mbar) + F D G / (4 cos_i cos_o)
+ * rho_d is the Lambert part as described, M what the lobe's masking keeps back (spectrum.c).
+ * Without an adjustment, or with null values, the tabulated numbers come back bit for bit.
  *
  * Adjustments keep the books where they say that they change absorption or emission:
  *   absorptance_shift a, below 2.5 um:  rho_d - a; what rho_d cannot give is taken from F.
@@ -121,51 +121,24 @@ static double apply(const struct changed *c, double f)
   return fmax(0.0, fmin(c->scale * f + c->offset, 1.0 - c->diffuse));
 }
 
-/* Lambert part of an adjusted record without the masking term, and what F may then reach. */
+/* Lambert part of an adjusted record. */
 static double adjusted_lambert(const struct um_materials_spectrum *s, const struct changed *c,
                                const struct um_materials_adjustment *a, double wavelength, size_t i,
-                               double t, double *normal)
+                               double t)
 {
   double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
-  *normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
-  return fmax(0.0, fmin(c->diffuse * scale, 1.0 - *normal));
+  double normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
+  return fmax(0.0, fmin(c->diffuse * scale, 1.0 - normal));
 }
 
-/* The masking term follows the lobe: it scales with F, and changes with alpha by the change of the
- * tabulated loss. The brightest direction, E times F beside the Lambert part, must keep room for
- * it. */
-static double adjusted_loss(const struct um_materials_record *record, const struct changed *c,
-                            const struct um_materials_adjustment *a, size_t i, double t,
-                            double lambert, double normal)
+/* F of a facet, or its mean, with the optics-only scale: what stands beside the Lambert part. */
+static double adjusted_facet(const struct um_materials_spectrum *s, double f,
+                             const struct um_materials_adjustment *a, double wavelength, size_t i,
+                             double t)
 {
-  const struct um_materials_spectrum *s = &record->spectrum;
-  double lost = linear(s->lost, i, t), mean = linear(s->lobe_mean, i, t);
-  double lobe = apply(c, mean) * a->specular_scale;
-  double value = mean > 0.0 ? lost * lobe / mean : 0.0;
-  if (a->roughness_scale != 1.0)
-    value += lobe * (um_materials_beckmann_loss(record->alpha * a->roughness_scale) - record->loss);
-  double brightest = a->roughness_scale < 1.0 ? 1.0 : record->brightest;
-  double f0 = um_materials_spectrum_angular(s, s->facet, i, t, 1.0);
-  double left0 = 1.0 - linear(s->diffuse, i, t) - f0, room0 = left0 + (1.0 - brightest) * f0;
-  double f = fmin(normal * a->specular_scale, 1.0 - lambert);
-  double left = 1.0 - lambert - f, room = left + (1.0 - brightest) * f;
-  /* what passes the room without adjustment lies in the dip of F toward grazing, which closes as
-   * F goes to 1 */
-  double over = fmax(0.0, linear(s->lost, i, t) - room0);
-  if (left < left0) over *= left / left0;
-  return fmax(0.0, fmin(value, room + over));
-}
-
-static double spectral_diffuse(const struct um_materials_record *record,
-                               const struct um_materials_adjustment *a, double wavelength)
-{
-  const struct um_materials_spectrum *s = &record->spectrum;
-  double t, normal;
-  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
-  if (a == NULL) return linear(s->diffuse, i, t) + linear(s->lost, i, t);
   struct changed c = change(s, a, wavelength, i, t);
-  double lambert = adjusted_lambert(s, &c, a, wavelength, i, t, &normal);
-  return lambert + adjusted_loss(record, &c, a, i, t, lambert, normal);
+  double room = 1.0 - adjusted_lambert(s, &c, a, wavelength, i, t);
+  return fmax(0.0, fmin(fmin(apply(&c, f), room) * a->specular_scale, room));
 }
 
 static double spectral_specular(const struct um_materials_record *record,
@@ -173,16 +146,46 @@ static double spectral_specular(const struct um_materials_record *record,
                                 double cos_h)
 {
   const struct um_materials_spectrum *s = &record->spectrum;
-  double t, normal;
+  double t;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->facet, i, t, cos_h);
-  if (a == NULL) return f;
+  return a == NULL ? f : adjusted_facet(s, f, a, wavelength, i, t);
+}
+
+/* M(o) = Fbar(o) (1 - E(o)). */
+static double spectral_masked(const struct um_materials_record *record,
+                              const struct um_materials_adjustment *a, double wavelength,
+                              double cos_o)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t, alpha = um_materials_roughness(record, a);
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  double f = um_materials_spectrum_angular(s, s->lobe, i, t, cos_o);
+  if (a != NULL) f = adjusted_facet(s, f, a, wavelength, i, t);
+  return f * (1.0 - um_materials_beckmann_albedo_tabulated(alpha, cos_o));
+}
+
+static double spectral_masked_mean(const struct um_materials_record *record,
+                                   const struct um_materials_adjustment *a, double wavelength)
+{
+  double t, value[UM_MATERIALS_COSINES];
+  size_t i = um_materials_spectrum_locate(&record->spectrum, wavelength, &t);
+  if (a == NULL) return linear(record->spectrum.masked_mean, i, t);
+  if (!um_materials_has_lobe(record)) return 0.0;
+  for (size_t j = 0; j < UM_MATERIALS_COSINES; j++)
+    value[j] = spectral_masked(record, a, wavelength, um_materials_node_cosine(j));
+  return um_materials_hemispherical_mean(value, UM_MATERIALS_COSINES);
+}
+
+static double spectral_diffuse(const struct um_materials_record *record,
+                               const struct um_materials_adjustment *a, double wavelength)
+{
+  const struct um_materials_spectrum *s = &record->spectrum;
+  double t;
+  size_t i = um_materials_spectrum_locate(s, wavelength, &t);
+  if (a == NULL) return linear(s->diffuse, i, t) + linear(s->masked_mean, i, t);
   struct changed c = change(s, a, wavelength, i, t);
-  double lambert = adjusted_lambert(s, &c, a, wavelength, i, t, &normal);
-  double own = fmin(apply(&c, f), 1.0 - lambert);
-  if (a->specular_scale <= 1.0) return fmax(0.0, own * a->specular_scale);
-  double room = 1.0 - lambert - adjusted_loss(record, &c, a, i, t, lambert, normal);
-  return fmax(0.0, fmin(own * a->specular_scale, fmax(own, room)));
+  return adjusted_lambert(s, &c, a, wavelength, i, t) + spectral_masked_mean(record, a, wavelength);
 }
 
 /* 1 - rho_d - Fbar(cos_o), of the described surface, not of the optics-only scales. */
@@ -230,6 +233,21 @@ double um_materials_specular_reflectance(const struct um_materials_record *recor
   const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
   return record->grey ? grey_specular(record, a, wavelength)
                       : spectral_specular(record, a, wavelength, cos_h);
+}
+
+double um_materials_masked_reflectance(const struct um_materials_record *record,
+                                       const struct um_materials_adjustment *adjustment,
+                                       double wavelength, double cosine)
+{
+  if (record->grey || !um_materials_has_lobe(record)) return 0.0;
+  return spectral_masked(record, is_null(adjustment) ? NULL : adjustment, wavelength, cosine);
+}
+
+double um_materials_masked_mean(const struct um_materials_record *record,
+                                const struct um_materials_adjustment *adjustment, double wavelength)
+{
+  if (record->grey || !um_materials_has_lobe(record)) return 0.0;
+  return spectral_masked_mean(record, is_null(adjustment) ? NULL : adjustment, wavelength);
 }
 
 bool um_materials_has_lobe(const struct um_materials_record *record) { return record->alpha > 0.0; }

@@ -32,13 +32,13 @@ struct um_materials_grey {
 
 /* Reflectance on a grid; linear in wavelength, cubic in u = sqrt(cos); constant outside. */
 struct um_materials_spectrum {
-  size_t n, ncos;     /* ncos: 1 (no angular dependence) or UM_MATERIALS_COSINES */
-  double *wavelength; /* [n] [m] ascending */
-  double *diffuse;    /* [n] Lambert part as described */
-  double *lost;       /* [n] what the lobe's masking loses, hemispherical mean */
-  double *facet;      /* [n][ncos] F(cos_h) */
-  double *lobe;       /* [n][ncos] F averaged over the facets seen at cos_o */
-  double *lobe_mean;  /* [n] hemispherical mean of `lobe` */
+  size_t n, ncos;      /* ncos: 1 (no angular dependence) or UM_MATERIALS_COSINES */
+  double *wavelength;  /* [n] [m] ascending */
+  double *diffuse;     /* [n] Lambert part as described */
+  double *masked_mean; /* [n] what the lobe's masking keeps back, hemispherical mean */
+  double *facet;       /* [n][ncos] F(cos_h) */
+  double *lobe;        /* [n][ncos] F averaged over the facets seen at cos_o */
+  double *lobe_mean;   /* [n] hemispherical mean of `lobe` */
   uint32_t bucket[UM_MATERIALS_BUCKETS]; /* interval that holds each bucket's lower edge */
   double log_first, buckets_per_log;
 };
@@ -47,9 +47,7 @@ struct um_materials_record {
   struct um_context *context;
   char *name, *summary, *citation, *source;
   bool grey;
-  double alpha;     /* Beckmann [1]; 0 without a lobe */
-  double loss;      /* um_materials_beckmann_loss(alpha) */
-  double brightest; /* largest directional albedo of the lobe for F = 1; 1 without a lobe */
+  double alpha; /* Beckmann [1]; 0 without a lobe */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
   struct um_materials_grey explicit_values;                         /* of a grey record */
@@ -78,6 +76,9 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
                                            struct um_materials_record *record,
                                            const struct um_materials_law *law);
 void um_materials_spectrum_free(struct um_context *context, struct um_materials_spectrum *spectrum);
+/* Nodes of the angular grid, and 2 int x cos dcos of values at them; ncos 1: constant. */
+double um_materials_node_cosine(size_t j);
+double um_materials_hemispherical_mean(const double *x, size_t ncos);
 /* Interval and fraction of a wavelength, clamped to the grid. */
 size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum, double wavelength,
                                     double *fraction);

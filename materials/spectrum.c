@@ -9,11 +9,10 @@
  *   Fbar(o) = <F(o.h)>, the mean of F over the facets that the lobe uses at o,
  * a facetted surface that loses nothing reflects rho_d + Fbar(o), hence (Kirchhoff)
  *   emissivity(o) = 1 - rho_d - Fbar(o),
- * and the missing part, whose hemispherical mean is
- *   C = 2 int Fbar(o) (1 - E(o)) cos_o dcos_o,
- * is given back as Lambert reflectance (compare Turquin 2019). Then hemispherical emissivity and
- * the hemispherical reflectance of rho_d + C and lobe add to 1. C is cut where rho_d + C + Fbar E
- * would pass 1 in some direction (rough bare metal only). */
+ * and what the lobe misses, M(o) = Fbar(o) (1 - E(o)), is given back by a second lobe,
+ *   f_M(i, o) = M(i) M(o) / (pi Mbar),  Mbar = 2 int M(o) cos_o dcos_o,
+ * which is reciprocal and reflects M(i) of what arrives from i (after Kulla & Conty 2017; M carries
+ * F itself, so that the sum is exact at every wavelength and angle). */
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -29,14 +28,14 @@ static const double largest_step = 1.02;
 /* Lobes below this alpha are treated as a mirror in the averages over facets. */
 static const double smallest_alpha = 1e-3;
 
-static double node_cosine(size_t j)
+double um_materials_node_cosine(size_t j)
 {
   double u = (double)j / (COSINES - 1);
   return u * u;
 }
 
 /* 4 int_0^1 X u^3 du by Simpson's rule, exact for constant X. */
-static double hemispherical_mean(const double *x, size_t ncos)
+double um_materials_hemispherical_mean(const double *x, size_t ncos)
 {
   if (ncos == 1) return x[0];
   double sum = 0.0, weights = 0.0;
@@ -130,7 +129,6 @@ static void index_nodes(struct um_materials_spectrum *spectrum)
 /* How the facets that the lobe uses at each outgoing node see the F nodes. */
 struct facet_weights {
   double share[COSINES][COSINES]; /* [o][h] sums to 1 over h */
-  double albedo[COSINES];         /* E(o) */
 };
 
 /* Spread one sample over the two F nodes around its o.h. */
@@ -141,7 +139,8 @@ static void add_sample(void *self, double cos_oh, double weight)
   size_t j = (size_t)x;
   if (j > COSINES - 2) j = COSINES - 2;
   /* linear in the cosine, so that a linear F is averaged exactly */
-  double low = node_cosine(j), high = node_cosine(j + 1), t = (cos_oh - low) / (high - low);
+  double low = um_materials_node_cosine(j), high = um_materials_node_cosine(j + 1),
+         t = (cos_oh - low) / (high - low);
   row[j] += (1.0 - t) * weight;
   row[j + 1] += t * weight;
 }
@@ -152,23 +151,21 @@ static void weigh_facets(double alpha, struct facet_weights *out)
   for (size_t o = 0; o < COSINES; o++) {
     if (alpha < smallest_alpha) {
       out->share[o][o] = 1.0;
-      out->albedo[o] = 1.0;
       continue;
     }
-    double cos_o = fmax(node_cosine(o), 1e-4);
+    double cos_o = fmax(um_materials_node_cosine(o), 1e-4);
     double sum = um_materials_lobe_sample(alpha, cos_o, 64, 32, add_sample, out->share[o]);
-    out->albedo[o] = fmin(sum, 1.0);
     for (size_t h = 0; h < COSINES; h++) out->share[o][h] /= sum;
   }
 }
 
-/* Fbar, its mean and the masking loss of one wavelength. */
+/* Fbar and the means of Fbar and M at one wavelength. */
 static void average_facets(struct um_materials_spectrum *spectrum, size_t i,
-                           const struct facet_weights *weights)
+                           const struct facet_weights *weights, const double albedo[COSINES])
 {
   const double *facet = spectrum->facet + i * spectrum->ncos;
   double *lobe = spectrum->lobe + i * spectrum->ncos;
-  double lost[COSINES], room = 1.0;
+  double masked[COSINES];
   for (size_t o = 0; o < COSINES; o++) {
     double mean = facet[0];
     if (spectrum->ncos > 1) {
@@ -177,12 +174,11 @@ static void average_facets(struct um_materials_spectrum *spectrum, size_t i,
       mean = fmin(fmax(mean, 0.0), 1.0 - spectrum->diffuse[i]);
       lobe[o] = mean;
     }
-    lost[o] = mean * (1.0 - weights->albedo[o]);
-    room = fmin(room, 1.0 - spectrum->diffuse[i] - mean * weights->albedo[o]);
+    masked[o] = mean * (1.0 - albedo[o]);
   }
   if (spectrum->ncos == 1) lobe[0] = facet[0];
-  spectrum->lobe_mean[i] = hemispherical_mean(lobe, spectrum->ncos);
-  spectrum->lost[i] = fmax(0.0, fmin(hemispherical_mean(lost, COSINES), room));
+  spectrum->lobe_mean[i] = um_materials_hemispherical_mean(lobe, spectrum->ncos);
+  spectrum->masked_mean[i] = um_materials_hemispherical_mean(masked, COSINES);
 }
 
 /* R of an angular law at one wavelength, split into Lambert part and facets:
@@ -192,10 +188,10 @@ static void split_reflectance(const struct um_materials_law *law, double wavelen
 {
   double all[COSINES];
   for (size_t j = 0; j < COSINES; j++) {
-    double r = law->reflectance(law->self, wavelength, node_cosine(j), diffuse);
+    double r = law->reflectance(law->self, wavelength, um_materials_node_cosine(j), diffuse);
     all[j] = fmax(0.0, 1.0 - law->absorption_factor * (1.0 - r));
   }
-  *diffuse = law->diffuse_fraction * hemispherical_mean(all, COSINES);
+  *diffuse = law->diffuse_fraction * um_materials_hemispherical_mean(all, COSINES);
   for (size_t j = 0; j < ncos; j++) facet[j] = (1.0 - law->diffuse_fraction) * all[j];
 }
 
@@ -203,7 +199,7 @@ static enum um_status allocate_grid(struct um_context *context, struct um_materi
 {
   UM_TRY(um_core_allocate(context, s->n, sizeof(double), &s->wavelength));
   UM_TRY(um_core_allocate(context, s->n, sizeof(double), &s->diffuse));
-  UM_TRY(um_core_allocate(context, s->n, sizeof(double), &s->lost));
+  UM_TRY(um_core_allocate(context, s->n, sizeof(double), &s->masked_mean));
   UM_TRY(um_core_allocate(context, s->n, sizeof(double), &s->lobe_mean));
   UM_TRY(um_core_allocate(context, s->n * s->ncos, sizeof(double), &s->facet));
   return um_core_allocate(context, s->n * s->ncos, sizeof(double), &s->lobe);
@@ -224,16 +220,16 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
   struct facet_weights *weights;
   UM_TRY(um_core_allocate(context, 1, sizeof *weights, &weights));
   weigh_facets(record->alpha, weights);
-  record->brightest = 0.0;
+  double albedo[COSINES];
   for (size_t o = 0; o < COSINES; o++)
-    record->brightest = fmax(record->brightest, weights->albedo[o]);
+    albedo[o] = um_materials_beckmann_albedo_tabulated(record->alpha, um_materials_node_cosine(o));
   for (size_t i = 0; i < s->n; i++) {
     double *facet = s->facet + i * s->ncos;
     if (law->angular)
       split_reflectance(law, s->wavelength[i], &s->diffuse[i], facet, s->ncos);
     else
       facet[0] = law->reflectance(law->self, s->wavelength[i], 1.0, &s->diffuse[i]);
-    average_facets(s, i, weights);
+    average_facets(s, i, weights, albedo);
   }
   um_core_free(context, weights);
   return UM_OK;
@@ -243,7 +239,7 @@ void um_materials_spectrum_free(struct um_context *context, struct um_materials_
 {
   um_core_free(context, spectrum->wavelength);
   um_core_free(context, spectrum->diffuse);
-  um_core_free(context, spectrum->lost);
+  um_core_free(context, spectrum->masked_mean);
   um_core_free(context, spectrum->lobe_mean);
   um_core_free(context, spectrum->facet);
   um_core_free(context, spectrum->lobe);

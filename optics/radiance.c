@@ -1,6 +1,6 @@
 /* Radiance of surfaces toward the observer (D.1, D.3, D.5 of the physics notes):
  *
- *   sun      E_sun(lambda) nu (au/d)^2 [rho_d/pi + F D G/(4 cos_i cos_o)] cos_i
+ *   sun      E_sun(lambda) nu (au/d)^2 f_r(i, o) cos_i, f_r of materials.h
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b)
  *   emitted  eps(lambda, cos_o) B_lambda(T)
  *
@@ -48,11 +48,13 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   size_t nbin = spectra->nbin, nmaterial = spectra->nmaterial, nband = spectra->nband;
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->planck));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->emissivity));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_sun));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_observer));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
   UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
   UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
-  UM_TRY(um_core_allocate(context, (2 * nmaterial + 2) * nbin, sizeof(double), &work->bins));
+  UM_TRY(um_core_allocate(context, (3 * nmaterial + 3) * nbin, sizeof(double), &work->bins));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof *work->sum, &work->sum));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->incoming));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->reflected));
@@ -63,8 +65,9 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nray, 1, &work->hidden));
   for (size_t m = 0; m <= nmaterial; m++) {
     struct um_optics_sum *sum = m < nmaterial ? &work->sum[m] : &work->single;
-    sum->emitted = work->bins + 2 * m * nbin;
+    sum->emitted = work->bins + 3 * m * nbin;
     sum->planet = sum->emitted + nbin;
+    sum->masked = sum->planet + nbin;
   }
   return UM_OK;
 }
@@ -85,10 +88,10 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   if (work == NULL || *work == NULL) return;
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
-    void *const blocks[] = {w->planck,         w->emissivity, w->spectral,      w->specular,
-                            w->specular_known, w->bins,       w->sum,           w->incoming,
-                            w->reflected,      w->band,       w->band_variance, w->ray,
-                            w->occluded,       w->hidden,     w->earth};
+    void *const blocks[] = {
+        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known, w->bins,
+        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,  w->ray,
+        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
   }
   um_core_free(context, *work);
@@ -100,6 +103,18 @@ void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_opti
   sum->lambert = sum->lobe = sum->albedo = sum->view_factor = 0.0;
   memset(sum->emitted, 0, spectra->nbin * sizeof *sum->emitted);
   memset(sum->planet, 0, spectra->nbin * sizeof *sum->planet);
+  memset(sum->masked, 0, spectra->nbin * sizeof *sum->masked);
+}
+
+/* M(i) M(o) of a sunlit surface. */
+static void add_masked(const struct um_optics_spectra *spectra, size_t material,
+                       const struct um_optics_sight *sight, double projected,
+                       struct um_optics_work *work, struct um_optics_sum *sum)
+{
+  const double *toward = work->masked_observer, *from = work->masked_sun;
+  um_optics_spectra_masked(spectra, material, sight->cos_sun, work->masked_sun);
+  um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
+  for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
 }
 
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
@@ -112,6 +127,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   if (instant->sun > 0.0 && sight->area_lit > 0.0 && cos_i > 0.0) {
     double projected = sight->area_lit * cos_o * cos_i;
     sum->lambert += projected;
+    if (spectra->masks[material]) add_masked(spectra, material, sight, projected, work, sum);
     if (spectra->lobe[material]) {
       double alpha = spectra->alpha[material];
       alpha = sqrt(alpha * alpha + instant->sun_alpha2);
@@ -171,10 +187,13 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
   const double *emissivity = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
   bool diffuse_emitter = spectra->diffuse_emitter[material];
   if (instant->sun > 0.0 && sum->lambert > 0.0) {
-    double lambert = sum->lambert / UM_PI;
-    for (size_t b = 0; b < n; b++)
+    const double *mean = spectra->masked_mean + material * n;
+    for (size_t b = 0; b < n; b++) {
+      double scattered = (diffuse[b] - mean[b]) * sum->lambert;
+      if (mean[b] > 0.0) scattered += sum->masked[b] / mean[b];
       spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] =
-          instant->sun * spectra->sun[b] * diffuse[b] * lambert;
+          instant->sun * spectra->sun[b] * scattered / UM_PI;
+    }
     if (sum->lobe > 0.0) {
       const double *specular = um_optics_specular(spectra, scene, instant, material, work);
       for (size_t b = 0; b < n; b++)

@@ -33,6 +33,7 @@ struct um_optics_sight {
 struct um_optics_sum {
   double lambert;     /* sum of area_lit cos_o cos_i [m^2] */
   double lobe;        /* sum of area_lit cos_o cos_i D G/(4 cos_i cos_o) [m^2/sr] */
+  double *masked;     /* [nbin] sum of area_lit cos_o cos_i M(i) M(o) [m^2] */
   double albedo;      /* sum of area_seen cos_o E_albedo [W] */
   double view_factor; /* sum of area_seen cos_o F [m^2], diffuse emitters */
   double *emitted; /* [nbin] sum of area_seen cos_o eps B [W/sr/m]; eps = 1 for diffuse emitters */
@@ -42,12 +43,13 @@ struct um_optics_sum {
 
 /* Scratch of one thread. */
 struct um_optics_work {
-  double *planck, *emissivity;  /* [nbin] */
-  double *earth;                /* [nbin] the Earth before one surface, where it varies */
-  double *spectral;             /* [nbin][UM_MECHANISM_COUNT] */
+  double *planck, *emissivity;          /* [nbin] */
+  double *masked_sun, *masked_observer; /* [nbin] M toward both */
+  double *earth;                        /* [nbin] the Earth before one surface, where it varies */
+  double *spectral;                     /* [nbin][UM_MECHANISM_COUNT] */
   double *specular;             /* [nmaterial][nbin] F of the current instant, where known */
   bool *specular_known;         /* [nmaterial] */
-  double *bins;                 /* [2 nmaterial + 2][nbin] behind the sums */
+  double *bins;                 /* [3 nmaterial + 3][nbin] behind the sums */
   struct um_optics_sum *sum;    /* [nmaterial] */
   struct um_optics_sum single;  /* for one surface */
   double *incoming;             /* [nbin] inter-reflection */

@@ -62,12 +62,9 @@ void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double te
   }
 }
 
-const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
-                                           double cosine, double *row)
+/* Table [UM_OPTICS_ANGLE_NODES][n] at a cosine. */
+static void at_cosine(const double *table, size_t n, double cosine, double *row)
 {
-  size_t n = spectra->nbin;
-  const double *table = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
-  if (spectra->diffuse_emitter[material]) return table;
   double place = sqrt(fmin(fmax(cosine, 0.0), 1.0)) * (UM_OPTICS_ANGLE_NODES - 1);
   size_t node = (size_t)place;
   if (node < 1) node = 1;
@@ -75,6 +72,22 @@ const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spect
   double w[4];
   lagrange_weights(place - (double)node, w);
   lagrange_rows(w, table + (node - 1) * n, n, n, row);
+}
+
+void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t material,
+                              double cosine, double *row)
+{
+  size_t n = spectra->nbin;
+  at_cosine(spectra->masked + material * UM_OPTICS_ANGLE_NODES * n, n, cosine, row);
+}
+
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
+                                           double cosine, double *row)
+{
+  size_t n = spectra->nbin;
+  const double *table = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
+  if (spectra->diffuse_emitter[material]) return table;
+  at_cosine(table, n, cosine, row);
   return row;
 }
 
@@ -168,6 +181,10 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->emissivity,
                           &s->emissivity));
   UM_TRY(um_core_allocate(context, n, sizeof *s->diffuse_emitter, &s->diffuse_emitter));
+  UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->masked,
+                          &s->masked));
+  UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->masks, &s->masks));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
   return um_core_allocate(context, n, sizeof *s->alpha, &s->alpha);
 }
@@ -193,7 +210,9 @@ void um_optics_spectra_materials(const struct um_context *context,
     s->lobe[m] = um_materials_has_lobe(record);
     s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
+    s->masks[m] = s->lobe[m] && !um_materials_is_grey(record);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
+    double *masked = s->masked + m * UM_OPTICS_ANGLE_NODES * s->nbin;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t b = 0; b < s->nbin; b++) {
       double wavelength = s->wavelength[b];
@@ -204,6 +223,12 @@ void um_optics_spectra_materials(const struct um_context *context,
         emissivity[i * s->nbin + b] =
             um_materials_emissivity(record, adjustment, wavelength, u * u);
       }
+      s->masked_mean[m * s->nbin + b] = um_materials_masked_mean(record, adjustment, wavelength);
+      for (size_t i = 0; i < UM_OPTICS_ANGLE_NODES && s->masks[m]; i++) {
+        double u = (double)i / (UM_OPTICS_ANGLE_NODES - 1);
+        masked[i * s->nbin + b] =
+            um_materials_masked_reflectance(record, adjustment, wavelength, u * u);
+      }
     }
   }
 }
@@ -213,15 +238,16 @@ enum um_status um_optics_spectra_share(struct um_context *context,
                                        struct um_optics_spectra *to)
 {
   *to = *from;
-  to->diffuse = to->emissivity = to->alpha = NULL;
-  to->diffuse_emitter = to->lobe = NULL;
+  to->diffuse = to->emissivity = to->alpha = to->masked = to->masked_mean = NULL;
+  to->diffuse_emitter = to->lobe = to->masks = NULL;
   return materials_allocate(context, to);
 }
 
 void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_spectra *shared)
 {
-  void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
-                          shared->lobe, shared->alpha};
+  void *const blocks[] = {shared->diffuse,     shared->emissivity, shared->diffuse_emitter,
+                          shared->lobe,        shared->alpha,      shared->masked,
+                          shared->masked_mean, shared->masks};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -284,10 +310,10 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   struct um_optics_spectra *s = *spectra;
   if (s->planck != NULL)
     for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
-  void *const blocks[] = {s->wavelength, s->width,   s->from,       s->to,
-                          s->band,       s->first,   s->sun,        s->share,
-                          s->earth,      s->diffuse, s->emissivity, s->diffuse_emitter,
-                          s->lobe,       s->alpha,   s->planck};
+  void *const blocks[] = {
+      s->wavelength, s->width, s->from,   s->to,          s->band,       s->first,
+      s->sun,        s->share, s->earth,  s->diffuse,     s->emissivity, s->diffuse_emitter,
+      s->lobe,       s->alpha, s->masked, s->masked_mean, s->masks,      s->planck};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

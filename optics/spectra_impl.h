@@ -25,10 +25,13 @@ struct um_optics_spectra {
   double *sun;                /* [nbin] bin mean at 1 au [W/m^2/m] */
   double *share;              /* [nbin] sun / total solar irradiance [1/m] */
   double *earth;              /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
-  double *diffuse;            /* [nmaterial][nbin] rho_d [1] */
+  double *diffuse;            /* [nmaterial][nbin] rho_d, with the mean of M [1] */
   double *emissivity;         /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] [1]; a diffuse emitter has
                                  its one value in the first row */
   bool *diffuse_emitter;      /* [nmaterial] */
+  double *masked;             /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] M of materials.h [1] */
+  double *masked_mean;        /* [nmaterial][nbin] its hemispherical mean [1] */
+  bool *masks;                /* [nmaterial] M is not 0 */
   bool *lobe;                 /* [nmaterial] */
   double *alpha;              /* [nmaterial] Beckmann roughness [1] */
   struct um_optics_planck *planck; /* [nband] */
@@ -56,6 +59,9 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
  * 5e-9. */
 void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
                               double *row);
+/* M per bin of a material that masks toward a cosine; fills `row`. */
+void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t material,
+                              double cosine, double *row);
 /* Emissivity per bin of a material toward a cosine; a row of the table, or `row` filled. */
 const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
                                            double cosine, double *row);
