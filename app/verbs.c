@@ -15,6 +15,12 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra run scenarios/envisat-graz-2016\n"
                  "umbra run scenarios/envisat-graz-2016 --without albedo --out out/dark-earth\n",
      .run = um_app_run},
+    {"cases", "SCENARIO", "hot, cold and other cases held against limits of temperature",
+     .accepts = "out " CHANGES " " RESULTS,
+     .about = "The scenario's cases, each with its changes: extremes of an orbit, balance under an "
+              "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
+              "picture. Exit status 1 where a limit is exceeded.",
+     .examples = "umbra cases scenarios/cube\n", .run = um_app_cases},
     {"check", "SCENARIO", "read a scenario and report what was understood",
      .accepts = CHANGES " json",
      .about = "Parts, areas, watertightness, materials and nodes; nothing is computed or written.",

@@ -11,6 +11,7 @@
 #include "model/build_parts_impl.h"
 #include "model/build_thermal_impl.h"
 #include "model/effects_impl.h"
+#include "model/limits_impl.h"
 #include "model/scenario_read.h"
 
 /* What hangs on the sky: parts, heat. */
@@ -19,7 +20,8 @@ static enum um_status build_body(struct um_context *context, struct um_model *mo
   UM_TRY(um_model_build_parts(context, model));
   UM_TRY(um_model_check_effects(context, model));
   UM_TRY(um_model_build_thermal(context, model));
-  return um_model_build_blocked(context, model);
+  UM_TRY(um_model_build_blocked(context, model));
+  return um_model_check_limits(context, model);
 }
 
 /* A model with its scenario read and its sky built. */

@@ -112,7 +112,8 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
   for (size_t i = 0; i < instants(precomputed); i++) {
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_core_stop_check(context, "heats were summed"));
-    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads, &heat->options,
+    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads,
+                                      &heat->setting.options,
                                       precomputed->loads->t[precomputed->load_row[i]], t, node));
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(

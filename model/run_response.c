@@ -28,8 +28,8 @@ enum um_status um_model_thermal_solution_response(struct um_context *context,
   for (size_t i = 0; i < n; i++) built[i] = um_thermal_network_temperature(network, (uint32_t)i);
   for (size_t i = 0; i < ninstant; i++) times[i] = precomputed->sample[i].t_tai;
   um_thermal_network_temperatures_set(network, first);
-  status = um_thermal_response(context, network, precomputed->loads, &heat->options, times[0],
-                               times, ninstant, source, nsource, how, take, user);
+  status = um_thermal_response(context, network, precomputed->loads, &heat->setting.options,
+                               times[0], times, ninstant, source, nsource, how, take, user);
   um_thermal_network_temperatures_set(network, built);
 done:
   um_core_free(context, built);

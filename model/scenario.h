@@ -298,6 +298,20 @@ struct um_scenario_measurements {
   struct um_schema_list exclude;  /* of const char * */
 };
 
+/* What a place may be, for cases; NaN: no limit. */
+struct um_scenario_limit {
+  struct um_mark at;
+  const char *of;
+  double minimum_K, maximum_K, uncertainty_K;
+};
+/* A case of heat: the scenario with changes, and how its temperatures are found. */
+struct um_scenario_case {
+  struct um_mark at;
+  const char *name;
+  int analysis;                             /* enum um_model_analysis */
+  struct um_schema_list set, with, without; /* of const char *, as on the command line */
+};
+
 struct um_scenario {
   struct um_mark at;
   int schema;
@@ -316,6 +330,8 @@ struct um_scenario {
   struct um_schema_list effect_files; /* of const char * */
   struct um_schema_list effects;      /* of struct um_scenario_effect */
   struct um_scenario_measurements *measurements;
+  struct um_schema_list limits; /* of struct um_scenario_limit */
+  struct um_schema_list cases;  /* of struct um_scenario_case */
 };
 
 #endif

@@ -115,6 +115,9 @@ static const struct um_schema_field scenario_fields[] = {
           "--allow-effects, or where --effect-file names them too")),
     F(effects, "effects", UM_SCHEMA_LIST, MOST(1000), .object = &effect_object),
     F(measurements, "measurements", UM_SCHEMA_MAP, .object = &um_model_measurements_schema),
+    F(limits, "limits", UM_SCHEMA_LIST, MOST(10000), .object = &um_model_limit_schema),
+    F(cases, "cases", UM_SCHEMA_DICT, MOST(1000), .object = &um_model_case_schema,
+      HELP("of `umbra cases`; default: nominal, the scenario as it is")),
 };
 #undef F
 const struct um_schema_object um_model_scenario_schema = {

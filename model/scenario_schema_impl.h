@@ -44,5 +44,7 @@ extern const struct um_schema_object um_model_mesh_schema;
 extern const struct um_schema_object um_model_pose_schema;
 extern const struct um_schema_object um_model_joint_schema;
 extern const struct um_schema_object um_model_measurements_schema;
+extern const struct um_schema_object um_model_limit_schema;
+extern const struct um_schema_object um_model_case_schema;
 
 #endif

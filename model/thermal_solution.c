@@ -4,43 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/heat_setting_impl.h"
 #include "model/start_offset_impl.h"
 #include "model/thermal_solution_impl.h"
-#include "thermal/exchange.h"
 
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
-
-static struct um_thermal_solve_options options_of(const struct um_model *model)
-{
-  struct um_thermal_solve_options options;
-  um_thermal_solve_defaults(&options);
-  const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  options.relative_tolerance = thermal->relative_tolerance;
-  options.absolute_tolerance = thermal->absolute_tolerance_K;
-  options.space_temperature = thermal->space_temperature_K;
-  options.albedo_on = model->environment.albedo_on;
-  options.planet_on = model->environment.planet_on;
-  return options;
-}
-
-static struct um_thermal_exchange_options exchange_options(const struct um_model *model)
-{
-  return (struct um_thermal_exchange_options){.infrared = model->environment.mutual_radiation_on,
-                                              .solar = model->environment.solar_reflection_on};
-}
-
-/* Radiation between surfaces, with the optics that the model has. */
-static enum um_status make_exchange(struct um_context *context,
-                                    struct um_model_thermal_solution *heat)
-{
-  const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_exchange_options options = exchange_options(heat->model);
-  if (precomputed->view_factors == NULL) return UM_OK;
-  UM_TRY(um_thermal_exchange_create(context, heat->model->body->network, precomputed->loads,
-                                    precomputed->view_factors, &options, &heat->exchange));
-  heat->options.exchange = heat->exchange;
-  return UM_OK;
-}
 
 /* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
  * as built. */
@@ -59,9 +27,9 @@ static enum um_status start(struct um_context *context, struct um_model_thermal_
         heat->start[i] = warm->start[i];
   um_thermal_network_temperatures_set(network, heat->start);
   if (isnan(precomputed->period))
-    return um_thermal_solve_steady(context, network, precomputed->loads, 0, &heat->options,
+    return um_thermal_solve_steady(context, network, precomputed->loads, 0, &heat->setting.options,
                                    heat->start);
-  return um_thermal_solve_periodic(context, network, precomputed->loads, &heat->options,
+  return um_thermal_solve_periodic(context, network, precomputed->loads, &heat->setting.options,
                                    precomputed->t_start, precomputed->period, PERIODIC_TOLERANCE,
                                    heat->start, &heat->periodic_drift);
 }
@@ -118,7 +86,7 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  return heat->options.tolerance_factor > 1.0 && !isnan(heat->periodic_drift) &&
+  return heat->setting.options.tolerance_factor > 1.0 && !isnan(heat->periodic_drift) &&
          heat->model->start_offset == NULL &&
          um_thermal_network_thermostats(heat->model->body->network) == 0 &&
          precomputed->t_periodic_end <= precomputed->sample[0].t_tai + 1e-6;
@@ -139,8 +107,9 @@ static enum um_status follow(struct um_context *context, struct um_model_thermal
   if (run->before) times[0] = fmax(before, precomputed->t_start);
   for (size_t i = 0; i < ninstant; i++)
     times[i + (run->before ? 1 : 0)] = precomputed->sample[i].t_tai;
-  UM_CHECK(um_thermal_solve(context, heat->model->body->network, precomputed->loads, &heat->options,
-                            from, times, ninstant + (run->before ? 1 : 0), &run->history));
+  UM_CHECK(um_thermal_solve(context, heat->model->body->network, precomputed->loads,
+                            &heat->setting.options, from, times, ninstant + (run->before ? 1 : 0),
+                            &run->history));
 done:
   um_core_free(context, times);
   return status;
@@ -180,13 +149,9 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
   *out = NULL;
   UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
-  *heat = (struct um_model_thermal_solution){
-      .model = model, .precomputed = precomputed, .options = options_of(model)};
-  heat->options.tolerance_factor = tolerance_factor;
-  if (!precomputed->points)
-    UM_CHECK(um_model_aging_create(context, model, precomputed->loads, &heat->aging));
-  if (heat->aging != NULL) heat->options.aging = &heat->aging->table;
-  UM_CHECK(make_exchange(context, heat));
+  *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
+  UM_CHECK(um_model_heat_setting_make(context, model, precomputed, &heat->setting));
+  heat->setting.options.tolerance_factor = tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
@@ -215,8 +180,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   um_thermal_history_destroy(context, &(*heat)->run.history);
   um_core_free(context, (*heat)->run.surface);
   um_core_free(context, (*heat)->start);
-  um_model_aging_destroy(context, &(*heat)->aging);
-  um_thermal_exchange_destroy(context, &(*heat)->exchange);
+  um_model_heat_setting_clear(context, &(*heat)->setting);
   um_core_free(context, *heat);
   *heat = NULL;
 }
@@ -272,7 +236,8 @@ static bool exchange_equal(const struct um_model_thermal_solution *heat,
                            const struct um_model *model,
                            const struct um_model_precomputed *precomputed)
 {
-  struct um_thermal_exchange_options a = exchange_options(heat->model), b = exchange_options(model);
+  struct um_thermal_exchange_options a = um_model_exchange_options(heat->model),
+                                     b = um_model_exchange_options(model);
   return a.infrared == b.infrared && a.solar == b.solar &&
          tables_equal(heat->precomputed->view_factors, precomputed->view_factors);
 }
@@ -303,11 +268,11 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
                                                  const struct um_model_precomputed *precomputed,
                                                  bool *out)
 {
-  struct um_thermal_solve_options options = options_of(model);
+  struct um_thermal_solve_options options = um_model_heat_options(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
   struct um_model_aging *aging = NULL;
-  *out = options_equal(&options, &heat->options) && a->start == b->start &&
+  *out = options_equal(&options, &heat->setting.options) && a->start == b->start &&
          a->temperature_in_optics == b->temperature_in_optics &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
@@ -318,7 +283,7 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
          um_model_start_offset_equal(heat->model, model);
   if (!*out || precomputed->points) return UM_OK;
   UM_TRY(um_model_aging_create(context, model, precomputed->loads, &aging));
-  *out = um_model_aging_equal(heat->aging, aging);
+  *out = um_model_aging_equal(heat->setting.aging, aging);
   um_model_aging_destroy(context, &aging);
   return UM_OK;
 }

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
 #define UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
 
-#include "model/aging_impl.h"
+#include "model/heat_setting_impl.h"
 #include "model/model.h"
 #include "model/precomputed.h"
 #include "thermal/solve.h"
@@ -18,11 +18,9 @@ struct um_model_heat_run {
 struct um_model_thermal_solution {
   const struct um_model *model;                   /* borrowed */
   const struct um_model_precomputed *precomputed; /* borrowed */
-  struct um_thermal_solve_options options;
-  struct um_model_aging *aging;         /* behind options.aging; NULL: nothing ages */
-  struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces */
-  double *start;                        /* [nnode] start temperatures [K] */
-  double periodic_drift;                /* what the periodic start left [K]; NaN when isothermal */
+  struct um_model_heat_setting setting;
+  double *start;         /* [nnode] start temperatures [K] */
+  double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
 

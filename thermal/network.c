@@ -149,6 +149,12 @@ void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t n
   network->node[node].power = power;
 }
 
+double um_thermal_network_power(const struct um_thermal_network *network, uint32_t node)
+{
+  assert(node < network->nnode);
+  return network->node[node].power;
+}
+
 void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power)
 {
   assert(node < network->nnode);

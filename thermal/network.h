@@ -35,6 +35,8 @@ enum um_status um_thermal_network_node_add(struct um_thermal_network *network, c
 enum um_status um_thermal_network_section_begin(struct um_thermal_network *network,
                                                 const char *part);
 void um_thermal_network_power_set(struct um_thermal_network *network, uint32_t node, double power);
+/* The power of a node [W]; sources and thermostats not counted. */
+double um_thermal_network_power(const struct um_thermal_network *network, uint32_t node);
 /* Add to what is there. power [W]. */
 void um_thermal_network_power_add(struct um_thermal_network *network, uint32_t node, double power);
 

@@ -54,6 +54,7 @@ static void test_json(void **state)
       {{"schema", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
       {{"schema", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
+      {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
   };
   command_copy_data("box.yaml");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
@@ -246,6 +247,25 @@ static void test_full_standard_output(void **state)
   free(said);
 }
 
+/* Cases: the exit status says whether a limit is exceeded, the table stands in limits.csv. */
+static void test_cases(void **state)
+{
+  (void)state;
+  command_copy_data("box.yaml");
+  command_expect(0, "cases", "box.yaml", "--out", "good", "--set",
+                 "limits.+={of: bus, minimum_K: 10, maximum_K: 900}", NULL);
+  assert_true(command_exists("good/limits.csv") && command_exists("good/limits.png"));
+  char *table = command_read("good/limits.csv");
+  assert_non_null(strstr(table, "\nnominal,transient,bus,"));
+  free(table);
+  struct command c = command_run("cases", "box.yaml", "--no-plots", "--set",
+                                 "limits.+={of: bus, maximum_K: 20}", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.out, "EXCEEDED"));
+  assert_non_null(strstr(c.out, "1 of 1 limits are exceeded"));
+  command_release(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -254,6 +274,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_json_escapes, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_render, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
   };

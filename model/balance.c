@@ -1,0 +1,99 @@
+/* Steady balances: of an instant, and of an orbit's mean. */
+#include "model/balance.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/heat_setting_impl.h"
+#include "thermal/solve.h"
+
+/* What a node takes in whatever its temperature [W]. */
+static double absorbed(const struct um_thermal_heat *heat)
+{
+  return heat->solar + heat->albedo + heat->planet + heat->internal;
+}
+
+/* Add weight times what every node takes in at a row of the loads. temperature: any. */
+static enum um_status add_row(struct um_context *context, const struct um_thermal_network *network,
+                              const struct um_thermal_solve_options *options,
+                              const struct um_irradiation_loads *loads, size_t row, double weight,
+                              const double *temperature, struct um_thermal_heat *heat, double *sum)
+{
+  size_t n = um_thermal_network_nodes(network);
+  UM_TRY(um_core_stop_check(context, "heat was averaged over an orbit"));
+  UM_TRY(
+      um_thermal_heat_of_nodes(context, network, loads, options, loads->t[row], temperature, heat));
+  for (size_t i = 0; i < n; i++) sum[i] += weight * absorbed(&heat[i]);
+  return UM_OK;
+}
+
+/* mean[nnode] [W] over [from, from + period] by trapezoids; the last one is cut at its end. */
+static enum um_status average(struct um_context *context, const struct um_thermal_network *network,
+                              const struct um_thermal_solve_options *options,
+                              const struct um_irradiation_loads *loads, double from, double period,
+                              const double *temperature, double *mean)
+{
+  enum um_status status = UM_OK;
+  size_t n = um_thermal_network_nodes(network);
+  struct um_thermal_heat *heat = NULL;
+  UM_TRY(um_core_allocate(context, n, sizeof *heat, &heat));
+  for (size_t k = 0; k < loads->ntime; k++) {
+    /* share of row k: half of both intervals beside it */
+    double low = k > 0 ? loads->t[k - 1] : loads->t[k], at = loads->t[k];
+    double high = k + 1 < loads->ntime ? loads->t[k + 1] : at, end = from + period, weight = 0.0;
+    if (low < end) weight += 0.5 * (fmin(at, end) - fmax(low, from));
+    if (at < end) weight += 0.5 * (fmin(high, end) - fmax(at, from));
+    if (!(weight > 0.0)) continue;
+    UM_CHECK(
+        add_row(context, network, options, loads, k, weight / period, temperature, heat, mean));
+  }
+done:
+  um_core_free(context, heat);
+  return status;
+}
+
+enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
+                                       const struct um_model_precomputed *precomputed,
+                                       double *temperature)
+{
+  struct um_model_heat_setting setting = {0};
+  enum um_status status = um_model_heat_setting_make(context, model, precomputed, &setting);
+  if (status == UM_OK)
+    status = um_thermal_solve_steady(context, model->body->network, precomputed->loads,
+                                     precomputed->load_row[0], &setting.options, temperature);
+  um_model_heat_setting_clear(context, &setting);
+  return status;
+}
+
+enum um_status um_model_balance_orbit(struct um_context *context, const struct um_model *model,
+                                      const struct um_model_precomputed *precomputed,
+                                      double *temperature)
+{
+  enum um_status status;
+  struct um_model_heat_setting setting = {0};
+  const struct um_irradiation_loads *loads = precomputed->loads;
+  struct um_thermal_network *network = model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  double *power = NULL, *mean = NULL;
+  double from = precomputed->t_start, period = precomputed->period;
+  if (precomputed->points || isnan(period) || !(loads->t[loads->ntime - 1] >= from + period - 1e-3))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "analysis orbit_mean: no whole orbit is computed; accepted: an orbit, and "
+                        "thermal.start: periodic or thermal.orbits_before: 1");
+  UM_CHECK(um_model_heat_setting_make(context, model, precomputed, &setting));
+  UM_CHECK(um_core_allocate(context, n, sizeof *power, &power));
+  UM_CHECK(um_core_allocate(context, n, sizeof *mean, &mean));
+  for (uint32_t i = 0; i < n; i++) {
+    power[i] = um_thermal_network_power(network, i);
+    temperature[i] = um_thermal_network_temperature(network, i);
+  }
+  UM_CHECK(average(context, network, &setting.options, loads, from, period, temperature, mean));
+  for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, mean[i]);
+  status = um_thermal_solve_steady(context, network, NULL, 0, &setting.options, temperature);
+  for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, power[i]);
+done:
+  um_core_free(context, power);
+  um_core_free(context, mean);
+  um_model_heat_setting_clear(context, &setting);
+  return status;
+}

@@ -1,0 +1,45 @@
+/* How the heat of a model is solved. */
+#include "model/heat_setting_impl.h"
+
+#include "thermal/solve.h"
+
+struct um_thermal_solve_options um_model_heat_options(const struct um_model *model)
+{
+  struct um_thermal_solve_options options;
+  um_thermal_solve_defaults(&options);
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  options.relative_tolerance = thermal->relative_tolerance;
+  options.absolute_tolerance = thermal->absolute_tolerance_K;
+  options.space_temperature = thermal->space_temperature_K;
+  options.albedo_on = model->environment.albedo_on;
+  options.planet_on = model->environment.planet_on;
+  return options;
+}
+
+struct um_thermal_exchange_options um_model_exchange_options(const struct um_model *model)
+{
+  return (struct um_thermal_exchange_options){.infrared = model->environment.mutual_radiation_on,
+                                              .solar = model->environment.solar_reflection_on};
+}
+
+enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
+                                          const struct um_model_precomputed *precomputed,
+                                          struct um_model_heat_setting *out)
+{
+  struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
+  *out = (struct um_model_heat_setting){.options = um_model_heat_options(model)};
+  if (!precomputed->points)
+    UM_TRY(um_model_aging_create(context, model, precomputed->loads, &out->aging));
+  if (out->aging != NULL) out->options.aging = &out->aging->table;
+  if (precomputed->view_factors == NULL) return UM_OK;
+  UM_TRY(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
+                                    precomputed->view_factors, &exchange, &out->exchange));
+  out->options.exchange = out->exchange;
+  return UM_OK;
+}
+
+void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting)
+{
+  um_model_aging_destroy(context, &setting->aging);
+  um_thermal_exchange_destroy(context, &setting->exchange);
+}
