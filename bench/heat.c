@@ -89,7 +89,7 @@ static void body_build(const struct bench *bench, double facet_size, struct sate
                                           .kind = UM_THERMAL_SHELL,
                                           .start_temperature = 285.0,
                                           .shell = {3240.0, 0.5, 0.03, 100.0}}};
-  const struct um_thermal_contact contact = {"bus.interior", "array", 0.5};
+  const struct um_thermal_contact contact = {"bus.interior", "array", 0.5, 0.0};
   bench_must(bench, um_geometry_create(bench->context, shape, 2, &s->geometry));
   for (uint32_t g = 0; g < um_geometry_group_count(s->geometry); g++) { /* in order of parts */
     uint32_t p = um_geometry_group(s->geometry, g)->part;

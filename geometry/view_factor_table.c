@@ -235,6 +235,8 @@ um_geometry_view_factor_table_create(struct um_context *context, const struct um
   UM_CHECK(find_moving(&l));
   UM_CHECK(place_all(&l));
   UM_CHECK(gather(&l, limit));
+  l.table->nsurface = l.table->patches->nsurface;
+  l.table->noutside = l.table->patches->npatch;
   UM_CHECK(trace(&l, options));
   UM_CHECK(judge(&l));
   *out = l.table;
@@ -252,6 +254,9 @@ void um_geometry_view_factor_table_destroy(struct um_context *context,
   struct um_geometry_view_factor_table *t = *table;
   for (size_t k = 0; k < t->npose && t->pose != NULL; k++)
     um_geometry_view_factors_destroy(context, &t->pose[k]);
+  for (size_t k = 0; k < t->nroom; k++)
+    um_geometry_view_factors_destroy(context, &t->room[k].factors);
+  um_core_free(context, t->room);
   um_geometry_patches_destroy(context, &t->patches);
   um_core_free(context, (void *)t->pose);
   um_core_free(context, t->corner);

@@ -4,8 +4,19 @@
 
 #include "geometry/view_factors.h"
 
+/* The inside of a closed part, the same in every pose. */
+struct um_geometry_room {
+  uint32_t part;
+  size_t first;                             /* of its patches in the table */
+  struct um_geometry_view_factors *factors; /* which count them from 0 */
+};
+
 struct um_geometry_view_factor_table {
-  struct um_geometry_patches *patches; /* the same in every pose */
+  struct um_geometry_patches *patches; /* of the outside, then of the rooms */
+  size_t nsurface;                     /* of the outside */
+  size_t noutside;                     /* patches of the outside: those of the poses */
+  struct um_geometry_room *room;       /* [nroom], see geometry/inside.h */
+  size_t nroom;
   size_t npose;
   struct um_geometry_view_factors **pose; /* [npose] */
   size_t ntime, ncorner;
@@ -15,11 +26,11 @@ struct um_geometry_view_factor_table {
   double interpolation; /* estimate of the largest error of a view factor between poses [1] */
 };
 
-/* angles: [ntime][njoint] [rad], the joints' angles at times that are asked for; NULL with ntime 1
- * where there is no joint. Poses stand 15 deg apart, or so much farther that there are at most 64;
- * those that some time needs are traced. Between them exchange areas are linear in the angle of
- * each joint (in a simplex of the lattice where several move), so that they stay closed and
- * reciprocal; the error is judged by second differences. limit: of patches, see
+/* Of the outside. angles: [ntime][njoint] [rad], the joints' angles at times that are asked for;
+ * NULL with ntime 1 where there is no joint. Poses stand 15 deg apart, or so much farther that
+ * there are at most 64; those that some time needs are traced. Between them exchange areas are
+ * linear in the angle of each joint (in a simplex of the lattice where several move), so that they
+ * stay closed and reciprocal; the error is judged by second differences. limit: of patches, see
  * um_geometry_patches_create. Progress is reported. The caller destroys. Test:
  * geometry/view_factor_table. */
 enum um_status

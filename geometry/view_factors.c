@@ -42,6 +42,7 @@ struct trace {
   const struct um_geometry_pose *pose;
   const struct um_geometry_visibility *visibility;
   const struct um_geometry_patches *patches;
+  bool closed;       /* nothing goes to space */
   size_t *count;     /* [nmember] rays of each member of the patches */
   size_t *before;    /* [nmember] rays of members of its patch before it */
   size_t *first;     /* [nmember] place of its first ray among those of its batch */
@@ -61,10 +62,11 @@ void um_geometry_view_factor_defaults(struct um_geometry_view_factor_options *op
 /* Where a ray ends. */
 static uint32_t end_of(const struct trace *t, const struct um_geometry_hit *hit)
 {
-  if (hit->facet == UM_GEOMETRY_NONE) return SPACE;
+  uint32_t out = t->closed ? ITSELF : SPACE;
+  if (hit->facet == UM_GEOMETRY_NONE) return out;
   if (hit->surface == UM_GEOMETRY_NONE) return ITSELF;
   uint32_t patch = t->patches->patch[hit->surface];
-  return patch == UM_GEOMETRY_NONE ? SPACE : patch; /* grazed within the rounding of a plane */
+  return patch == UM_GEOMETRY_NONE ? out : patch; /* grazed within the rounding of a plane */
 }
 
 /* Rays of member i; those of a patch go on from member to member along one sequence. */
@@ -277,8 +279,12 @@ enum um_status um_geometry_view_factors_create(
   enum um_status status;
   struct um_geometry_view_factors *factors = NULL;
   struct rows columns = {0};
-  struct trace t = {
-      .context = context, .mesh = mesh, .pose = pose, .visibility = visibility, .patches = patches};
+  struct trace t = {.context = context,
+                    .mesh = mesh,
+                    .pose = pose,
+                    .visibility = visibility,
+                    .patches = patches,
+                    .closed = options->closed};
   *out = NULL;
   if (options->rays < 1) return um_core_fail(context, UM_ERR_INPUT, NO_RAYS, options->rays);
   um_core_progress_begin(context, "view factors", patches->begin[patches->npatch]);

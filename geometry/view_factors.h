@@ -16,6 +16,7 @@ struct um_geometry_view_factor_options {
   size_t rays;   /* from each patch, shared among its surfaces by area */
   double cutoff; /* pairs with both view factors below are left out [1] */
   bool open;     /* leave out closure: exchange areas as sampled, for tests */
+  bool closed;   /* nothing has a way out: a ray that slips through an edge comes back */
 };
 /* rays 4096, cutoff 1e-5. */
 void um_geometry_view_factor_defaults(struct um_geometry_view_factor_options *options);

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "geometry/inside.h"
 #include "model/precompute_exchange_impl.h"
 #include "model/timeline.h"
 #include "model/words_impl.h"
@@ -26,13 +27,26 @@ static enum um_status angles_at_start(struct um_context *context, const struct u
   return UM_OK;
 }
 
+static enum um_status unblock_inside(struct um_context *context, struct um_model *model)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  struct um_thermal_network *network = model->body->network;
+  for (size_t f = 0; f < mesh->nfacet; f++) {
+    uint32_t s = um_geometry_inner_surface(mesh, f);
+    if (um_thermal_network_surface(network, s) != NULL)
+      UM_TRY(um_thermal_network_surface_block(network, s, 0.0));
+  }
+  return um_core_stop_check(context, "the heat network was built");
+}
+
 enum um_status um_model_build_blocked(struct um_context *context, struct um_model *model)
 {
   enum um_status status;
   struct um_geometry_view_factor_table *table = NULL;
   double *angles = NULL;
-  if (model->points) return UM_OK;                          /* heat is not followed */
-  if (model->environment.mutual_radiation_on) return UM_OK; /* surfaces exchange it */
+  if (model->points) return UM_OK; /* heat is not followed */
+  /* surfaces exchange it; inside, where they come blocked, as well */
+  if (model->environment.mutual_radiation_on) return unblock_inside(context, model);
   UM_CHECK(angles_at_start(context, model, &angles));
   UM_CHECK(um_model_view_factors(context, model, angles, 1, &table));
   for (uint32_t s = 0; s < table->patches->nsurface; s++) {

@@ -76,6 +76,8 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
             &to->law_front);
   optics_of(a->model, group->back_material, &to->absorptance_back, &to->emittance_back,
             &to->law_back);
+  to->inside_emittance =
+      own != NULL && !isnan(own->inside_emittance) ? own->inside_emittance : part->inside_emittance;
   if (group->front_material != UM_GEOMETRY_NONE) to->extraction_front = part->electrical_extraction;
   struct um_effect_use use;
   for (size_t i = 0; um_model_effect_next(a->model, &i, &use);)
@@ -108,6 +110,13 @@ static void share_interior(const struct assembly *a, const struct um_scenario_pa
       else
         groups[i].interior_conductance = part->interior->conductance_W_K * area / total;
     }
+}
+
+/* [m^2]; NaN where the contact states none. */
+static double exchange_area_of(const struct um_scenario_contact *contact)
+{
+  if (!isnan(contact->exchange_area_m2)) return contact->exchange_area_m2;
+  return contact->area_m2 * contact->exchange_factor;
 }
 
 static enum um_status check_group_names(const struct assembly *a,
@@ -147,7 +156,7 @@ static enum um_status check_way_out(const struct assembly *a, const struct um_sc
       return UM_OK;
   snprintf(name, sizeof name, "%s.interior", part->name);
   for (size_t i = 0; i < a->model->scenario->contacts.count; i++)
-    if (contact[i].conductance_W_K > 0.0 &&
+    if ((contact[i].conductance_W_K > 0.0 || exchange_area_of(&contact[i]) > 0.0) &&
         (strcmp(contact[i].a, name) == 0 || strcmp(contact[i].b, name) == 0))
       return UM_OK;
   return um_model_fail(a->context, &part->interior->at,
@@ -187,6 +196,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   while (first + own < all && um_geometry_group(geometry, first + own)->part == index) own++;
   UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, own, sizeof *groups, &groups));
   for (; n < own; n++) UM_TRY(group_of(a, part, first + (uint32_t)n, &groups[n]));
+  for (size_t i = 0; i < n; i++) to->inside = to->inside || groups[i].inside_emittance > 0.0;
   share_interior(a, part, groups, n);
   to->groups = groups;
   to->ngroup = n;
@@ -198,16 +208,39 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   return check_way_out(a, part, to);
 }
 
+/* Exactly one way to say what a contact carries. */
+static enum um_status check_contact(const struct assembly *a,
+                                    const struct um_scenario_contact *from)
+{
+  bool product = !isnan(from->area_m2) || !isnan(from->exchange_factor);
+  int ways = !isnan(from->conductance_W_K) + !isnan(from->exchange_area_m2) + product;
+  if (strcmp(from->a, from->b) == 0)
+    return um_model_fail(a->context, &from->at, "b",
+                         "'%s' is the same place as a; accepted: another place", from->b);
+  if (ways != 1 || (product && isnan(exchange_area_of(from))))
+    return um_model_fail(a->context, &from->at, NULL,
+                         "%s - %s: %s; accepted: conductance_W_K, or exchange_area_m2, or area_m2 "
+                         "and exchange_factor",
+                         from->a, from->b,
+                         ways == 0  ? "what it carries is missing"
+                         : ways > 1 ? "what it carries is stated more than once"
+                                    : "area_m2 and exchange_factor go together");
+  return UM_OK;
+}
+
 static enum um_status contacts_of(const struct assembly *a, struct um_thermal_contact **out)
 {
   const struct um_schema_list *list = &a->model->scenario->contacts;
   const struct um_scenario_contact *from = list->items;
   UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, list->count + 1, sizeof **out, out));
   for (size_t i = 0; i < list->count; i++) {
-    if (strcmp(from[i].a, from[i].b) == 0)
-      return um_model_fail(a->context, &from[i].at, "b",
-                           "'%s' is the same place as a; accepted: another place", from[i].b);
-    (*out)[i] = (struct um_thermal_contact){from[i].a, from[i].b, from[i].conductance_W_K};
+    double area = exchange_area_of(&from[i]);
+    UM_TRY(check_contact(a, &from[i]));
+    (*out)[i] = (struct um_thermal_contact){
+        .a = from[i].a,
+        .b = from[i].b,
+        .conductance = isnan(from[i].conductance_W_K) ? 0.0 : from[i].conductance_W_K,
+        .exchange_area = isnan(area) ? 0.0 : area};
   }
   struct um_effect_use use;
   for (size_t k = 0; k < list->count; k++)

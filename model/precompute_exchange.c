@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "geometry/inside.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
 static enum um_status angles_make(struct um_context *context, const struct um_model *model,
@@ -25,10 +26,10 @@ static void say_leaks(struct um_context *context, const struct um_model *model,
 {
   const struct um_geometry_patches *patches = table->patches;
   const struct um_geometry_surface *surface = um_geometry_mesh(model->geometry)->surface;
-  for (size_t p = 0, end = 0; p < patches->npatch; p = end) {
+  for (size_t p = 0, end = 0; p < table->noutside; p = end) {
     const struct um_geometry_surface *first = &surface[patches->surface[patches->begin[p]]];
     double area = 0.0, space = 0.0, itself = 0.0;
-    for (end = p; end < patches->npatch; end++) {
+    for (end = p; end < table->noutside; end++) {
       const struct um_geometry_surface *own = &surface[patches->surface[patches->begin[end]]];
       if (own->group != first->group || own->back != first->back) break;
       area += patches->area[end];
@@ -47,13 +48,31 @@ static void say_leaks(struct um_context *context, const struct um_model *model,
   }
 }
 
+/* What sees what inside. */
+static void say_rooms(struct um_context *context, const struct um_model *model,
+                      const struct um_geometry_view_factor_table *table)
+{
+  for (size_t k = 0; k < table->nroom; k++) {
+    const struct um_geometry_room *room = &table->room[k];
+    const struct um_geometry_view_factors *f = room->factors;
+    const size_t *begin = table->patches->begin + room->first;
+    um_core_log(
+        context, UM_LOG_INFO,
+        "view factors inside %s: %zu facets in %zu patches, %zu pairs by %zu rays; row sums "
+        "within %.2g of 1 as sampled, %.1g closed; nothing leaks to space",
+        um_geometry_part_name(model->geometry, room->part), begin[f->npatch] - begin[0], f->npatch,
+        f->begin[f->npatch], f->rays, f->unclosed, f->residual);
+  }
+}
+
 static void say(struct um_context *context, const struct um_model *model,
                 const struct um_geometry_view_factor_table *table)
 {
   const struct um_geometry_patches *patches = table->patches;
   size_t entries = 0, rays = 0;
   double unclosed = 0.0, residual = 0.0, cut = 0.0;
-  if (patches->npatch == 0) return;
+  say_rooms(context, model, table);
+  if (table->noutside == 0) return;
   for (size_t k = 0; k < table->npose; k++) {
     const struct um_geometry_view_factors *f = table->pose[k];
     entries += f->begin[f->npatch];
@@ -67,7 +86,7 @@ static void say(struct um_context *context, const struct um_model *model,
       "view factors: %zu surfaces in %zu patches, %zu pairs in %zu pose%s by %zu rays; row "
       "sums within %.2g of 1 as sampled, %.1g closed; the cut-off leaves out at most %.1g of "
       "a row",
-      patches->begin[patches->npatch], patches->npatch, entries, table->npose,
+      patches->begin[table->noutside], table->noutside, entries, table->npose,
       table->npose == 1 ? "" : "s", rays, unclosed, residual, cut);
   if (table->step > 0.0)
     um_core_log(
@@ -90,6 +109,28 @@ enum um_status um_model_view_factors(struct um_context *context, const struct um
                                               (size_t)thermal->exchange_patches, &options, out);
 }
 
+/* Parts whose network has inner surfaces. */
+static enum um_status add_rooms(struct um_context *context, const struct um_model *model,
+                                struct um_geometry_view_factor_table *table)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  struct um_geometry_view_factor_options options;
+  um_geometry_view_factor_defaults(&options);
+  options.rays = (size_t)thermal->view_factor_rays;
+  for (uint32_t p = 0; p < model->scenario->parts.count; p++) {
+    size_t f = 0;
+    while (f < mesh->nfacet && mesh->facet_part[f] != p) f++;
+    if (f == mesh->nfacet || um_thermal_network_surface(model->body->network,
+                                                        um_geometry_inner_surface(mesh, f)) == NULL)
+      continue;
+    size_t limit = part[p].lumped ? 0 : (size_t)thermal->exchange_patches;
+    UM_TRY(um_geometry_inside_add(context, model->geometry, p, limit, &options, table));
+  }
+  return UM_OK;
+}
+
 enum um_status um_model_precompute_view_factors(struct um_context *context,
                                                 const struct um_model *model,
                                                 const struct um_environment_sample *samples,
@@ -100,6 +141,8 @@ enum um_status um_model_precompute_view_factors(struct um_context *context,
   double *angles = NULL;
   UM_CHECK(angles_make(context, model, samples, ntime, &angles));
   UM_CHECK(um_model_view_factors(context, model, angles, ntime, &precomputed->view_factors));
+  if (model->environment.mutual_radiation_on)
+    UM_CHECK(add_rooms(context, model, precomputed->view_factors));
   say(context, model, precomputed->view_factors);
 done:
   um_core_free(context, angles);

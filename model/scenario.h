@@ -219,6 +219,7 @@ struct um_scenario_group {
   bool bare; /* no MLI here although the part has one */
   double interior_conductance_W_K, power_W;
   const char *power_file;
+  double inside_emittance; /* NaN: the part's */
 };
 struct um_scenario_part {
   struct um_mark at;
@@ -239,12 +240,14 @@ struct um_scenario_part {
   bool lumped;
   double facet_size_m, start_temperature_K;
   double electrical_extraction; /* of direct sunlight on the front [1] */
+  double inside_emittance;      /* of the inner faces [1]; 0: they do not radiate */
 };
 
 struct um_scenario_contact {
   struct um_mark at;
   const char *a, *b;
-  double conductance_W_K;
+  double conductance_W_K;                            /* NaN: a radiative contact */
+  double exchange_area_m2, area_m2, exchange_factor; /* NaN: not stated */
 };
 
 enum um_scenario_start { UM_START_PERIODIC, UM_START_ISOTHERMAL };

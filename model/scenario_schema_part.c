@@ -88,6 +88,8 @@ static const struct um_schema_field group_fields[] = {
     F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
       HELP("dissipated in the wall of the group, both layers")),
     F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
+    F(inside_emittance, "inside_emittance", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1),
+      HELP("of the inner face; default the part's")),
 };
 #undef F
 OBJECT(group_object, struct um_scenario_group, "group", "What differs thermally on one group.",
@@ -127,6 +129,9 @@ static const struct um_schema_field part_fields[] = {
       HELP("default thermal.start_temperature_K")),
     F(electrical_extraction, "electrical_extraction", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1),
       HELP("share of direct sunlight on the front that leaves as electricity")),
+    F(inside_emittance, "inside_emittance", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1),
+      HELP("of the inner faces of a closed part, which then heat each other; a wall with "
+           "through_conductance_W_m2_K then has an inner layer; 0: they do not radiate")),
 };
 #undef F
 SHARED_OBJECT(um_model_part_schema, struct um_scenario_part, "part", "One piece of the satellite.",
@@ -138,9 +143,15 @@ static const struct um_schema_field contact_fields[] = {
     F(a, "a", UM_SCHEMA_TEXT, NAME, REQUIRED,
       HELP("part, part.group, part.front, part.back or part.interior")),
     F(b, "b", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("the other end")),
-    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1e9),
-      HELP("of the whole contact")),
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e9),
+      HELP("of the whole contact; or one that radiates:")),
+    F(exchange_area_m2, "exchange_area_m2", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e9),
+      HELP("radiative conductance: sigma times it times T_a^4 - T_b^4 flows from a to b")),
+    F(area_m2, "area_m2", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e9),
+      HELP("with exchange_factor: the same as their product")),
+    F(exchange_factor, "exchange_factor", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1),
+      HELP("of grey surfaces, 1 / (1/e_a + 1/e_b - 1) between plates close together")),
 };
 #undef F
 SHARED_OBJECT(um_model_contact_schema, struct um_scenario_contact, "contact",
-              "Heat conducted between two places.", FIELDS(contact_fields));
+              "Heat conducted or radiated between two places.", FIELDS(contact_fields));

@@ -219,12 +219,16 @@ static bool tables_equal(const struct um_geometry_view_factor_table *a,
 {
   if (a == b) return true;
   if (a == NULL || b == NULL || a->npose != b->npose || a->ntime != b->ntime ||
-      a->ncorner != b->ncorner || a->patches->npatch != b->patches->npatch ||
-      a->patches->nsurface != b->patches->nsurface)
+      a->ncorner != b->ncorner || a->nroom != b->nroom || a->noutside != b->noutside ||
+      a->patches->npatch != b->patches->npatch || a->patches->nsurface != b->patches->nsurface)
     return false;
   size_t n = a->ntime * a->ncorner;
   for (size_t k = 0; k < a->npose; k++)
     if (!factors_equal(a->pose[k], b->pose[k])) return false;
+  for (size_t k = 0; k < a->nroom; k++)
+    if (a->room[k].first != b->room[k].first ||
+        !factors_equal(a->room[k].factors, b->room[k].factors))
+      return false;
   return same(a->corner, b->corner, n, sizeof *a->corner) &&
          same(a->weight, b->weight, n, sizeof *a->weight) &&
          same(a->patches->patch, b->patches->patch, a->patches->nsurface,

@@ -160,7 +160,7 @@ static void of_wall(const struct question *q, enum um_effect_stated which,
 static void of_contact(const struct question *q, struct um_sensitivity_stated *out)
 {
   const struct um_scenario_contact *contact = q->model->scenario->contacts.items;
-  if (q->model->scenario->contacts.count != 1) return;
+  if (q->model->scenario->contacts.count != 1 || isnan(contact[0].conductance_W_K)) return;
   say(out, "conductance of the contact", "W/K", contact[0].conductance_W_K * out->null_value);
 }
 

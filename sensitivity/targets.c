@@ -49,11 +49,13 @@ static enum um_status touches(struct um_context *context, const struct um_effect
                               const char *target, const struct um_scenario_contact *from, bool *out)
 {
   double value[UM_EFFECT_PARAMETERS_MAX] = {0};
-  struct um_thermal_contact contact = {from->a, from->b, from->conductance_W_K};
+  /* one that radiates conducts nothing that could be more or less */
+  double conductance = isnan(from->conductance_W_K) ? 0.0 : from->conductance_W_K;
+  struct um_thermal_contact contact = {.a = from->a, .b = from->b, .conductance = conductance};
   for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
   const struct um_effect_use use = {.effect = effect, .target = target, .value = value};
   UM_TRY(effect->hooks.contact(context, &use, &contact));
-  *out = contact.conductance != from->conductance_W_K;
+  *out = contact.conductance != conductance;
   return UM_OK;
 }
 

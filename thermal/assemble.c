@@ -2,8 +2,9 @@
  * lump.c), blankets (mli.c), heat made inside
  * (heater.c), radiating surfaces, contacts (contact.c), places (place.c).
  *
- * The inner side of the walls of a closed body does not radiate: heat crosses a body only through
- * conduction, its interior node and contacts. */
+ * The inner side of the walls of a closed body radiates where its part says so; else heat crosses a
+ * body only through conduction, its interior node and contacts. */
+#include "geometry/inside.h"
 #include "thermal/body_check_impl.h"
 #include "thermal/contact_impl.h"
 #include "thermal/heater_impl.h"
@@ -120,7 +121,39 @@ static enum um_status couple_interior(struct um_thermal_builder *b, size_t part)
   return UM_OK;
 }
 
-/* Where each radiating side sits: on its blanket, or on the three corners of its wall. */
+/* On one node, or on the three corners of a facet. */
+static void place_on(const uint32_t wall[3], struct um_thermal_surface *at)
+{
+  if (wall[0] == wall[1] && wall[0] == wall[2]) {
+    at->node[0] = wall[0];
+    at->weight[0] = 1.0;
+    return;
+  }
+  for (int c = 0; c < 3; c++) {
+    at->node[c] = wall[c];
+    at->weight[c] = 1.0 / 3.0;
+  }
+}
+
+/* Inner faces of the parts that radiate inside, on the inner layer of their walls. */
+static enum um_status attach_inside(struct um_thermal_builder *b)
+{
+  for (size_t f = 0; f < b->mesh->nfacet; f++) {
+    if (!um_thermal_builder_radiates_inside(b, f)) continue;
+    struct um_thermal_surface at = {.node = {UM_THERMAL_SPACE, UM_THERMAL_SPACE, UM_THERMAL_SPACE},
+                                    .area = b->mesh->area[f],
+                                    .emittance =
+                                        b->group[b->mesh->facet_group[f]]->inside_emittance,
+                                    .blocked = 1.0,
+                                    .inside = true};
+    place_on(b->back[f], &at);
+    UM_TRY(
+        um_thermal_network_surface_attach(b->network, um_geometry_inner_surface(b->mesh, f), &at));
+  }
+  return UM_OK;
+}
+
+/* Where each radiating side sits: on its blanket, or on its wall. */
 static enum um_status attach_surfaces(struct um_thermal_builder *b)
 {
   for (size_t s = 0; s < b->mesh->nsurface; s++) {
@@ -136,15 +169,7 @@ static enum um_status attach_surfaces(struct um_thermal_builder *b)
                                     .law = back ? g->law_back : g->law_front};
     const uint32_t *wall = back ? b->back[surface->facet] : b->front[surface->facet];
     uint32_t skin = back ? UM_THERMAL_SPACE : b->skin[surface->facet];
-    if (skin != UM_THERMAL_SPACE || (wall[0] == wall[1] && wall[0] == wall[2])) {
-      at.node[0] = skin != UM_THERMAL_SPACE ? skin : wall[0];
-      at.weight[0] = 1.0;
-    } else {
-      for (int c = 0; c < 3; c++) {
-        at.node[c] = wall[c];
-        at.weight[c] = 1.0 / 3.0;
-      }
-    }
+    place_on(skin != UM_THERMAL_SPACE ? (uint32_t[3]){skin, skin, skin} : wall, &at);
     UM_TRY(um_thermal_network_surface_attach(b->network, (uint32_t)s, &at));
   }
   return UM_OK;
@@ -184,6 +209,7 @@ static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_b
     UM_TRY(assemble_part(b, p));
   }
   UM_TRY(attach_surfaces(b));
+  UM_TRY(attach_inside(b));
   for (size_t c = 0; c < ncontact; c++) UM_TRY(um_thermal_contact_assemble(b, &contacts[c]));
   UM_TRY(um_thermal_places_build(b, body));
   body->ntetrahedron = b->ntetrahedron;

@@ -7,8 +7,8 @@
 #include "thermal/network.h"
 
 /* A wall: thin sheet with two faces. Capacities are per face node layer.
- * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A surface without a partner
- * side (closed body) has one layer. */
+ * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A wall has two layers where both
+ * sides radiate: the back of an open part, the inside of a closed one that radiates inside. */
 struct um_thermal_shell {
   double areal_heat_capacity; /* of the whole wall [J/m^2/K] */
   double front_share;         /* of it on the front layer [1], default 0.5 (1 when one layer) */
@@ -46,17 +46,21 @@ struct um_thermal_group_spec {
   double absorptance_front, emittance_front, extraction_front; /* from the material records */
   double absorptance_back, emittance_back, extraction_back;
   const struct um_thermal_surface_law *law_front, *law_back; /* outlive the body; NULL: constant */
+  double inside_emittance; /* of the inner face of a part that radiates inside [1] */
 };
 enum um_thermal_part_kind {
   UM_THERMAL_SHELL, /* FE shell, vertices shared within the part */
   UM_THERMAL_SOLID, /* TetGen tetrahedra */
   UM_THERMAL_LUMPED /* one isothermal node per group and side */
 };
-/* The inner side of a closed body does not radiate: heat crosses it by conduction, contacts and its
- * interior. */
+/* Where a closed part radiates inside, every facet has an inner surface (geometry/inside.h), on its
+ * inner layer. It comes blocked, all that it emits comes back: who makes the exchange of the room
+ * (um_geometry_inside_add, thermal/exchange.h) takes that off (um_thermal_network_surface_block).
+ * The interior has no surface and takes part by contacts only. */
 struct um_thermal_part_spec {
   uint32_t part;
   enum um_thermal_part_kind kind;
+  bool inside; /* radiates inside; else heat crosses it by conduction, contacts and interior */
   struct um_thermal_shell shell;
   double density, specific_heat, conductivity; /* SOLID */
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
@@ -78,6 +82,9 @@ struct um_thermal_part_spec {
 struct um_thermal_contact {
   const char *a, *b;
   double conductance; /* [W/K] */
+  double
+      exchange_area; /* [m^2]: sigma times it times T_a^4 - T_b^4 is radiated from a to b; all of
+                        both places takes part, wherever they are. One of the two may be above 0 */
 };
 
 /* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
@@ -96,8 +103,9 @@ struct um_thermal_body {
   size_t ntetrahedron;
 };
 /* UM_ERR_INPUT: a part or group without spec or with two, a value out of range, MLI or conductance
- * to an interior that is not there, heat in a wall that is not there, an unknown place in a
- * contact; and what TetGen's wrapper refuses. specs and contacts are borrowed for the call. */
+ * to an interior that is not there, heat in a wall that is not there, an inside without walls all
+ * around, an unknown place in a contact; and what TetGen's wrapper refuses. specs and contacts are
+ * borrowed for the call. */
 enum um_status um_thermal_body_create(struct um_context *context,
                                       const struct um_geometry *geometry,
                                       const struct um_thermal_part_spec *parts, size_t npart,

@@ -54,11 +54,13 @@ static enum um_status check_group(const struct um_thermal_builder *b,
                       {"absorptance of the back", "", g->absorptance_back, 0.0, 1.0},
                       {"emittance of the back", "", g->emittance_back, 0.0, 1.0},
                       {"electrical extraction of the back", "", g->extraction_back, 0.0, 1.0},
-                      {"conductance to the interior", "W/K", g->interior_conductance, 0.0, huge}};
+                      {"conductance to the interior", "W/K", g->interior_conductance, 0.0, huge},
+                      {"emittance inside", "", g->inside_emittance, 0.0, 1.0}};
   size_t n = COUNT(r);
   if (group->back_material == UM_GEOMETRY_NONE) { /* no back: its values do not act */
     r[3] = r[6];
-    n = 4;
+    r[4] = r[7];
+    n = 5;
   }
   UM_TRY(check_ranges(b->context, part, group->name, r, n));
   if (g->interior_conductance > 0.0 && !spec->has_interior)
@@ -78,11 +80,27 @@ static enum um_status check_group(const struct um_thermal_builder *b,
     why = "its back is a radiating surface, which needs a wall";
   else if (g->mli->wraps_interior && spec->kind == UM_THERMAL_SOLID)
     why = "a solid part is its own interior";
+  else if (g->mli->wraps_interior && spec->inside)
+    why = "the part radiates inside, which needs walls all around";
   if (why != NULL)
     return um_core_fail(b->context, UM_ERR_INPUT,
                         "part %s, group %s: MLI is to wrap the interior, but %s", part, group->name,
                         why);
   return UM_OK;
+}
+
+/* An inside is empty and has walls all around. */
+static enum um_status check_inside(const struct um_thermal_builder *b,
+                                   const struct um_thermal_part_spec *spec)
+{
+  const char *why = NULL;
+  if (!um_geometry_report(b->geometry, spec->part).closed)
+    why = "its walls are not closed";
+  else if (spec->kind == UM_THERMAL_SOLID)
+    why = "it is solid";
+  if (!spec->inside || why == NULL) return UM_OK;
+  return um_core_fail(b->context, UM_ERR_INPUT, "part %s: is to radiate inside, but %s",
+                      um_thermal_builder_part_name(b, spec->part), why);
 }
 
 static enum um_status check_part(struct um_thermal_builder *b,
@@ -98,6 +116,7 @@ static enum um_status check_part(struct um_thermal_builder *b,
   } else {
     UM_TRY(check_shell(b->context, part, NULL, &spec->shell));
   }
+  UM_TRY(check_inside(b, spec));
   struct range r[] = {{"start temperature", "K", spec->start_temperature, 1e-3, 1e5},
                       {"heat capacity of the interior", "J/K", spec->interior_capacity, 0.0, huge},
                       {"power in the interior", "W", spec->interior_power, -huge, huge}};

@@ -18,10 +18,16 @@ const struct um_thermal_shell *um_thermal_builder_shell(const struct um_thermal_
   return &b->part[um_geometry_group(b->geometry, group)->part]->shell;
 }
 
+bool um_thermal_builder_radiates_inside(const struct um_thermal_builder *b, size_t facet)
+{
+  return b->part[b->mesh->facet_part[facet]]->inside;
+}
+
 bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet)
 {
   return b->mesh->surface_of_front[facet] != UM_GEOMETRY_NONE &&
-         b->mesh->surface_of_back[facet] != UM_GEOMETRY_NONE &&
+         (b->mesh->surface_of_back[facet] != UM_GEOMETRY_NONE ||
+          um_thermal_builder_radiates_inside(b, facet)) &&
          b->part[b->mesh->facet_part[facet]]->kind != UM_THERMAL_SOLID &&
          isfinite(um_thermal_builder_shell(b, b->mesh->facet_group[facet])->through_conductance);
 }

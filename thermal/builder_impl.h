@@ -32,7 +32,9 @@ enum um_status um_thermal_builder_node(struct um_thermal_builder *b, const char 
 /* The shell that applies to a group. */
 const struct um_thermal_shell *um_thermal_builder_shell(const struct um_thermal_builder *b,
                                                         uint32_t group);
-/* A facet has two layers: a back surface and a finite conductance through the wall. */
+/* Its inner face is a surface: of a part that radiates inside. */
+bool um_thermal_builder_radiates_inside(const struct um_thermal_builder *b, size_t facet);
+/* A facet has two layers: a surface on both sides and a finite conductance through the wall. */
 bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet);
 bool um_thermal_builder_wall_left_out(const struct um_thermal_builder *b, uint32_t group);
 const char *um_thermal_builder_part_name(const struct um_thermal_builder *b, size_t part);

@@ -11,7 +11,11 @@
  * lambda_c the barycentric weights of the foot on the facet: linear, symmetric, conservative, sum
  * of all K exactly G. A lumped or interior node is one node wherever it is met; a place of an
  * interior is met everywhere, in shares of area. Structure is the wall under MLI, and the interior
- * where the wall is left out: a bracket goes through the blanket. */
+ * where the wall is left out: a bracket goes through the blanket.
+ *
+ * A radiative contact carries sigma E (T_a^4 - T_b^4), E an exchange area [m^2]. It is shared in
+ * the same way, but all of both places takes part, every node with the nearest point of the other.
+ */
 #include "core/sort.h"
 #include "thermal/contact_impl.h"
 #include "thermal/place_impl.h"
@@ -188,17 +192,24 @@ static double area_within(const struct side *s, double gap)
   return area;
 }
 
+/* What is shared among nodes, and how much has been. */
+struct flow {
+  bool radiates;
+  double size, joined; /* [W/K], or [m^2] */
+};
+
 static enum um_status join(struct um_thermal_builder *b, uint32_t i, uint32_t j, double k,
-                           double *joined)
+                           struct flow *flow)
 {
   if (i == j || !(k > 0.0)) return UM_OK;
-  *joined += k;
+  flow->joined += k;
+  if (flow->radiates) return um_thermal_network_radiator_add(b->network, i, j, k);
   return um_thermal_network_conductor_add(b->network, i, j, k);
 }
 
-/* Spread `conductance` over the pairs of `from` within the gap. */
+/* Spread `share` of the flow over the pairs of `from` within the gap. */
 static enum um_status pair(struct um_thermal_builder *b, const struct side *from,
-                           const struct side *to, double gap, double conductance, double *joined)
+                           const struct side *to, double gap, double share, struct flow *flow)
 {
   double area = area_within(from, gap);
   if (!(area > 0.0)) return UM_OK;
@@ -206,38 +217,38 @@ static enum um_status pair(struct um_thermal_builder *b, const struct side *from
     const struct sample *s = &from->sample[i];
     if (!(s->gap <= gap)) continue;
     const struct patch *p = &to->patch[s->patch];
-    double k = conductance * s->area / area / p->layers;
+    double k = share * flow->size * s->area / area / p->layers;
     for (int layer = 0; layer < p->layers; layer++)
       for (int c = 0; c < 3; c++)
-        UM_TRY(join(b, s->node, p->node[layer][c], k * s->weight[c], joined));
+        UM_TRY(join(b, s->node, p->node[layer][c], k * s->weight[c], flow));
   }
   return UM_OK;
 }
 
 /* An interior is met everywhere on the other place. */
 static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const struct side *over,
-                             double conductance, double *joined)
+                             struct flow *flow)
 {
-  if (over->at.interior) return join(b, node, b->interior[over->at.part], conductance, joined);
+  if (over->at.interior) return join(b, node, b->interior[over->at.part], flow->size, flow);
   double area = 0.0;
   for (size_t i = 0; i < over->nsample; i++) area += over->sample[i].area;
   for (size_t i = 0; i < over->nsample; i++)
-    UM_TRY(join(b, node, over->sample[i].node, conductance * over->sample[i].area / area, joined));
+    UM_TRY(join(b, node, over->sample[i].node, flow->size * over->sample[i].area / area, flow));
   return UM_OK;
 }
 
 static enum um_status connect(struct um_thermal_builder *b, struct side *x, struct side *y,
-                              double conductance, double *joined)
+                              struct flow *flow)
 {
-  if (x->at.interior) return spread(b, b->interior[x->at.part], y, conductance, joined);
-  if (y->at.interior) return spread(b, b->interior[y->at.part], x, conductance, joined);
+  if (x->at.interior) return spread(b, b->interior[x->at.part], y, flow);
+  if (y->at.interior) return spread(b, b->interior[y->at.part], x, flow);
   double gap = fmin(find_feet(b->context, x, y), find_feet(b->context, y, x));
   UM_TRY(um_core_stop_check(b->context, "contacts were joined"));
-  gap += 0.5 * fmin(x->edge, y->edge);
+  gap += flow->radiates ? INFINITY : 0.5 * fmin(x->edge, y->edge);
   bool both = area_within(x, gap) > 0.0 && area_within(y, gap) > 0.0;
-  double each = both ? 0.5 * conductance : conductance;
-  UM_TRY(pair(b, x, y, gap, each, joined));
-  return pair(b, y, x, gap, each, joined);
+  double each = both ? 0.5 : 1.0;
+  UM_TRY(pair(b, x, y, gap, each, flow));
+  return pair(b, y, x, gap, each, flow);
 }
 
 static enum um_status refuse_place(const struct um_thermal_builder *b,
@@ -255,15 +266,34 @@ static enum um_status refuse_place(const struct um_thermal_builder *b,
                       contact->a, contact->b, name, um_core_words_hint(&guess, hint));
 }
 
-enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
-                                           const struct um_thermal_contact *contact)
+static enum um_status check_size(const struct um_thermal_builder *b,
+                                 const struct um_thermal_contact *contact)
 {
-  struct side side[2] = {{.name = contact->a}, {.name = contact->b}};
-  double g = contact->conductance, joined = 0.0;
+  double g = contact->conductance, e = contact->exchange_area;
   if (!(g >= 0.0 && isfinite(g)))
     return um_core_fail(b->context, UM_ERR_INPUT,
                         "contact %s - %s: conductance %g W/K; accepted: finite, not negative",
                         contact->a, contact->b, g);
+  if (!(e >= 0.0 && isfinite(e)))
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "contact %s - %s: exchange area %g m2; accepted: finite, not negative",
+                        contact->a, contact->b, e);
+  if (g > 0.0 && e > 0.0)
+    return um_core_fail(
+        b->context, UM_ERR_INPUT,
+        "contact %s - %s: conducts %g W/K and radiates over %g m2; accepted: one of "
+        "the two",
+        contact->a, contact->b, g, e);
+  return UM_OK;
+}
+
+enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
+                                           const struct um_thermal_contact *contact)
+{
+  struct side side[2] = {{.name = contact->a}, {.name = contact->b}};
+  struct flow flow = {.size = contact->conductance};
+  UM_TRY(check_size(b, contact));
+  if (contact->exchange_area > 0.0) flow = (struct flow){true, contact->exchange_area, 0.0};
   enum um_status status = UM_OK;
   for (int i = 0; i < 2; i++) {
     if (!resolve(b, &side[i])) {
@@ -272,8 +302,8 @@ enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
     }
     UM_CHECK(collect(b, &side[i]));
   }
-  UM_CHECK(connect(b, &side[0], &side[1], g, &joined));
-  if (g > 0.0 && !(joined > 0.0))
+  UM_CHECK(connect(b, &side[0], &side[1], &flow));
+  if (flow.size > 0.0 && !(flow.joined > 0.0))
     status = um_core_fail(b->context, UM_ERR_INPUT,
                           "contact %s - %s: joins a place to itself; accepted: two places",
                           contact->a, contact->b);

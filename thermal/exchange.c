@@ -23,19 +23,21 @@ struct maker {
   const struct um_geometry_view_factor_table *table;
   double *emittance, *absorptance; /* [npatch] */
   double *reflectance;             /* [npatch] of the band in hand */
-  double *b;                       /* [npatch][npatch] of pose and band in hand */
+  double *b;                       /* [n][n] of pose, or room, and band in hand */
+  size_t first, n;                 /* patches in hand */
   struct um_thermal_exchange *out;
 };
 
 static enum um_status sizes_check(const struct maker *m)
 {
   const struct um_geometry_view_factor_table *table = m->table;
-  size_t nsurface = table->patches->nsurface;
-  if (m->network->nsurface > nsurface || (m->loads != NULL && m->loads->nsurface < nsurface))
+  size_t nsurface = table->patches->nsurface, outside = m->network->noutside;
+  bool few = m->loads != NULL && m->loads->nsurface < table->nsurface;
+  if (outside > nsurface || few || (table->nroom > 0 && m->network->nsurface > nsurface))
     return um_core_fail(m->context, UM_ERR_INPUT,
                         "exchange between %zu surfaces, of a network with %zu and loads of %zu; "
                         "accepted: as many",
-                        nsurface, m->network->nsurface, m->loads != NULL ? m->loads->nsurface : 0);
+                        nsurface, outside, m->loads != NULL ? m->loads->nsurface : 0);
   if (table->ntime == 1 || (m->loads != NULL && m->loads->ntime == table->ntime)) return UM_OK;
   return um_core_fail(m->context, UM_ERR_INPUT,
                       "view factors at %zu times for loads at %zu; accepted: as many, or 1",
@@ -55,13 +57,17 @@ static enum um_status take_table(struct maker *m)
 {
   const struct um_geometry_view_factor_table *table = m->table;
   struct um_thermal_exchange *x = m->out;
-  x->nsurface = table->patches->nsurface;
+  size_t given = table->patches->nsurface;
+  x->nsurface = m->network->nsurface > given ? m->network->nsurface : given;
   x->npatch = table->patches->npatch;
+  x->noutside = table->noutside;
   x->npose = table->npose;
   x->ntime = table->ntime;
   x->ncorner = table->ncorner;
   size_t n = x->ntime * x->ncorner;
-  UM_TRY(copy(m->context, table->patches->patch, x->nsurface, sizeof *x->patch, &x->patch));
+  UM_TRY(um_core_allocate(m->context, x->nsurface, sizeof *x->patch, &x->patch));
+  memset(x->patch, 0xff, x->nsurface * sizeof *x->patch);
+  if (given > 0) memcpy(x->patch, table->patches->patch, given * sizeof *x->patch);
   UM_TRY(copy(m->context, table->patches->area, x->npatch, sizeof *x->area, &x->area));
   UM_TRY(copy(m->context, table->corner, n, sizeof *x->corner, &x->corner));
   UM_TRY(copy(m->context, table->weight, n, sizeof *x->weight, &x->weight));
@@ -118,7 +124,7 @@ static void reflect_row(const struct maker *m, size_t row, double weight, enum l
                         double *scratch, double *out)
 {
   const struct um_geometry_patches *patches = m->table->patches;
-  size_t n = patches->npatch;
+  size_t n = m->table->noutside, stride = patches->npatch;
   bool any = false;
   for (size_t p = 0; p < n; p++) {
     double sum = 0.0;
@@ -134,7 +140,7 @@ static void reflect_row(const struct maker *m, size_t row, double weight, enum l
     const double *b = m->b + p * n;
     double sum = 0.0;
     for (size_t q = 0; q < n; q++) sum += b[q] * scratch[q];
-    out[row * n + p] += weight * sum / patches->area[p];
+    out[row * stride + p] += weight * sum / patches->area[p];
   }
 }
 
@@ -156,26 +162,31 @@ static enum um_status reflect(struct maker *m, size_t pose, enum load load, doub
   return um_core_stop_check(m->context, "reflected loads were added up");
 }
 
-static enum um_status reflections_of(struct maker *m, size_t pose, const double *absorbed)
+/* B of view factors whose patches stand from `first` on, which are then in hand. */
+static enum um_status reflections_of(struct maker *m,
+                                     const struct um_geometry_view_factors *factors, size_t first,
+                                     const double *absorbed)
 {
-  for (size_t p = 0; p < m->out->npatch; p++) m->reflectance[p] = 1.0 - absorbed[p];
-  return um_thermal_reflections(m->context, m->table->pose[pose], m->out->area, m->reflectance,
-                                m->b);
+  m->first = first;
+  m->n = factors->npatch;
+  for (size_t p = 0; p < m->n; p++) m->reflectance[p] = 1.0 - absorbed[first + p];
+  return um_thermal_reflections(m->context, factors, m->out->area + first, m->reflectance, m->b);
 }
 
+/* Of patches p and q of those in hand. */
 static double area_between(const struct maker *m, size_t p, size_t q)
 {
-  return m->b[p * m->out->npatch + q] * (m->emittance[p] * m->emittance[q]);
+  return m->b[p * m->n + q] * (m->emittance[m->first + p] * m->emittance[m->first + q]);
 }
 
 /* Exchange areas of patch p below which all together are left_out of its emission [m^2]: the
  * largest of a few. */
 static double small_of(const struct maker *m, double left_out, size_t p)
 {
-  double emitted = m->emittance[p] * m->out->area[p];
+  double emitted = m->emittance[m->first + p] * m->out->area[m->first + p];
   for (double limit = 0.1 * emitted; limit > 1e-12 * emitted; limit *= 0.25) {
     double sum = 0.0;
-    for (size_t q = 0; q < m->out->npatch; q++) {
+    for (size_t q = 0; q < m->n; q++) {
       double g = area_between(m, p, q);
       if (q != p && g < limit) sum += g;
     }
@@ -184,13 +195,13 @@ static double small_of(const struct maker *m, double left_out, size_t p)
   return 0.0;
 }
 
-/* Row p of `between`, or with between->other NULL only its end. small [npatch]. */
+/* Row p of those in hand into `between`, or with between->other NULL only its end. small [n]. */
 static void keep_row(const struct maker *m, const double *small, size_t p,
                      struct um_thermal_between *between)
 {
-  size_t at = between->begin[p], own = at;
+  size_t row = m->first + p, at = between->begin[row], own = at;
   double rest = 0.0;
-  for (size_t q = 0; q < m->out->npatch; q++) {
+  for (size_t q = 0; q < m->n; q++) {
     double g = area_between(m, p, q);
     if (q != p && g < fmin(small[p], small[q])) {
       rest += g;
@@ -198,13 +209,13 @@ static void keep_row(const struct maker *m, const double *small, size_t p,
     }
     if (q == p) own = at;
     if (between->other != NULL) {
-      between->other[at] = (uint32_t)q;
+      between->other[at] = (uint32_t)(m->first + q);
       between->area[at] = g;
     }
     at++;
   }
   if (between->other != NULL) between->area[own] += rest;
-  between->begin[p + 1] = at;
+  between->begin[row + 1] = at;
 }
 
 /* Rows of eps B eps without what is small for both patches: that is taken to come back to where it
@@ -212,31 +223,49 @@ static void keep_row(const struct maker *m, const double *small, size_t p,
 static enum um_status keep_between(struct maker *m, double left_out,
                                    struct um_thermal_between *between)
 {
-  size_t n = m->out->npatch;
-  double *small = m->reflectance; /* [npatch], free until the next band */
-  for (size_t p = 0; p < n; p++) small[p] = small_of(m, left_out, p);
-  UM_TRY(um_core_allocate(m->context, n + 1, sizeof *between->begin, &between->begin));
-  for (size_t p = 0; p < n; p++) keep_row(m, small, p, between);
-  size_t nentry = between->begin[n];
-  UM_TRY(um_core_allocate(m->context, nentry, sizeof *between->area, &between->area));
-  UM_TRY(um_core_allocate(m->context, nentry, sizeof *between->other, &between->other));
-  for (size_t p = 0; p < n; p++) keep_row(m, small, p, between);
+  size_t all = m->first + m->n;
+  double *small = m->reflectance; /* [n], free until the next band */
+  for (size_t p = 0; p < m->n; p++) small[p] = small_of(m, left_out, p);
+  if (between->begin == NULL) /* rows of a room's first patch begin where nothing is */
+    UM_TRY(
+        um_core_allocate(m->context, m->out->npatch + 1, sizeof *between->begin, &between->begin));
+  uint32_t *other = between->other;
+  between->other = NULL; /* ends first */
+  for (size_t p = 0; p < m->n; p++) keep_row(m, small, p, between);
+  between->other = other;
+  size_t nentry = between->begin[all];
+  UM_TRY(um_core_reallocate(m->context, nentry, sizeof *between->area, &between->area));
+  UM_TRY(um_core_reallocate(m->context, nentry, sizeof *between->other, &between->other));
+  for (size_t p = 0; p < m->n; p++) keep_row(m, small, p, between);
   return UM_OK;
 }
 
 static enum um_status make_infrared(struct maker *m, size_t pose)
 {
   struct um_thermal_exchange *x = m->out;
-  UM_TRY(reflections_of(m, pose, m->emittance));
+  UM_TRY(reflections_of(m, m->table->pose[pose], 0, m->emittance));
   if (m->loads != NULL) UM_TRY(reflect(m, pose, PLANET, x->reflected.planet));
   UM_TRY(keep_between(m, LEFT_OUT, &x->between[pose]));
   return keep_between(m, LEFT_OUT_STRONG, &x->strong[pose]);
 }
 
+/* Rooms one after the other in the same rows: no sunlight, no Earth, no pose. */
+static enum um_status make_inside(struct maker *m)
+{
+  struct um_thermal_exchange *x = m->out;
+  for (size_t k = 0; k < m->table->nroom; k++) {
+    const struct um_geometry_room *room = &m->table->room[k];
+    UM_TRY(reflections_of(m, room->factors, room->first, m->emittance));
+    UM_TRY(keep_between(m, LEFT_OUT, &x->between[x->npose]));
+    UM_TRY(keep_between(m, LEFT_OUT_STRONG, &x->strong[x->npose]));
+  }
+  return UM_OK;
+}
+
 static enum um_status make_solar(struct maker *m, size_t pose)
 {
   struct um_thermal_exchange *x = m->out;
-  UM_TRY(reflections_of(m, pose, m->absorptance));
+  UM_TRY(reflections_of(m, m->table->pose[pose], 0, m->absorptance));
   UM_TRY(reflect(m, pose, SUN, x->reflected.sun));
   return reflect(m, pose, ALBEDO, x->reflected.albedo);
 }
@@ -248,11 +277,14 @@ static enum um_status make(struct maker *m, const struct um_thermal_exchange_opt
   bool solar = options->solar && m->loads != NULL;
   UM_TRY(take_table(m));
   UM_TRY(take_optics(m));
-  UM_TRY(um_core_allocate(m->context, n * n, sizeof *m->b, &m->b));
+  size_t largest = m->table->noutside; /* patches of the outside, or of a room */
+  for (size_t k = 0; k < m->table->nroom; k++)
+    if (m->table->room[k].factors->npatch > largest) largest = m->table->room[k].factors->npatch;
+  UM_TRY(um_core_allocate(m->context, largest * largest, sizeof *m->b, &m->b));
   struct um_thermal_reflected *r = &x->reflected;
   if (options->infrared) {
-    UM_TRY(um_core_allocate(m->context, x->npose, sizeof *x->between, &x->between));
-    UM_TRY(um_core_allocate(m->context, x->npose, sizeof *x->strong, &x->strong));
+    UM_TRY(um_core_allocate(m->context, x->npose + 1, sizeof *x->between, &x->between));
+    UM_TRY(um_core_allocate(m->context, x->npose + 1, sizeof *x->strong, &x->strong));
     if (ntime > 0) UM_TRY(um_core_allocate(m->context, ntime * n, sizeof(double), &r->planet));
   }
   if (solar) {
@@ -263,6 +295,7 @@ static enum um_status make(struct maker *m, const struct um_thermal_exchange_opt
     if (options->infrared) UM_TRY(make_infrared(m, pose));
     if (solar) UM_TRY(make_solar(m, pose));
   }
+  if (options->infrared) UM_TRY(make_inside(m));
   return UM_OK;
 }
 
@@ -309,8 +342,8 @@ void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_e
   struct um_thermal_exchange *x = *exchange;
   um_core_free(context, x->patch);
   um_core_free(context, x->area);
-  between_free(context, x->between, x->npose);
-  between_free(context, x->strong, x->npose);
+  between_free(context, x->between, x->npose + 1);
+  between_free(context, x->strong, x->npose + 1);
   um_core_free(context, x->t);
   um_core_free(context, x->corner);
   um_core_free(context, x->weight);
@@ -325,6 +358,7 @@ double um_thermal_exchange_area(const struct um_thermal_exchange *exchange, size
                                 size_t q)
 {
   if (exchange->between == NULL) return NAN;
+  if (p >= exchange->noutside) pose = exchange->npose;
   const struct um_thermal_between *between = &exchange->between[pose];
   for (size_t e = between->begin[p]; e < between->begin[p + 1]; e++)
     if (between->other[e] == q) return between->area[e];
@@ -365,21 +399,27 @@ void um_thermal_exchange_mix(const struct um_thermal_exchange *exchange, double 
   mix_add(exchange, next, u, mix);
 }
 
+/* sum_q of a row. */
+static double row_product(const struct um_thermal_between *between, size_t p, const double *x)
+{
+  double part[4] = {0.0, 0.0, 0.0, 0.0}; /* one strand would wait for itself */
+  size_t e = between->begin[p], end = between->begin[p + 1];
+  for (; e + 4 <= end; e += 4)
+    for (size_t s = 0; s < 4; s++) part[s] += between->area[e + s] * x[between->other[e + s]];
+  for (; e < end; e++) part[0] += between->area[e] * x[between->other[e]];
+  return part[0] + part[1] + part[2] + part[3];
+}
+
 void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
                                const struct um_thermal_mix *mix, const double *x, double *heat)
 {
-  for (size_t p = 0; p < exchange->npatch; p++) {
+  for (size_t p = 0; p < exchange->noutside; p++) {
     double sum = 0.0;
-    for (size_t k = 0; k < mix->n; k++) {
-      const struct um_thermal_between *own = &between[mix->pose[k]];
-      double part[4] = {0.0, 0.0, 0.0, 0.0}; /* one strand would wait for itself */
-      size_t e = own->begin[p], end = own->begin[p + 1];
-      for (; e + 4 <= end; e += 4)
-        for (size_t s = 0; s < 4; s++) part[s] += own->area[e + s] * x[own->other[e + s]];
-      for (; e < end; e++) part[0] += own->area[e] * x[own->other[e]];
-      sum += mix->weight[k] * (part[0] + part[1] + part[2] + part[3]);
-    }
+    for (size_t k = 0; k < mix->n; k++)
+      sum += mix->weight[k] * row_product(&between[mix->pose[k]], p, x);
     heat[p] = UM_STEFAN_BOLTZMANN * sum;
   }
+  for (size_t p = exchange->noutside; p < exchange->npatch; p++)
+    heat[p] = UM_STEFAN_BOLTZMANN * row_product(&between[exchange->npose], p, x);
 }

@@ -16,17 +16,19 @@ struct um_thermal_reflected {
 /* Total exchange areas eps_p B_pq eps_q of one pose [m^2], in rows; what is small is left with the
  * patch that sends it, see exchange.c. */
 struct um_thermal_between {
-  size_t *begin;   /* [npatch + 1] */
+  size_t *begin;   /* [npatch + 1], of the outside [noutside + 1] */
   uint32_t *other; /* [nentry] */
   double *area;    /* [nentry] [m^2] */
 };
 
 struct um_thermal_exchange {
   size_t nsurface, npatch, npose;
+  size_t noutside;                    /* patches of the outside; those of rooms follow */
   uint32_t *patch;                    /* [nsurface] or UM_THERMAL_NO_PATCH */
   double *area;                       /* [npatch] [m^2] */
-  struct um_thermal_between *between; /* [npose]; NULL: infrared is off */
-  struct um_thermal_between *strong;  /* [npose] the larger ones of them, for Newton's matrix */
+  struct um_thermal_between *between; /* [npose + 1]: of the outside in each pose, then of all
+                                         rooms; NULL: infrared is off */
+  struct um_thermal_between *strong;  /* [npose + 1] the larger ones, for Newton's matrix */
   size_t ntime, ncorner;
   double *t;                             /* [ntime] [s]; used where there is more than one pose */
   uint32_t *corner;                      /* [ntime][ncorner] */

@@ -150,10 +150,10 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
                                         const struct um_thermal_solve_options *options, double t,
                                         const double *temperature, struct um_thermal_heat *out)
 {
-  if (loads != NULL && loads->nsurface < network->nsurface)
+  if (loads != NULL && loads->nsurface < network->noutside)
     return um_core_fail(context, UM_ERR_INPUT,
                         "heat loads of %zu surfaces for a network with %zu; accepted: as many",
-                        loads->nsurface, network->nsurface);
+                        loads->nsurface, network->noutside);
   double space4 = pow(options->space_temperature, 4);
   for (size_t i = 0; i < network->nnode; i++)
     out[i] = (struct um_thermal_heat){.internal = network->node[i].power};
@@ -179,7 +179,7 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature)
 {
-  for (size_t s = 0; s < network->nsurface; s++) {
+  for (size_t s = 0; s < network->noutside; s++) {
     const struct um_thermal_surface *surface = &network->surface[s];
     double sum = 0.0, only = 0.0;
     int used = 0;

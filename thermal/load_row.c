@@ -29,7 +29,7 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
   memset(sun, 0, n * sizeof *sun);
   memset(albedo, 0, n * sizeof *albedo);
   memset(planet, 0, n * sizeof *planet);
-  for (size_t s = 0; s < network->nsurface; s++) {
+  for (size_t s = 0; s < network->noutside; s++) {
     const struct um_thermal_surface *surface = &network->surface[s];
     if (!network->attached[s]) continue;
     double absorptance = absorptance_of(network, aging, row, s);
@@ -66,7 +66,7 @@ double um_thermal_load_row_emission(const struct um_thermal_network *network,
 {
   const struct um_thermal_surface *at = &network->surface[surface];
   return UM_STEFAN_BOLTZMANN * at->weight[k] * um_thermal_surface_emission(at) *
-         aged_emittance(aging, row, surface);
+         (at->inside ? 1.0 : aged_emittance(aging, row, surface));
 }
 
 struct um_thermal_load_interval

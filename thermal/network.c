@@ -254,6 +254,14 @@ enum um_status um_thermal_network_surface_attach(struct um_thermal_network *netw
   if (network->attached[surface])
     return um_core_fail(context, UM_ERR_INPUT, "surface %lu is attached twice",
                         (unsigned long)surface);
+  if (!attachment->inside && surface >= network->noutside) {
+    for (size_t s = network->noutside; s <= surface && s < network->nsurface; s++)
+      if (network->attached[s] && network->surface[s].inside)
+        return um_core_fail(context, UM_ERR_INPUT,
+                            "surface %lu lies outside and surface %zu before it inside",
+                            (unsigned long)surface, s);
+    network->noutside = (size_t)surface + 1;
+  }
   network->surface[surface] = *attachment;
   network->attached[surface] = true;
   if (surface >= network->nsurface) network->nsurface = (size_t)surface + 1;
@@ -277,7 +285,7 @@ size_t um_thermal_network_nodes(const struct um_thermal_network *network) { retu
 
 size_t um_thermal_network_surfaces(const struct um_thermal_network *network)
 {
-  return network->nsurface;
+  return network->noutside;
 }
 
 const char *um_thermal_network_name(const struct um_thermal_network *network, uint32_t node)

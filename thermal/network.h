@@ -107,6 +107,8 @@ struct um_thermal_surface {
   double area;                               /* [m^2] */
   double absorptance, emittance, extraction; /* [1] */
   double blocked;                            /* [1] */
+  bool inside; /* turned to the inside of a closed part: no load reaches it, all of its emission
+                  other surfaces of the room; numbered behind those that loads are for */
   const struct um_thermal_surface_law *law; /* by angle and temperature; borrowed; NULL: constant */
 };
 /* Emission to space [m^2]: times sigma T^4, and what the law says at T. */
@@ -123,6 +125,7 @@ enum um_status um_thermal_network_surface_block(struct um_thermal_network *netwo
                                                 uint32_t surface, double blocked);
 
 size_t um_thermal_network_nodes(const struct um_thermal_network *network);
+/* Numbers of surfaces that loads are for. */
 size_t um_thermal_network_surfaces(const struct um_thermal_network *network);
 const char *um_thermal_network_name(const struct um_thermal_network *network, uint32_t node);
 /* Index of the first node of that name, or (size_t)-1. */

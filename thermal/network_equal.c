@@ -55,7 +55,8 @@ static bool surfaces_equal(const struct um_thermal_surface *a, const struct um_t
   for (int k = 0; k < 3; k++)
     if (a->node[k] != b->node[k] || a->weight[k] != b->weight[k]) return false;
   return a->area == b->area && a->absorptance == b->absorptance && a->emittance == b->emittance &&
-         a->extraction == b->extraction && a->blocked == b->blocked && laws_equal(a->law, b->law);
+         a->extraction == b->extraction && a->blocked == b->blocked && a->inside == b->inside &&
+         laws_equal(a->law, b->law);
 }
 
 bool um_thermal_network_equal(const struct um_thermal_network *a,

@@ -51,6 +51,7 @@ struct um_thermal_network {
   struct um_thermal_surface *surface;   /* [nsurface] */
   bool *attached;                       /* [nsurface] */
   size_t nnode, nconductor, nradiator, nsurface;
+  size_t noutside; /* surfaces that loads are for: those behind are inside */
   size_t node_room, conductor_room, radiator_room, surface_room; /* allocated */
   struct um_thermal_network_source *source;                      /* [nsource] */
   struct um_thermal_network_thermostat *thermostat;              /* [nthermostat] */

@@ -3,10 +3,17 @@
  *   part, part.front, part.back   the radiating surfaces, area weighted (MLI where there is MLI)
  *   part.group, part.group.back   the same of one group and side
  *   part.wall, part.group.wall    the wall under MLI, where there is one
+ *   part.inside, part.group.inside  the inner layer of a wall that radiates inside and has one
  *   part.interior                 the interior node */
 #include "thermal/place_impl.h"
 
 #include <string.h>
+
+/* The inner layer has two names where it radiates inside. */
+static bool is_back(const struct um_thermal_builder *b, uint32_t part, const char *word)
+{
+  return strcmp(word, "back") == 0 || (b->part[part]->inside && strcmp(word, "inside") == 0);
+}
 
 bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffix,
                            struct um_thermal_where *where)
@@ -23,12 +30,12 @@ bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffi
     if (group->part != where->part || strncmp(suffix, group->name, n) != 0) continue;
     where->group = g;
     where->front = suffix[n] == '\0';
-    where->back = strcmp(suffix + n, ".back") == 0;
+    where->back = suffix[n] == '.' && is_back(b, where->part, suffix + n + 1);
     if (where->front || where->back) return true;
   }
   where->group = UM_GEOMETRY_NONE;
   where->front = strcmp(suffix, "front") == 0;
-  where->back = strcmp(suffix, "back") == 0;
+  where->back = is_back(b, where->part, suffix);
   where->interior = strcmp(suffix, "interior") == 0 && b->interior[where->part] != UM_THERMAL_SPACE;
   return where->front || where->back || where->interior;
 }
@@ -37,6 +44,7 @@ struct selection {
   uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
   int side;             /* 0 front, 1 back, -1 both */
   bool wall;            /* the wall under MLI instead of the surfaces */
+  bool inside;          /* the inner layer, where it radiates inside */
   size_t from, to;      /* surfaces of the part, which stand together */
 };
 
@@ -66,7 +74,13 @@ static double accumulate(const struct um_thermal_builder *b, const struct select
   for (size_t s = w->from; s < w->to; s++) {
     const struct um_geometry_surface *g = &b->mesh->surface[s];
     if (!selected(w, g->part, g->group, g->back)) continue;
-    if (w->wall) {
+    if (w->inside) {
+      if (!um_thermal_builder_radiates_inside(b, g->facet) ||
+          !um_thermal_builder_two_layers(b, g->facet))
+        continue;
+      for (int c = 0; c < 3; c++)
+        put(area, reach, b->back[g->facet][c], b->mesh->area[g->facet] / 3.0);
+    } else if (w->wall) {
       if (g->back != 0 || b->skin[g->facet] == UM_THERMAL_SPACE ||
           b->front[g->facet][0] == UM_THERMAL_SPACE)
         continue;
@@ -148,6 +162,8 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
   w.side = -1;
   w.wall = true;
   UM_TRY(place_add(b, body, &w, area, NULL, ".wall"));
+  w.inside = true;
+  UM_TRY(place_add(b, body, &w, area, NULL, ".inside"));
   for (uint32_t g = 0; g < b->ngroup; g++) {
     const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
     if (group->part != part) continue;
@@ -158,6 +174,8 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
     w.side = -1;
     w.wall = true;
     UM_TRY(place_add(b, body, &w, area, group->name, ".wall"));
+    w.inside = true;
+    UM_TRY(place_add(b, body, &w, area, group->name, ".inside"));
   }
   if (b->interior[part] == UM_THERMAL_SPACE) return UM_OK;
   struct um_thermal_place *place;

@@ -5,7 +5,8 @@
 #include "thermal/builder_impl.h"
 
 /* Where a name points inside a part: what follows the part's name, "", ".group", ".group.back",
- * ".front", ".back" or ".interior". A wall of one layer is both front and back. */
+ * ".front", ".back" or ".interior"; ".inside" is ".back" of a part that radiates inside. A wall of
+ * one layer is both front and back. */
 struct um_thermal_where {
   uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
   bool front, back, interior;

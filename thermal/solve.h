@@ -83,7 +83,7 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
 /* Add the heat of the thermostats that are on, heating[nthermostat], to out[nnode]. */
 void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, const bool *heating,
                                     struct um_thermal_heat *out);
-/* Surface temperatures [nsurface] from node temperatures [nnode]. */
+/* Temperatures of the surfaces that loads are for from those of the nodes [nnode]. */
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature);
 

@@ -49,17 +49,18 @@ static enum um_status shares_build(struct um_thermal_system *system,
   return UM_OK;
 }
 
-/* Emission of the surfaces of each node at the emittances that the network states, and what else
- * the node sends to space. */
+/* Emission of the outer surfaces of each node at the emittances that the network states, and what
+ * else the node radiates by itself. */
 static void stated_fill(struct um_thermal_system *system)
 {
   const struct um_thermal_network *network = system->network;
   struct um_thermal_system_exchange *x = system->exchange;
-  for (size_t s = 0; s < network->nsurface; s++)
+  for (size_t s = 0; s < network->nsurface; s++) {
+    double *sum = network->surface[s].inside ? x->rest : x->stated;
     for (int k = 0; k < 3 && network->attached[s]; k++)
       if (network->surface[s].node[k] != UM_THERMAL_SPACE)
-        x->stated[network->surface[s].node[k]] +=
-            um_thermal_load_row_emission(network, NULL, 0, s, k);
+        sum[network->surface[s].node[k]] += um_thermal_load_row_emission(network, NULL, 0, s, k);
+  }
   for (size_t r = 0; r < network->nradiator; r++)
     if (network->radiator[r].b == UM_THERMAL_SPACE)
       x->rest[network->radiator[r].a] += UM_STEFAN_BOLTZMANN * network->radiator[r].value;
@@ -88,8 +89,11 @@ enum um_status um_thermal_system_exchange_build(struct um_thermal_system *system
   UM_TRY(um_core_allocate(context, exchange->npatch, sizeof(double), &x->heat));
   double **const of_node[9] = {&x->gain,   &x->made,   &x->stated, &x->rest,   &x->slope,
                                &x->change, &x->follow, &x->warm,   &x->cluster};
+  double **const of_inside[3] = {&x->made_inside, &x->slope_inside, &x->warm_inside};
   for (int k = 0; k < 9; k++)
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), of_node[k]));
+  for (int k = 0; k < 3 && exchange->noutside < exchange->npatch; k++)
+    UM_TRY(um_core_allocate(context, system->n, sizeof(double), of_inside[k]));
   stated_fill(system);
   um_thermal_system_exchange_at(system, 0.0);
   return UM_OK;
@@ -99,8 +103,10 @@ void um_thermal_system_exchange_destroy(struct um_thermal_system *system)
 {
   struct um_thermal_system_exchange *x = system->exchange;
   if (x == NULL) return;
-  void *const block[] = {x->stated, x->rest,   x->made, x->follow, x->warm,  x->start,  x->patch,
-                         x->share,  x->power4, x->heat, x->gain,   x->slope, x->change, x->cluster};
+  void *const block[] = {x->stated,       x->rest,       x->made,   x->follow,  x->warm,
+                         x->start,        x->patch,      x->share,  x->power4,  x->heat,
+                         x->gain,         x->slope,      x->change, x->cluster, x->made_inside,
+                         x->slope_inside, x->warm_inside};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++)
     um_core_free(system->context, block[k]);
   um_core_free(system->context, x);
@@ -116,15 +122,17 @@ void um_thermal_system_exchange_at(struct um_thermal_system *system, double t)
   um_thermal_exchange_mix(x->exchange, system->from + t, &x->mix);
 }
 
-/* Means over patches of what nodes have, then what patches absorb. */
+/* Means over patches of what nodes have, outside and inside, then what patches absorb. */
 static void gather(struct um_thermal_system *system, const struct um_thermal_between *between,
-                   const struct um_thermal_mix *mix, const double *of_node)
+                   const struct um_thermal_mix *mix, const double *of_node, const double *inside)
 {
   struct um_thermal_system_exchange *x = system->exchange;
   memset(x->power4, 0, x->exchange->npatch * sizeof *x->power4);
   for (size_t i = 0; i < system->n; i++)
-    for (size_t e = x->start[i]; e < x->start[i + 1]; e++)
-      x->power4[x->patch[e]] += x->share[e] * of_node[i];
+    for (size_t e = x->start[i]; e < x->start[i + 1]; e++) {
+      const double *of = x->patch[e] < x->exchange->noutside ? of_node : inside;
+      x->power4[x->patch[e]] += x->share[e] * of[i];
+    }
   um_thermal_exchange_apply(x->exchange, between, mix, x->power4, x->heat);
 }
 
@@ -145,10 +153,14 @@ double um_thermal_system_exchange_make(struct um_thermal_system *system)
     double own = ratio_of(system, i) * (system->power4[i] - system->space4);
     same = same && own == x->made[i];
     x->made[i] = own;
+    if (x->made_inside == NULL) continue;
+    own = system->power4[i] - system->space4;
+    same = same && own == x->made_inside[i];
+    x->made_inside[i] = own;
   }
   if (same) return 0.0;
   x->fresh = true;
-  gather(system, x->exchange->between, &x->mix, x->made);
+  gather(system, x->exchange->between, &x->mix, x->made, x->made_inside);
   for (size_t i = 0; i < system->n; i++) {
     double gain = received(x, i);
     largest = fmax(largest, fabs(gain - x->gain[i]));
@@ -166,6 +178,7 @@ void um_thermal_system_exchange_hold(struct um_thermal_system *system, bool stro
     x->slope[i] = 4.0 * ratio_of(system, i) * system->cube[i];
     if (system->space_slope != NULL && x->stated[i] > 0.0)
       x->slope[i] += system->space_slope[i] / x->stated[i] * (system->power4[i] - system->space4);
+    if (x->slope_inside != NULL) x->slope_inside[i] = 4.0 * system->cube[i];
   }
 }
 
@@ -234,8 +247,10 @@ void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double
   clusters_follow(system, x, change);
   for (int round = 0; round < ROUNDS; round++) {
     for (size_t i = 0; i < system->n; i++) own->warm[i] = own->slope[i] * (change[i] + follow[i]);
+    for (size_t i = 0; i < system->n && own->warm_inside != NULL; i++)
+      own->warm_inside[i] = own->slope_inside[i] * (change[i] + follow[i]);
     gather(system, own->strong ? own->exchange->strong : own->exchange->between, &own->held,
-           own->warm);
+           own->warm, own->warm_inside);
     if (system->ncluster == 0 || !(clusters_warm(system, follow) > SETTLED * size)) break;
   }
   for (size_t k = 0; k < system->nunknown; k++) {

@@ -72,15 +72,17 @@ struct um_thermal_system_exchange {
   double *gain;                               /* [n] the same at the last state [W] */
   double *slope;                              /* [n] 4 |T|^3 of the last linearisation [K^3] */
   double *made;                               /* [n] emitted over sigma eps of gain [K^4] */
-  double *stated;                             /* [n] emission of surfaces as stated, of which
+  double *made_inside, *slope_inside;         /* [n] the same of surfaces inside, whose emittance is
+                                                 constant; NULL: there are none */
+  double *stated;                             /* [n] emission of outer surfaces as stated, of which
                                                  system->space is the one now [W/K^4] */
-  double *rest;                               /* [n] other emission to space [W/K^4] */
+  double *rest;                               /* [n] other emission in system->space [W/K^4] */
   bool strong;                                /* the tangent has the larger areas alone */
   bool fresh;                                 /* gain is of `made` and mix */
-  double *change, *follow, *warm;             /* [n] scratch of the tangent */
-  double *cluster;                            /* [n] the same, of an eliminated group */
-  struct um_thermal_mix mix, held;            /* poses at the last state; of the linearisation */
-  double t;                                   /* [s] of mix; NaN: none yet */
+  double *change, *follow, *warm, *warm_inside; /* [n] scratch of the tangent */
+  double *cluster;                              /* [n] the same, of an eliminated group */
+  struct um_thermal_mix mix, held;              /* poses at the last state; of the linearisation */
+  double t;                                     /* [s] of mix; NaN: none yet */
 };
 
 /* What a system is made for. */

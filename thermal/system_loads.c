@@ -50,7 +50,7 @@ static enum um_status aging_check(struct um_context *context,
                         "surfaces that age at %zu times with heat loads of %zu; accepted: as many",
                         aging->ntime, loads->ntime);
   for (size_t k = 0; k < aging->ntime; k++)
-    for (size_t s = 0; s < network->nsurface; s++) {
+    for (size_t s = 0; s < network->noutside; s++) {
       size_t at = k * aging->nmaterial + aging->material[s];
       double absorptance = network->surface[s].absorptance + aging->absorptance[at];
       double emittance = network->surface[s].emittance * aging->emittance[at];
@@ -70,10 +70,10 @@ enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_irradiation_loads *loads,
                                              const struct um_thermal_aging *aging)
 {
-  if (loads->nsurface < network->nsurface)
+  if (loads->nsurface < network->noutside)
     return um_core_fail(context, UM_ERR_INPUT,
                         "heat loads of %zu surfaces for a network with %zu; accepted: as many",
-                        loads->nsurface, network->nsurface);
+                        loads->nsurface, network->noutside);
   if (loads->ntime == 0)
     return um_core_fail(context, UM_ERR_INPUT, "heat loads without times; accepted: 1 or more");
   UM_TRY(column_check(context, "time", loads->t, loads->t, loads->ntime));

@@ -9,6 +9,7 @@ enum um_status um_validate_conduction(struct um_context *context,
                                       struct um_validate_report *report);
 enum um_status um_validate_radiation(struct um_context *context, struct um_validate_report *report);
 enum um_status um_validate_networks(struct um_context *context, struct um_validate_report *report);
+enum um_status um_validate_inside(struct um_context *context, struct um_validate_report *report);
 enum um_status um_validate_orbiting(struct um_context *context, struct um_validate_report *report);
 enum um_status um_validate_view_factors(struct um_context *context,
                                         struct um_validate_report *report);

@@ -238,6 +238,48 @@ static const struct bad_case cases[] = {
         .says = {"contacts.0.b: ", "same place", "accepted: "},
     },
     {
+        .name = "contact that carries nothing",
+        .scenario = {"thermal:", "contacts:\n  - {a: bus.+x, b: bus.-x}\nthermal:", 0},
+        .line_of = "a: bus.+x",
+        .says = {"contacts.0: ", "bus.+x - bus.-x: what it carries is missing",
+                 "accepted: conductance_W_K, or exchange_area_m2, or area_m2 and exchange_factor"},
+    },
+    {
+        .name = "contact that conducts and radiates",
+        .scenario = {"thermal:",
+                     "contacts:\n  - {a: bus.+x, b: bus.-x, conductance_W_K: 1, "
+                     "exchange_area_m2: 1}\nthermal:",
+                     0},
+        .line_of = "a: bus.+x",
+        .says = {"contacts.0: ", "stated more than once"},
+    },
+    {
+        .name = "contact of an area without a factor",
+        .scenario = {"thermal:", "contacts:\n  - {a: bus.+x, b: bus.-x, area_m2: 1}\nthermal:", 0},
+        .line_of = "a: bus.+x",
+        .says = {"contacts.0: ", "area_m2 and exchange_factor go together"},
+    },
+    {
+        .name = "an inside without a wall",
+        .scenario = {"lumped: true",
+                     "lumped: true\n    inside_emittance: 0.8\n    interior: {capacity_J_K: 1000}\n"
+                     "    groups: {+x: {mli: {effective_emittance: 0.02, "
+                     "areal_heat_capacity_J_m2_K: 60, wraps: interior}}}",
+                     0},
+        .line_of = "name: bus",
+        .says = {"parts.bus", "group +x: MLI is to wrap the interior",
+                 "the part radiates inside, which needs walls all around"},
+    },
+    {
+        .name = "an inside of something open",
+        .scenario = {"box: {size_m: [1, 1, 1]}",
+                     "plate: {size_m: [1, 1]}\n    back: grey_white\n    front: grey_white\n    "
+                     "inside_emittance: 0.8",
+                     0},
+        .line_of = "name: bus",
+        .says = {"parts.bus"},
+    },
+    {
         .name = "insulation around nothing",
         .scenario = {"lumped: true",
                      "lumped: true\n    mli: {effective_emittance: 0.1, "

@@ -33,14 +33,17 @@ static const char *const scenarios[] = {
          "parts:\n"
          "  - {name: bus, box: {size_m: [1, 1, 1]}, outside: grey, lumped: true,\n"
          "     interior: {capacity_J_K: 1000, power_W: 5}, groups: {\"+x\": "
-         "{interior_conductance_W_K: 5}},\n"
-         "     shell: {areal_heat_capacity_J_m2_K: 1000}}\n"
+         "{interior_conductance_W_K: 5, inside_emittance: 0.3}},\n"
+         "     inside_emittance: 0.8,\n"
+         "     shell: {areal_heat_capacity_J_m2_K: 1000, through_conductance_W_m2_K: 50}}\n"
          "  - {name: wing, plate: {size_m: [1, 1]}, pose: {position_m: [1.5, 0, 0]},\n"
          "     joint: {axis: [1, 0, 0], angle_deg: 30}, front: coated, back: black,\n"
          "     shell: {areal_heat_capacity_J_m2_K: 1000, conductance_W_K: 0.03, "
          "through_conductance_W_m2_K: 100}}\n"
-         "contacts: [{a: bus.interior, b: wing, conductance_W_K: 0.5}]\n"
-         "thermal: {orbits_before: 0, start: isothermal, step_s: 600, samples: 1}\n" BANDS
+         "contacts: [{a: bus.interior, b: wing, conductance_W_K: 0.5},\n"
+         "  {a: bus.interior, b: bus.inside, area_m2: 0.5, exchange_factor: 0.4}]\n"
+         "thermal: {orbits_before: 0, start: isothermal, step_s: 600, samples: 1,\n"
+         "          view_factor_rays: 64}\n" BANDS
          "optics: {samples: 2, interreflection_samples: 2}\n",
     /* a cylinder behind MLI that spins, seen from a station, in its periodic state */
     HEAD "orbit:\n"

@@ -170,7 +170,7 @@ static void test_contact_faces(void **state)
   s.shape[b].position = um_vec3(0, 0, 0.01);
   s.spec[a].shell.through_conductance = s.spec[b].shell.through_conductance = 0.0;
   s.spec[a].shell.conductance = s.spec[b].shell.conductance = 0.0;
-  struct um_thermal_contact contact = {"a.front", "b.back", 7.0};
+  struct um_thermal_contact contact = {"a.front", "b.back", 7.0, 0.0};
   help_build(&s, &contact, 1);
   double *t = temperatures(&s, 300.0);
   set_place(&s, "b.back", t, 310.0);
@@ -203,7 +203,7 @@ static void test_contact_hinge(void **state)
   s.shape[p].position = um_vec3(2.6, 0, 0);
   s.spec[p].shell.through_conductance = 30.0;
   s.spec[p].shell.conductance = s.spec[0].shell.conductance = 0.0;
-  struct um_thermal_contact contact = {"bus", "array", 2.0};
+  struct um_thermal_contact contact = {"bus", "array", 2.0, 0.0};
   help_build(&s, &contact, 1);
   double *t = temperatures(&s, 300.0);
   set_place(&s, "bus", t, 310.0);
@@ -235,7 +235,8 @@ static void test_contact_blanket(void **state)
     s.spec[p].interior_capacity = 1e5;
     mli.wraps_interior = !wall;
     s.group[p].mli = &mli;
-    struct um_thermal_contact contact[2] = {{"array", "bus", 3.0}, {"bus.interior", "array", 1.0}};
+    struct um_thermal_contact contact[2] = {{"array", "bus", 3.0, 0.0},
+                                            {"bus.interior", "array", 1.0, 0.0}};
     help_build(&s, contact, wall ? 1 : 2);
     double *t = temperatures(&s, 300.0);
     set_place(&s, "array", t, 310.0);
@@ -291,9 +292,10 @@ static void test_refused(void **state)
   s.npart = 0;
   refused(&s, NULL, "part bus: no thermal spec");
   s.npart = 1;
-  refused(&s, &(struct um_thermal_contact){"bus", "wing", 1.0}, "there is no place 'wing'");
-  refused(&s, &(struct um_thermal_contact){"bus", "bus.interior", 1.0}, "no place 'bus.interior'");
-  refused(&s, &(struct um_thermal_contact){"bus.+x", "bus.-x", -1.0}, "conductance -1 W/K");
+  refused(&s, &(struct um_thermal_contact){"bus", "wing", 1.0, 0.0}, "there is no place 'wing'");
+  refused(&s, &(struct um_thermal_contact){"bus", "bus.interior", 1.0, 0.0},
+          "no place 'bus.interior'");
+  refused(&s, &(struct um_thermal_contact){"bus.+x", "bus.-x", -1.0, 0.0}, "conductance -1 W/K");
   help_end(&s);
 }
 

@@ -97,7 +97,7 @@ static void test_cube(void **state)
   for (int i = 0; i < 6; i++)
     for (int j = i + 1; j < 6; j++)
       if (face[i][6] != face[j][6]) /* not the opposite face */
-        contact[ncontact++] = (struct um_thermal_contact){face[i], face[j], 1.0};
+        contact[ncontact++] = (struct um_thermal_contact){face[i], face[j], 1.0, 0.0};
   assert_int_equal(ncontact, 12);
   help_build(&s, contact, ncontact);
   struct um_irradiation_loads *loads = trace(&s, 5560.988495051516, t[n - 1]);

@@ -8,7 +8,7 @@
 #include "thermal/body.h"
 #include "thermal/network_impl.h"
 
-#define HELP_PARTS 4
+#define HELP_PARTS 12
 
 /* A satellite being described: fill shape[] and spec[], then help_build. */
 struct help_satellite {

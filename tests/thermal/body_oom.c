@@ -10,6 +10,9 @@ static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
   help_part(s, "bus", UM_SHAPE_BOX, NULL);
   s->spec[0].has_interior = true;
   s->spec[0].interior_capacity = 1e4;
+  s->spec[0].inside = true;
+  s->spec[0].shell.through_conductance = 20.0;
+  s->group[0].inside_emittance = 0.8;
   s->group[0].mli = mli;
   s->group[0].interior_conductance = 2.0;
   help_part(s, "array", UM_SHAPE_PLATE, "paint");
@@ -35,15 +38,17 @@ static void test_body(void **state)
   OK(um_core_context_create(&allocator, &help_context));
   describe(&s, &mli);
   help_geometry(&s);
-  const struct um_thermal_contact contact[2] = {{"bus", "array", 2.0},
-                                                {"bus.interior", "tank", 1.0}};
+  const struct um_thermal_contact contact[3] = {
+      {.a = "bus", .b = "array", .conductance = 2.0},
+      {.a = "bus.interior", .b = "tank", .conductance = 1.0},
+      {.a = "bus.interior", .b = "bus.inside", .exchange_area = 0.5}};
   long live = memory.alive, tries = 0;
   enum um_status status = UM_ERR_MEMORY;
   while (status != UM_OK) {
     memory.calls = 0;
     memory.fail_call = ++tries;
     um_core_message_clear(help_context);
-    status = um_thermal_body_create(help_context, s.geometry, s.spec, s.npart, contact, 2, &s.body);
+    status = um_thermal_body_create(help_context, s.geometry, s.spec, s.npart, contact, 3, &s.body);
     if (status == UM_OK) break;
     assert_int_equal(status, UM_ERR_MEMORY);
     assert_null(s.body);
