@@ -272,12 +272,12 @@ static const struct bad_case cases[] = {
     },
     {
         .name = "an inside of something open",
-        .scenario = {"box: {size_m: [1, 1, 1]}",
+        .scenario = {"box: {size_m: [1, 1, 1]}\n    outside: grey_white",
                      "plate: {size_m: [1, 1]}\n    back: grey_white\n    front: grey_white\n    "
                      "inside_emittance: 0.8",
                      0},
         .line_of = "name: bus",
-        .says = {"parts.bus"},
+        .says = {"parts.bus", "is to radiate inside, but its walls are not closed"},
     },
     {
         .name = "insulation around nothing",
