@@ -76,13 +76,14 @@ static void body_build(const struct bench *bench, double facet_size, struct sate
                                                   .skins = &open,
                                                   .nskin = 1,
                                                   .facet_size = facet_size}};
-  struct um_thermal_mli mli = {0.02, 77.4, false};
+  struct um_thermal_mli mli = {.effective_emittance = 0.02, .areal_heat_capacity = 77.4};
+  struct um_thermal_interior_spec inside = {.name = "interior", .capacity = 2e6, .power = 60.0};
+  double held = 4.0; /* [W/K] of a group */
   struct um_thermal_group_spec group[16];
   struct um_thermal_part_spec part[2] = {{.part = 0,
                                           .kind = UM_THERMAL_SHELL,
-                                          .has_interior = true,
-                                          .interior_capacity = 2e6,
-                                          .interior_power = 60.0,
+                                          .interior = &inside,
+                                          .ninterior = 1,
                                           .start_temperature = 285.0,
                                           .shell = {4860.0, 1.0, 0.33, INFINITY}},
                                          {.part = 1,
@@ -96,7 +97,7 @@ static void body_build(const struct bench *bench, double facet_size, struct sate
     if (part[p].ngroup++ == 0) part[p].groups = &group[g];
     group[g] = (struct um_thermal_group_spec){.group = g,
                                               .mli = p == 0 ? &mli : NULL,
-                                              .interior_conductance = p == 0 ? 4.0 : 0.0,
+                                              .interior_conductance = p == 0 ? &held : NULL,
                                               .absorptance_front = p == 0 ? 0.38 : 0.80,
                                               .emittance_front = p == 0 ? 0.78 : 0.85,
                                               .absorptance_back = 0.60,

@@ -7,7 +7,7 @@
 
 #define ALL_TARGETS                                                                                \
   (UM_TARGET_GLOBAL | UM_TARGET_PART | UM_TARGET_PART_SIDE | UM_TARGET_MATERIAL | UM_TARGET_BAND | \
-   UM_TARGET_SENSOR)
+   UM_TARGET_SENSOR | UM_TARGET_INTERIOR)
 
 /* Words of a scenario's entry that a parameter would hide. */
 static const char *const taken[] = {"effect", "target", "off"};

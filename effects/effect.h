@@ -17,7 +17,7 @@
 #include "orbit/attitude.h"
 #include "thermal/body.h"
 
-#define UM_EFFECT_ABI_VERSION 3
+#define UM_EFFECT_ABI_VERSION 4
 
 enum um_effect_target {
   UM_TARGET_GLOBAL = 1,
@@ -25,7 +25,8 @@ enum um_effect_target {
   UM_TARGET_PART_SIDE = 4,
   UM_TARGET_MATERIAL = 8,
   UM_TARGET_BAND = 16,
-  UM_TARGET_SENSOR = 32
+  UM_TARGET_SENSOR = 32,
+  UM_TARGET_INTERIOR = 64 /* beside PART: "part.NAME", what the scenario lists under `interiors` */
 };
 
 /* What a scenario states that a parameter changes. A diagnosis says the whole beside the change,
@@ -197,21 +198,23 @@ struct um_effect_hooks {
                                           UM_EFFECT_MIX(                                           \
                                               UM_EFFECT_MIX(                                       \
                                                   UM_EFFECT_MIX(                                   \
-                                                      UM_EFFECT_MIX(14695981039346656037ULL,       \
-                                                                    struct um_effect_hooks),       \
-                                                      struct um_effect_use),                       \
-                                                  struct um_effect_parameter),                     \
-                                              struct um_effect_observation),                       \
-                                          struct um_environment),                                  \
-                                      struct um_materials_adjustment),                             \
-                                  struct um_geometry_part_spec),                                   \
-                              struct um_thermal_part_spec),                                        \
-                          struct um_thermal_group_spec),                                           \
-                      struct um_thermal_shell),                                                    \
-                  struct um_thermal_mli),                                                          \
-              struct um_thermal_contact),                                                          \
-          struct um_orbit_attitude_law),                                                           \
-      struct um_quat)
+                                                      UM_EFFECT_MIX(                               \
+                                                          UM_EFFECT_MIX(14695981039346656037ULL,   \
+                                                                        struct um_effect_hooks),   \
+                                                          struct um_effect_use),                   \
+                                                      struct um_effect_parameter),                 \
+                                                  struct um_effect_observation),                   \
+                                              struct um_environment),                              \
+                                          struct um_materials_adjustment),                         \
+                                      struct um_geometry_part_spec),                               \
+                                  struct um_thermal_part_spec),                                    \
+                              struct um_thermal_group_spec),                                       \
+                          struct um_thermal_shell),                                                \
+                      struct um_thermal_mli),                                                      \
+                  struct um_thermal_contact),                                                      \
+              struct um_orbit_attitude_law),                                                       \
+          struct um_quat),                                                                         \
+      struct um_thermal_interior_spec)
 /* The first members of every descriptor. */
 #define UM_EFFECT_ABI                                                                              \
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \

@@ -7,25 +7,23 @@
  * missing is the whole store. */
 #include <math.h>
 
+#include "effects/interior_impl.h"
 #include "effects/list_impl.h"
 #include "thermal/body.h"
 
 static enum um_status add_capacity(struct um_context *context, const struct um_effect_use *use,
                                    const char *part, struct um_thermal_part_spec *spec)
 {
-  if (!um_effect_acts_on(use, part)) return UM_OK;
-  if (!spec->has_interior)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect 'interior_capacity': the part '%s' has no interior that could "
-                        "store heat; accepted: a part with interior",
-                        part);
-  spec->interior_capacity += use->value[0];
-  if (spec->interior_capacity >= 0.0) return UM_OK;
+  struct um_thermal_interior_spec *interior;
+  UM_TRY(um_effects_interior_find(context, use, part, spec, "store heat", &interior));
+  if (interior == NULL) return UM_OK;
+  interior->capacity += use->value[0];
+  if (interior->capacity >= 0.0) return UM_OK;
   return um_core_fail(
       context, UM_ERR_INPUT,
       "effect 'interior_capacity': capacity_J_K %g makes the capacity inside '%s' %g "
       "J/K; accepted: 0 or more in all",
-      use->value[0], part, spec->interior_capacity);
+      use->value[0], use->target, interior->capacity);
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -49,7 +47,7 @@ const struct um_effect um_effects_interior_capacity = {
     .validity = "a part with an interior node, 0 or more in all; nothing to see in a steady state",
     .separated_by = "heat_capacity: what is inside follows the walls late, what is in the walls "
                     "does not; a temperature within the first minutes of an eclipse, or of both",
-    .targets = UM_TARGET_PART,
+    .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
     .parameters = parameters,
     .nparameter = 1,
     .hooks = {.part = add_capacity},

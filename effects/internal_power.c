@@ -7,41 +7,38 @@
  * scenario states less. */
 #include <math.h>
 
+#include "effects/interior_impl.h"
 #include "effects/list_impl.h"
 #include "thermal/body.h"
 
 #define ROUNDING 1e-12 /* of the power that is taken away: a sum that is nothing */
 
 /* The least that is dissipated inside [W]. */
-static double least(const struct um_thermal_part_spec *spec)
+static double least(const struct um_thermal_interior_spec *interior)
 {
-  const struct um_thermal_power_history *history = spec->interior_history;
+  const struct um_thermal_power_history *history = interior->history;
   double low = history == NULL || history->nrow == 0 ? 0.0 : history->power[0];
   for (size_t i = 0; history != NULL && i < history->nrow; i++) low = fmin(low, history->power[i]);
-  return spec->interior_power + low;
+  return interior->power + low;
 }
 
 static enum um_status add_power(struct um_context *context, const struct um_effect_use *use,
                                 const char *part, struct um_thermal_part_spec *spec)
 {
-  if (!um_effect_acts_on(use, part)) return UM_OK;
-  if (!spec->has_interior)
-    return um_core_fail(
-        context, UM_ERR_INPUT,
-        "effect 'internal_power': the part '%s' has no interior that could take the "
-        "power; accepted: a part with interior",
-        part);
-  double low = least(spec), all = low + use->value[0];
-  spec->interior_power += use->value[0];
+  struct um_thermal_interior_spec *interior;
+  UM_TRY(um_effects_interior_find(context, use, part, spec, "take the power", &interior));
+  if (interior == NULL) return UM_OK;
+  double low = least(interior), all = low + use->value[0];
+  interior->power += use->value[0];
   if (use->value[0] >= 0.0 || all >= 0.0) return UM_OK;
   if (all > ROUNDING * use->value[0]) {
-    spec->interior_power -= all;
+    interior->power -= all;
     return UM_OK;
   }
   return um_core_fail(context, UM_ERR_INPUT,
                       "effect 'internal_power': power_W %g makes the power inside '%s' %g W; "
                       "accepted: 0 or more in all",
-                      use->value[0], part, all);
+                      use->value[0], use->target, all);
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -67,7 +64,7 @@ const struct um_effect um_effects_internal_power = {
         "in all",
     .separated_by = "mli_emittance and emittance: temperatures or thermal infrared late in a long "
                     "eclipse, of a radiator beside a side behind MLI; the visible does not change",
-    .targets = UM_TARGET_PART,
+    .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
     .parameters = parameters,
     .nparameter = 1,
     .hooks = {.part = add_power},

@@ -24,6 +24,7 @@ static void write_targets(FILE *file, const struct um_effect *effect)
   } names[] = {{UM_TARGET_GLOBAL, "everything (no target)"},
                {UM_TARGET_PART, "a part"},
                {UM_TARGET_PART_SIDE, "a side or group of a part"},
+               {UM_TARGET_INTERIOR, "an interior of a part"},
                {UM_TARGET_MATERIAL, "a material"},
                {UM_TARGET_BAND, "a band"},
                {UM_TARGET_SENSOR, "a sensor"}};

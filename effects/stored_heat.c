@@ -5,19 +5,16 @@
  *
  * and what that adds dies away with the time constant of the interior, C / G: within a pass it
  * looks like power inside, over days it drifts, which power does not. */
+#include "effects/interior_impl.h"
 #include "effects/list_impl.h"
 #include "thermal/body.h"
 
 static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
                             const char *part, struct um_thermal_part_spec *spec)
 {
-  if (!um_effect_acts_on(use, part)) return UM_OK;
-  if (!spec->has_interior)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect 'stored_heat': the part '%s' has no interior that could store "
-                        "heat; accepted: a part with interior",
-                        part);
-  spec->interior_offset += use->value[0];
+  struct um_thermal_interior_spec *interior;
+  UM_TRY(um_effects_interior_find(context, use, part, spec, "store heat", &interior));
+  if (interior != NULL) interior->offset += use->value[0];
   return UM_OK;
 }
 
@@ -43,7 +40,7 @@ const struct um_effect um_effects_stored_heat = {
                 "periodic or isothermal",
     .separated_by = "internal_power: repeat passes several time constants of the inside apart; "
                     "stored heat drifts away, power does not",
-    .targets = UM_TARGET_PART,
+    .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
     .parameters = parameters,
     .nparameter = 1,
     .hooks = {.part = shift},

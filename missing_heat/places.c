@@ -73,16 +73,23 @@ done:
   return status;
 }
 
-static enum um_status interior_add(struct um_context *context, const struct um_model *model,
-                                   size_t part, struct um_missing_heat_place *out, size_t *nplace)
+/* Interiors of a part whose temperatures are computed. */
+static enum um_status interiors_add(struct um_context *context, const struct um_model *model,
+                                    size_t part, struct um_missing_heat_place *out, size_t *nplace)
 {
-  const struct um_thermal_place *interior;
-  UM_TRY(find(context, model->body, um_geometry_part_name(model->geometry, part), ".interior",
-              &interior));
-  if (interior == NULL) return UM_OK;
-  struct um_missing_heat_place *place = &out[(*nplace)++];
-  UM_TRY(um_core_strdup(context, interior->name, &place->name));
-  return fill(context, interior, NULL, place);
+  const char *name = um_geometry_part_name(model->geometry, part);
+  size_t n = strlen(name);
+  for (size_t i = 0; i < model->body->nplace; i++) {
+    const struct um_thermal_place *interior = &model->body->place[i];
+    bool inside =
+        interior->kind == UM_PLACE_INTERIOR &&
+        um_thermal_network_kind(model->body->network, interior->node[0]) != UM_NODE_BOUNDARY;
+    if (!inside || strncmp(interior->name, name, n) != 0 || interior->name[n] != '.') continue;
+    struct um_missing_heat_place *place = &out[(*nplace)++];
+    UM_TRY(um_core_strdup(context, interior->name, &place->name));
+    UM_TRY(fill(context, interior, NULL, place));
+  }
+  return UM_OK;
 }
 
 enum um_status um_missing_heat_places_create(struct um_context *context,
@@ -92,9 +99,9 @@ enum um_status um_missing_heat_places_create(struct um_context *context,
   size_t ngroup = um_geometry_group_count(model->geometry);
   size_t npart = um_geometry_part_count(model->geometry);
   *nplace = 0;
-  UM_TRY(um_core_allocate(context, ngroup + npart, sizeof **out, out));
+  UM_TRY(um_core_allocate(context, ngroup + model->body->nplace, sizeof **out, out));
   for (size_t p = 0; p < npart; p++) {
-    UM_TRY(interior_add(context, model, p, *out, nplace));
+    UM_TRY(interiors_add(context, model, p, *out, nplace));
     for (size_t g = 0; g < ngroup; g++)
       if (um_geometry_group(model->geometry, g)->part == p)
         UM_TRY(wall_add(context, model, g, *out, nplace));

@@ -7,6 +7,7 @@
 
 #include "core/words.h"
 #include "model/aging_impl.h"
+#include "model/build_interiors_impl.h"
 #include "model/build_power_impl.h"
 #include "model/build_wall_impl.h"
 #include "model/effects_impl.h"
@@ -61,13 +62,7 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
     to->shell = shell;
   }
 
-  if (own != NULL && !isnan(own->interior_conductance_W_K)) {
-    if (part->interior == NULL)
-      return um_document_mark_fail(a->context, &own->at,
-                                   "interior_conductance_W_K, but the part '%s' has no interior",
-                                   part->name);
-    to->interior_conductance = own->interior_conductance_W_K;
-  }
+  UM_TRY(um_model_build_conductances(a->context, a->model, part, own, to));
   if (own != NULL) {
     to->power = own->power_W;
     UM_TRY(um_model_power_history(a->context, a->model, &own->at, own->power_file, &to->history));
@@ -93,32 +88,6 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
   return UM_OK;
 }
 
-/* The part's interior conductance goes to the groups that state none, by area. */
-static void share_interior(const struct assembly *a, const struct um_scenario_part *part,
-                           struct um_thermal_group_spec *groups, size_t n)
-{
-  double total = 0.0;
-  if (part->interior == NULL || !(part->interior->conductance_W_K > 0.0)) return;
-  for (int pass = 0; pass < 2; pass++)
-    for (size_t i = 0; i < n; i++) {
-      const char *name = um_geometry_group(a->model->geometry, groups[i].group)->name;
-      const struct um_scenario_group *own = um_model_group_named(part, name);
-      if (own != NULL && !isnan(own->interior_conductance_W_K)) continue;
-      double area = a->group_area[groups[i].group];
-      if (pass == 0)
-        total += area;
-      else
-        groups[i].interior_conductance = part->interior->conductance_W_K * area / total;
-    }
-}
-
-/* [m^2]; NaN where the contact states none. */
-static double exchange_area_of(const struct um_scenario_contact *contact)
-{
-  if (!isnan(contact->exchange_area_m2)) return contact->exchange_area_m2;
-  return contact->area_m2 * contact->exchange_factor;
-}
-
 static enum um_status check_group_names(const struct assembly *a,
                                         const struct um_scenario_part *part, uint32_t index)
 {
@@ -142,31 +111,6 @@ static enum um_status check_group_names(const struct assembly *a,
   return UM_OK;
 }
 
-/* Heat that is released inside must get out, by conduction or through a blanket around it. */
-static enum um_status check_way_out(const struct assembly *a, const struct um_scenario_part *part,
-                                    const struct um_thermal_part_spec *to)
-{
-  const struct um_scenario_contact *contact = a->model->scenario->contacts.items;
-  char name[512];
-  if (!to->has_interior || !(to->interior_power > 0.0 || to->interior_history != NULL))
-    return UM_OK;
-  for (size_t i = 0; i < to->ngroup; i++)
-    if (to->groups[i].interior_conductance > 0.0 ||
-        (to->groups[i].mli != NULL && to->groups[i].mli->wraps_interior))
-      return UM_OK;
-  snprintf(name, sizeof name, "%s.interior", part->name);
-  for (size_t i = 0; i < a->model->scenario->contacts.count; i++)
-    if ((contact[i].conductance_W_K > 0.0 || exchange_area_of(&contact[i]) > 0.0) &&
-        (strcmp(contact[i].a, name) == 0 || strcmp(contact[i].b, name) == 0))
-      return UM_OK;
-  return um_model_fail(a->context, &part->interior->at,
-                       part->interior->power_file != NULL ? "power_file" : "power_W",
-                       "%g W have no way out of the interior; accepted: conductance_W_K above 0, "
-                       "groups with interior_conductance_W_K, mli that wraps the interior, or a "
-                       "contact of %s",
-                       to->interior_power, name);
-}
-
 static enum um_status part_of(const struct assembly *a, const struct um_scenario_part *part,
                               uint32_t index, struct um_thermal_part_spec *to)
 {
@@ -183,13 +127,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   to->start_temperature = isnan(part->start_temperature_K)
                               ? a->model->scenario->thermal->start_temperature_K
                               : part->start_temperature_K;
-  if (part->interior != NULL) {
-    to->has_interior = true;
-    to->interior_capacity = part->interior->capacity_J_K;
-    to->interior_power = part->interior->power_W;
-    UM_TRY(um_model_power_history(a->context, a->model, &part->interior->at,
-                                  part->interior->power_file, &to->interior_history));
-  }
+  UM_TRY(um_model_build_interiors(a->context, a->model, part, index, to));
   /* the groups of a part stand together */
   uint32_t first = 0, all = (uint32_t)um_geometry_group_count(geometry), own = 0;
   while (first < all && um_geometry_group(geometry, first)->part != index) first++;
@@ -197,7 +135,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, own, sizeof *groups, &groups));
   for (; n < own; n++) UM_TRY(group_of(a, part, first + (uint32_t)n, &groups[n]));
   for (size_t i = 0; i < n; i++) to->inside = to->inside || groups[i].inside_emittance > 0.0;
-  share_interior(a, part, groups, n);
+  um_model_share_conductances(a->model, part, a->group_area, groups, n);
   to->groups = groups;
   to->ngroup = n;
   struct um_effect_use use;
@@ -205,7 +143,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
     if (use.effect->hooks.part != NULL)
       UM_TRY(use.effect->hooks.part(a->context, &use, part->name, to));
   um_model_warn_of_bare_blanket(a->context, a->model, part, groups, n);
-  return check_way_out(a, part, to);
+  return um_model_check_way_out(a->context, a->model, part, to);
 }
 
 /* Exactly one way to say what a contact carries. */
@@ -217,7 +155,7 @@ static enum um_status check_contact(const struct assembly *a,
   if (strcmp(from->a, from->b) == 0)
     return um_model_fail(a->context, &from->at, "b",
                          "'%s' is the same place as a; accepted: another place", from->b);
-  if (ways != 1 || (product && isnan(exchange_area_of(from))))
+  if (ways != 1 || (product && isnan(um_scenario_exchange_area(from))))
     return um_model_fail(a->context, &from->at, NULL,
                          "%s - %s: %s; accepted: conductance_W_K, or exchange_area_m2, or area_m2 "
                          "and exchange_factor",
@@ -234,7 +172,7 @@ static enum um_status contacts_of(const struct assembly *a, struct um_thermal_co
   const struct um_scenario_contact *from = list->items;
   UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, list->count + 1, sizeof **out, out));
   for (size_t i = 0; i < list->count; i++) {
-    double area = exchange_area_of(&from[i]);
+    double area = um_scenario_exchange_area(&from[i]);
     UM_TRY(check_contact(a, &from[i]));
     (*out)[i] = (struct um_thermal_contact){
         .a = from[i].a,

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/build_interiors_impl.h"
 #include "model/words_impl.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
@@ -78,13 +79,18 @@ enum um_status um_model_build_mli(struct um_context *context, struct um_model *m
                                   const struct um_scenario_mli *from, struct um_thermal_mli **out)
 {
   struct um_thermal_mli *mli = NULL;
-  if (from->wraps == 1 && part->interior == NULL)
+  bool inside = from->wraps != NULL && strcmp(from->wraps, "wall") != 0;
+  size_t interior = inside ? um_model_interior_find(part, from->wraps) : 0;
+  if (interior == UM_MODEL_NO_INTERIOR && strcmp(from->wraps, "interior") == 0)
     return um_document_mark_fail(
         context, &from->at, "wraps the interior, but the part '%s' has no interior", part->name);
+  if (interior == UM_MODEL_NO_INTERIOR)
+    return um_model_refuse_interior(context, part, &from->at, "wraps", from->wraps, "wall");
   UM_TRY(um_core_arena_allocate(context, &model->memory, 1, sizeof *mli, &mli));
   mli->effective_emittance = from->effective_emittance;
   mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
-  mli->wraps_interior = from->wraps == 1;
+  mli->wraps_interior = inside;
+  mli->interior = interior;
   *out = mli;
   return UM_OK;
 }

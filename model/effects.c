@@ -1,6 +1,7 @@
 /* The effects of a scenario: its own list, then --with and --without, checked against the registry.
  */
 #include "model/effects.h"
+#include "model/build_interiors_impl.h"
 #include "model/effects_impl.h"
 
 #include <math.h>
@@ -247,20 +248,36 @@ static void add_target(struct target_names *names, const char *name)
   um_core_words_consider(&names->guess, name);
 }
 
+/* A name that does not outlive the guess. */
+static void add_place(struct target_names *names, const char *part, const char *of)
+{
+  char name[256];
+  snprintf(name, sizeof name, "%s.%s", part, of);
+  add_target(names, name);
+  if (names->guess.nearest != name) return;
+  snprintf(names->side, sizeof names->side, "%s", name);
+  names->guess.nearest = names->side;
+}
+
+/* `interior` goes by the name of its part. */
+static void list_interiors(const struct um_model *model, struct target_names *names)
+{
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  for (size_t p = 0; p < model->scenario->parts.count; p++)
+    for (size_t i = part[p].interior != NULL ? 1 : 0; i < um_model_interior_count(&part[p]); i++)
+      add_place(names, part[p].name, um_model_interior_at(&part[p], i)->name);
+}
+
 static void list_targets(const struct um_model *model, uint32_t targets, struct target_names *names)
 {
   const struct um_geometry *g = model->geometry;
   for (size_t i = 0; (targets & UM_TARGET_PART) != 0 && i < um_geometry_part_count(g); i++)
     add_target(names, um_geometry_part_name(g, i));
   for (size_t i = 0; (targets & UM_TARGET_PART_SIDE) != 0 && i < um_geometry_group_count(g); i++) {
-    char name[256];
     const struct um_geometry_group *group = um_geometry_group(g, i);
-    snprintf(name, sizeof name, "%s.%s", um_geometry_part_name(g, group->part), group->name);
-    add_target(names, name);
-    if (names->guess.nearest != name) continue;
-    snprintf(names->side, sizeof names->side, "%s", name);
-    names->guess.nearest = names->side;
+    add_place(names, um_geometry_part_name(g, group->part), group->name);
   }
+  if ((targets & UM_TARGET_INTERIOR) != 0) list_interiors(model, names);
   for (size_t i = 0; (targets & UM_TARGET_MATERIAL) != 0 && i < um_geometry_material_count(g); i++)
     add_target(names, um_geometry_material_name(g, i));
   for (size_t b = 0; (targets & UM_TARGET_BAND) != 0 && b < model->nband; b++)
@@ -286,12 +303,27 @@ static bool side_exists(const struct um_model *model, const char *target)
   return false;
 }
 
+/* Is there one under `interiors` of that name, "part.name"? */
+static bool interior_exists(const struct um_model *model, const char *target)
+{
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  for (size_t p = 0; p < model->scenario->parts.count; p++) {
+    size_t n = strlen(part[p].name);
+    if (strncmp(part[p].name, target, n) != 0 || target[n] != '.') continue;
+    size_t i = um_model_interior_find(&part[p], target + n + 1);
+    if (i != UM_MODEL_NO_INTERIOR && um_model_interior_at(&part[p], i)->name != NULL) return true;
+  }
+  return false;
+}
+
 static bool built_target_exists(const struct um_model *model, uint32_t targets, const char *target)
 {
   const struct um_geometry *g = model->geometry;
   if ((targets & UM_TARGET_PART) != 0 && um_geometry_part_find(g, target) != (size_t)-1)
     return true;
   if ((targets & UM_TARGET_PART_SIDE) != 0 && side_exists(model, target)) return true;
+  if ((targets & (UM_TARGET_PART_SIDE | UM_TARGET_INTERIOR)) != 0 && interior_exists(model, target))
+    return true;
   for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)
     if (strcmp(um_geometry_material_name(g, m), target) == 0) return true;
   return (targets & UM_TARGET_BAND) != 0 && um_model_band_find(model, target) != (size_t)-1;

@@ -199,17 +199,24 @@ struct um_scenario_shell {
 struct um_scenario_mli {
   struct um_mark at;
   double effective_emittance, areal_heat_capacity_J_m2_K;
-  int wraps; /* 0 wall, 1 interior */
+  const char *wraps; /* NULL or "wall": the wall; else an interior */
 };
 struct um_scenario_interior {
   struct um_mark at;
-  double capacity_J_K, power_W, conductance_W_K;
+  const char *name;                              /* NULL: `interior` */
+  double capacity_J_K, power_W, conductance_W_K; /* capacity NaN: not stated */
+  double temperature_K;                          /* of a boundary node; 0 or NaN: none */
   const char *power_file;
 };
 struct um_scenario_solid {
   struct um_mark at;
   const char *material;
   double density_kg_m3, specific_heat_J_kg_K, conductivity_W_m_K, tetrahedron_size_m;
+};
+struct um_scenario_inner_conductance { /* of a group to an interior */
+  struct um_mark at;
+  const char *name;
+  double conductance_W_K;
 };
 struct um_scenario_group {
   struct um_mark at;
@@ -218,6 +225,7 @@ struct um_scenario_group {
   struct um_scenario_mli *mli;
   bool bare; /* no MLI here although the part has one */
   double interior_conductance_W_K, power_W;
+  struct um_schema_list conductances; /* of struct um_scenario_inner_conductance */
   const char *power_file;
   double inside_emittance; /* NaN: the part's */
 };
@@ -236,6 +244,7 @@ struct um_scenario_part {
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
   struct um_scenario_interior *interior;
+  struct um_schema_list interiors; /* of struct um_scenario_interior */
   struct um_scenario_solid *solid;
   bool lumped;
   double facet_size_m, start_temperature_K;
@@ -249,6 +258,12 @@ struct um_scenario_contact {
   double conductance_W_K;                            /* NaN: a radiative contact */
   double exchange_area_m2, area_m2, exchange_factor; /* NaN: not stated */
 };
+/* Of a contact that radiates [m^2]; NaN where it does not. */
+static inline double um_scenario_exchange_area(const struct um_scenario_contact *contact)
+{
+  double stated = contact->exchange_area_m2;
+  return stated == stated ? stated : contact->area_m2 * contact->exchange_factor;
+}
 
 enum um_scenario_start { UM_START_PERIODIC, UM_START_ISOTHERMAL };
 struct um_scenario_thermal {

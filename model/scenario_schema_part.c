@@ -31,15 +31,15 @@ static const struct um_schema_field shell_fields[] = {
 #undef F
 OBJECT(shell_object, struct um_scenario_shell, "shell", "The wall of a part as a thin sheet.",
        FIELDS(shell_fields));
-static const char *const wraps_choices[] = {"wall", "interior", NULL};
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_mli, member, key, type, __VA_ARGS__)
 static const struct um_schema_field mli_fields[] = {
     F(effective_emittance, "effective_emittance", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1),
       HELP("e*, between the outer layer and what it wraps")),
     F(areal_heat_capacity_J_m2_K, "areal_heat_capacity_J_m2_K", UM_SCHEMA_NUMBER, REQUIRED,
       POSITIVE(1e6), HELP("of the outer layer")),
-    F(wraps, "wraps", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = wraps_choices,
-      HELP("the wall, or the interior directly (then there is no wall)")),
+    F(wraps, "wraps", UM_SCHEMA_TEXT, NAME,
+      HELP("wall, which is the default, or directly (then there is no wall) interior or one of "
+           "interiors")),
 };
 #undef F
 OBJECT(mli_object, struct um_scenario_mli, "mli", "Multi-layer insulation on the outside.",
@@ -61,6 +61,23 @@ static const struct um_schema_field interior_fields[] = {
 #undef F
 OBJECT(interior_object, struct um_scenario_interior, "interior", "One node inside the part.",
        FIELDS(interior_fields));
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_interior, member, key, type, __VA_ARGS__)
+static const struct um_schema_field interiors_fields[] = {
+    F(capacity_J_K, "capacity_J_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e12),
+      HELP("0: it balances at every instant (arithmetic node); not needed with temperature_K")),
+    F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
+      HELP("dissipated in it")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e6),
+      HELP("to the walls, shared by area among groups that state none for it")),
+    F(temperature_K, "temperature_K", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(5000),
+      HELP("given and kept, whatever flows (boundary node)")),
+};
+#undef F
+OBJECT(interiors_object, struct um_scenario_interior, "interiors",
+       "A node inside the part with a name: frame, boards, battery. Contacts join them.",
+       FIELDS(interiors_fields));
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_solid, member, key, type, __VA_ARGS__)
 static const struct um_schema_field solid_fields[] = {
     F(material, "material", UM_SCHEMA_TEXT, NAME,
@@ -78,6 +95,16 @@ static const struct um_schema_field solid_fields[] = {
 OBJECT(solid_object, struct um_scenario_solid, "solid",
        "The part is solid: tetrahedra, three-dimensional conduction.", FIELDS(solid_fields),
        .scalar_key = "material");
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_inner_conductance, member, key, type, __VA_ARGS__)
+static const struct um_schema_field inner_conductance_fields[] = {
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1e6),
+      HELP("of the whole group to that interior")),
+};
+#undef F
+OBJECT(inner_conductance_object, struct um_scenario_inner_conductance, "conductance to an interior",
+       "How a group holds one of the interiors.", FIELDS(inner_conductance_fields),
+       .scalar_key = "conductance_W_K");
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_group, member, key, type, __VA_ARGS__)
 static const struct um_schema_field group_fields[] = {
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
@@ -85,6 +112,9 @@ static const struct um_schema_field group_fields[] = {
     F(bare, "bare", UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
     F(interior_conductance_W_K, "interior_conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
       BETWEEN(0, 1e6), HELP("of the whole group to the interior")),
+    F(conductances, "conductances_W_K", UM_SCHEMA_DICT, MOST(1000),
+      .object = &inner_conductance_object,
+      HELP("of the whole group to each of interiors, by its name")),
     F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
       HELP("dissipated in the wall of the group, both layers")),
     F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
@@ -121,6 +151,8 @@ static const struct um_schema_field part_fields[] = {
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
     F(interior, "interior", UM_SCHEMA_MAP, .object = &interior_object),
+    F(interiors, "interiors", UM_SCHEMA_DICT, MOST(1000), .object = &interiors_object,
+      HELP("several nodes inside the part by name, beside interior; places PART.NAME")),
     F(solid, "solid", UM_SCHEMA_MAP, .object = &solid_object),
     F(lumped, "lumped", UM_SCHEMA_BOOL, DEFAULT(0), HELP("one isothermal node per group and side")),
     F(facet_size_m, "facet_size_m", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
@@ -141,7 +173,7 @@ SHARED_OBJECT(um_model_part_schema, struct um_scenario_part, "part", "One piece 
   UM_FIELD(struct um_scenario_contact, member, key, type, __VA_ARGS__)
 static const struct um_schema_field contact_fields[] = {
     F(a, "a", UM_SCHEMA_TEXT, NAME, REQUIRED,
-      HELP("part, part.group, part.front, part.back or part.interior")),
+      HELP("part, part.group, part.front, part.back, part.interior or part.NAME of interiors")),
     F(b, "b", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("the other end")),
     F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e9),
       HELP("of the whole contact; or one that radiates:")),

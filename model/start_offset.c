@@ -11,14 +11,17 @@ enum um_status um_model_build_start_offset(struct um_context *context, struct um
 {
   struct um_thermal_network *network = model->body->network;
   for (size_t i = 0; i < npart; i++) {
-    char name[512];
     const char *part = um_geometry_part_name(model->geometry, parts[i].part);
-    if (parts[i].interior_offset == 0.0) continue;
-    if (model->start_offset == NULL)
-      UM_TRY(um_core_allocate(context, um_thermal_network_nodes(network), sizeof(double),
-                              &model->start_offset));
-    snprintf(name, sizeof name, "%s.interior", part);
-    model->start_offset[um_thermal_network_find(network, name)] = parts[i].interior_offset;
+    for (size_t k = 0; k < parts[i].ninterior; k++) {
+      char name[512];
+      const struct um_thermal_interior_spec *interior = &parts[i].interior[k];
+      if (interior->offset == 0.0) continue;
+      if (model->start_offset == NULL)
+        UM_TRY(um_core_allocate(context, um_thermal_network_nodes(network), sizeof(double),
+                                &model->start_offset));
+      snprintf(name, sizeof name, "%s.%s", part, interior->name);
+      model->start_offset[um_thermal_network_find(network, name)] = interior->offset;
+    }
   }
   return UM_OK;
 }

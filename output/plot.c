@@ -211,8 +211,8 @@ static void temperatures(struct um_plot *plot, const struct um_output_run *run)
   for (size_t p = 0; p < run->result->nplace; p++) {
     const char *name = run->result->place[p].name;
     bool material = strncmp(name, "material:", 9) == 0;
-    const char *dot = strchr(name, '.');
-    bool interior = dot != NULL && strcmp(dot, ".interior") == 0;
+    const struct um_thermal_body *body = run->model->body;
+    bool interior = p < body->nplace && body->place[p].kind == UM_PLACE_INTERIOR;
     if (!material && !interior) continue;
     if (style > 1) um_plot_add(plot, ", ");
     if (material)

@@ -32,11 +32,12 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
 
 /* Whole parts (what radiates), walls under MLI and interiors own their nodes alone, so their heats
  * add up to the satellite's. */
-static bool owns_its_nodes(const char *name)
+static bool owns_its_nodes(const struct um_output_run *run, size_t place)
 {
-  const char *dot = strchr(name, '.');
-  return strchr(name, ':') == NULL &&
-         (dot == NULL || strcmp(dot, ".interior") == 0 || strcmp(dot, ".wall") == 0);
+  const struct um_thermal_body *body = run->model->body;
+  if (place >= body->nplace) return false; /* of a material */
+  enum um_thermal_place_kind kind = body->place[place].kind;
+  return kind == UM_PLACE_PART || kind == UM_PLACE_WALL || kind == UM_PLACE_INTERIOR;
 }
 
 enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
@@ -45,7 +46,7 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
   fputs("time_utc,node,solar,albedo,planet,internal,conducted,radiated,exchanged,stored\n", file);
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t p = 0; p < r->nplace; p++) {
-      if (!owns_its_nodes(r->place[p].name)) continue;
+      if (!owns_its_nodes(run, p)) continue;
       UM_TRY(um_output_stop(run));
       const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
       um_output_csv_time(file, run->precomputed->t_obs[k]);

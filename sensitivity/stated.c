@@ -113,7 +113,8 @@ static void of_extraction(const struct question *q, struct um_sensitivity_stated
   out->maximum = absorbed;
 }
 
-/* The part of a target "part" or "part.group"; *group: of the scenario's own groups, or NULL. */
+/* The part of a target "part", "part.group" or "part.NAME" of an interior; *group: of the
+ * scenario's own groups, or NULL. */
 static const struct um_scenario_part *part_named(const struct question *q,
                                                  const struct um_scenario_group **group)
 {
@@ -164,19 +165,32 @@ static void of_contact(const struct question *q, struct um_sensitivity_stated *o
   say(out, "conductance of the contact", "W/K", contact[0].conductance_W_K * out->null_value);
 }
 
+/* `interior` by the part's name, others by their own. */
+static const struct um_scenario_interior *interior_named(const struct question *q,
+                                                         const struct um_scenario_part *part)
+{
+  const struct um_scenario_interior *interior = part->interiors.items;
+  const char *name = q->target + strlen(part->name);
+  if (*name == '\0') return part->interior;
+  for (size_t i = 0; i < part->interiors.count; i++)
+    if (strcmp(interior[i].name, name + 1) == 0) return &interior[i];
+  return NULL;
+}
+
 static void of_interior(const struct question *q, enum um_effect_stated which, double present,
                         struct um_sensitivity_stated *out)
 {
   const struct um_scenario_group *group;
   const struct um_scenario_part *part = part_named(q, &group);
-  if (part == NULL || part->interior == NULL) return;
+  const struct um_scenario_interior *interior = part == NULL ? NULL : interior_named(q, part);
+  if (interior == NULL) return;
   if (which == UM_STATED_INTERIOR_POWER) {
-    say(out, "power inside", "W", part->interior->power_W + present);
+    say(out, "power inside", "W", interior->power_W + present);
     /* what is inside does not cool; how far a history lets it go down, the effect says */
-    if (part->interior->power_file == NULL) out->minimum = fmin(0.0, out->value);
+    if (interior->power_file == NULL) out->minimum = fmin(0.0, out->value);
   }
   if (which != UM_STATED_INTERIOR_CAPACITY) return;
-  say(out, "heat capacity inside", "J/K", part->interior->capacity_J_K + present);
+  say(out, "heat capacity inside", "J/K", interior->capacity_J_K + present);
   out->minimum = 0.0;
 }
 

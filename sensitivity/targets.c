@@ -1,6 +1,6 @@
 /* What an effect may be attached to in a model that is built: parts, their groups where there is
- * more than one, materials, bands; for contacts the places they join. One thing under two names is
- * listed once. */
+ * more than one, the interiors that a part lists in place of one, materials, bands; for contacts
+ * the places they join. One thing under two names is listed once. */
 #include "sensitivity/targets_impl.h"
 
 #include <stdint.h>
@@ -24,15 +24,36 @@ static enum um_status add(struct um_context *context, struct um_sensitivity_targ
   return UM_OK;
 }
 
-static enum um_status add_parts(struct um_context *context, const struct um_geometry *g,
+static const struct um_scenario_part *scenario_part(const struct um_model *model, const char *name)
+{
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  while (strcmp(part->name, name) != 0) part++;
+  return part;
+}
+
+/* Those whose temperature is computed. */
+static enum um_status add_interiors(struct um_context *context, const struct um_scenario_part *part,
+                                    struct um_sensitivity_targets *to)
+{
+  const struct um_scenario_interior *interior = part->interiors.items;
+  for (size_t i = 0; i < part->interiors.count; i++)
+    if (!(interior[i].temperature_K > 0.0)) UM_TRY(add(context, to, part->name, interior[i].name));
+  return UM_OK;
+}
+
+static enum um_status add_parts(struct um_context *context, const struct um_model *model,
                                 uint32_t targets, struct um_sensitivity_targets *to)
 {
+  const struct um_geometry *g = model->geometry;
   for (size_t p = 0; p < um_geometry_part_count(g); p++) {
     size_t groups = 0;
     for (size_t k = 0; k < um_geometry_group_count(g); k++)
       groups += um_geometry_group(g, k)->part == p;
-    if ((targets & UM_TARGET_PART) != 0)
+    const struct um_scenario_part *part = scenario_part(model, um_geometry_part_name(g, p));
+    bool inside = (targets & UM_TARGET_INTERIOR) != 0 && part->interiors.count > 0;
+    if ((targets & UM_TARGET_PART) != 0 && !(inside && part->interior == NULL))
       UM_TRY(add(context, to, um_geometry_part_name(g, p), NULL));
+    if (inside) UM_TRY(add_interiors(context, part, to));
     if ((targets & UM_TARGET_PART_SIDE) == 0) continue;
     if (groups < 2 && (targets & UM_TARGET_PART) != 0) continue;
     for (size_t k = 0; k < um_geometry_group_count(g); k++)
@@ -114,7 +135,7 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
   uint32_t targets = effect->targets;
   if (effect->hooks.contact != NULL) return add_contacts(context, model, effect, to);
   if ((targets & (UM_TARGET_PART | UM_TARGET_PART_SIDE)) != 0)
-    UM_TRY(add_parts(context, g, targets, to));
+    UM_TRY(add_parts(context, model, targets, to));
   for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)
     UM_TRY(add(context, to, um_geometry_material_name(g, m), NULL));
   if ((targets & UM_TARGET_BAND) != 0 && (model->nband > 1 || (targets & UM_TARGET_GLOBAL) == 0))

@@ -1,21 +1,19 @@
-/* Assembly of the heat balance of a satellite from its parts: interiors, walls (shell.c, solid.c,
- * lump.c), blankets (mli.c), heat made inside
- * (heater.c), radiating surfaces, contacts (contact.c), places (place.c).
+/* Assembly of the heat balance of a satellite from its parts: walls (shell.c, solid.c, lump.c),
+ * interiors (interior.c), blankets (mli.c), heat made inside (heater.c), radiating surfaces,
+ * contacts (contact.c), places (place.c).
  *
  * The inner side of the walls of a closed body radiates where its part says so; else heat crosses a
- * body only through conduction, its interior node and contacts. */
+ * body only through conduction, its interiors and contacts. */
 #include "geometry/inside.h"
 #include "thermal/body_check_impl.h"
 #include "thermal/contact_impl.h"
 #include "thermal/heater_impl.h"
+#include "thermal/interior_impl.h"
 #include "thermal/lump_impl.h"
 #include "thermal/mli_impl.h"
 #include "thermal/place_impl.h"
 #include "thermal/shell_impl.h"
 #include "thermal/solid_impl.h"
-
-#include <stdio.h>
-#include <string.h>
 
 /* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
  * whose angle is the same for three Sun directions does not follow the Sun. */
@@ -56,7 +54,6 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->front, &b->front));
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->back, &b->back));
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->skin, &b->skin));
-  UM_TRY(um_core_allocate(context, b->npart, sizeof *b->interior, &b->interior));
   for (int layer = 0; layer < 2; layer++) {
     UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_node, &b->vertex_node[layer]));
     UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_capacity,
@@ -66,7 +63,6 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
   fill_none(b->group_front, b->ngroup);
   fill_none(b->group_back, b->ngroup);
   fill_none(b->skin, nfacet);
-  fill_none(b->interior, b->npart);
   for (size_t f = 0; f < nfacet; f++) {
     fill_none(b->front[f], 3);
     fill_none(b->back[f], 3);
@@ -86,39 +82,13 @@ static void builder_free(struct um_thermal_builder *b)
   um_core_free(context, b->front);
   um_core_free(context, b->back);
   um_core_free(context, b->skin);
+  um_core_free(context, b->first_interior);
   um_core_free(context, b->interior);
   for (int layer = 0; layer < 2; layer++) {
     um_core_free(context, b->vertex_node[layer]);
     um_core_free(context, b->vertex_capacity[layer]);
   }
   um_geometry_pose_destroy(context, &b->pose);
-}
-
-static enum um_status add_interior(struct um_thermal_builder *b, size_t part)
-{
-  const struct um_thermal_part_spec *spec = b->part[part];
-  if (!spec->has_interior) return UM_OK;
-  char name[512];
-  snprintf(name, sizeof name, "%s.interior", um_thermal_builder_part_name(b, part));
-  return um_thermal_builder_node(b, name, spec->interior_capacity, spec->start_temperature,
-                                 spec->interior_power, &b->interior[part]);
-}
-
-/* A group's conductance to the interior, by area: to the inner layer of its wall, or to the
- * blanket where the wall is left out (its seams and feed-throughs). */
-static enum um_status couple_interior(struct um_thermal_builder *b, size_t part)
-{
-  for (size_t f = 0; f < b->mesh->nfacet; f++) {
-    uint32_t group = b->mesh->facet_group[f];
-    double total = b->group[group]->interior_conductance; /* [W/K] */
-    if (b->mesh->facet_part[f] != part || !(total > 0.0)) continue;
-    double share = total * b->mesh->area[f] / b->group_area[group];
-    for (int c = 0; c < 3; c++) {
-      uint32_t node = b->back[f][c] == UM_THERMAL_SPACE ? b->skin[f] : b->back[f][c];
-      UM_TRY(um_thermal_network_conductor_add(b->network, b->interior[part], node, share / 3.0));
-    }
-  }
-  return UM_OK;
 }
 
 /* On one node, or on the three corners of a facet. */
@@ -189,9 +159,9 @@ static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
     UM_TRY(um_thermal_lump_assemble(b, part));
     break;
   }
-  UM_TRY(add_interior(b, part));
+  UM_TRY(um_thermal_interiors_add(b, part));
   UM_TRY(um_thermal_mli_assemble(b, part));
-  UM_TRY(couple_interior(b, part));
+  UM_TRY(um_thermal_interiors_couple(b, part));
   return um_thermal_heat_assemble(b, part);
 }
 
@@ -201,6 +171,7 @@ static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_b
 {
   UM_TRY(builder_allocate(b));
   UM_TRY(um_thermal_body_check(b, parts, npart));
+  UM_TRY(um_thermal_interiors_allocate(b));
   UM_TRY(rest_pose(b));
   UM_TRY(um_thermal_network_create(b->context, &body->network));
   b->network = body->network;

@@ -20,29 +20,40 @@ struct um_thermal_shell {
 struct um_thermal_mli {
   double effective_emittance; /* e* [1] */
   double areal_heat_capacity; /* of the outer layer [J/m^2/K] */
-  bool wraps_interior;        /* couples to the part's interior node, and the wall is left out */
+  bool wraps_interior;        /* couples to an interior of the part, and the wall is left out */
+  size_t interior;            /* which one of the part's */
 };
 /* Heat of a place over time: linear between rows, equal times are jumps, 0 outside. */
 struct um_thermal_power_history {
   double *t, *power; /* [nrow] t_tai [s], [W] */
   size_t nrow;
 };
-/* A thermostat heater on the wall of a place, spread and sensed by area, or in the interior: see
+/* A node inside a part: frame, boards, battery. C dT/dt = P + sum G (T_j - T); with C = 0 it
+ * balances at every instant (an arithmetic node). */
+struct um_thermal_interior_spec {
+  const char *name;                               /* of the place "part.NAME" */
+  double capacity;                                /* [J/K] */
+  double power;                                   /* [W] */
+  const struct um_thermal_power_history *history; /* added to it; NULL: none */
+  double held;   /* [K] given and kept, whatever flows (a boundary node); 0: it is computed */
+  double offset; /* [K] of its start over the state a run begins with; not for the body */
+};
+/* A thermostat heater on the wall of a place, spread and sensed by area, or in an interior: see
  * um_thermal_network_thermostat_add. */
 struct um_thermal_heater {
   const char *place; /* "": all walls of the part; "GROUP", "GROUP.back", "front", "back",
-                        "interior"; as in contacts */
+                        "interior" or the name of another; as in contacts */
   double power;      /* [W] */
   double on, off;    /* [K] */
 };
 #define UM_THERMAL_HEATERS_MAX 16 /* of one part */
 struct um_thermal_group_spec {
-  uint32_t group;                                 /* geometry group index */
-  const struct um_thermal_shell *shell;           /* NULL: the part's */
-  const struct um_thermal_mli *mli;               /* NULL: none (front side only) */
-  double interior_conductance;                    /* [W/K] group total, to the interior; 0: none */
-  double power;                                   /* released in the wall [W] */
-  const struct um_thermal_power_history *history; /* added to it; NULL: none */
+  uint32_t group;                       /* geometry group index */
+  const struct um_thermal_shell *shell; /* NULL: the part's */
+  const struct um_thermal_mli *mli;     /* NULL: none (front side only) */
+  double *interior_conductance; /* [ninterior] [W/K] of the group to each interior; NULL: none */
+  double power;                 /* released in the wall [W] */
+  const struct um_thermal_power_history *history;              /* added to it; NULL: none */
   double absorptance_front, emittance_front, extraction_front; /* from the material records */
   double absorptance_back, emittance_back, extraction_back;
   const struct um_thermal_surface_law *law_front, *law_back; /* outlive the body; NULL: constant */
@@ -64,21 +75,20 @@ struct um_thermal_part_spec {
   struct um_thermal_shell shell;
   double density, specific_heat, conductivity; /* SOLID */
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
-  bool has_interior;                           /* a lumped node inside */
-  double interior_capacity, interior_power;    /* [J/K], [W] */
-  const struct um_thermal_power_history *interior_history; /* added to it; NULL: none */
-  double interior_offset; /* [K] of its start over the state a run begins with; not for the body */
+  struct um_thermal_interior_spec *interior;   /* [ninterior] nodes inside; names differ */
+  size_t ninterior;
   struct um_thermal_heater heater[UM_THERMAL_HEATERS_MAX];
   size_t nheater;
   double start_temperature;                   /* [K] */
   const struct um_thermal_group_spec *groups; /* one for every group of the part */
   size_t ngroup;
 };
-/* a, b: "part", "part.group", "part.group.back", "part.front", "part.back" or "part.interior". The
+/* a, b: "part", "part.group", "part.group.back", "part.front", "part.back" or the interior
+ * "part.NAME". The
  * conductance acts where the two places are nearest (their facets within the smallest gap plus half
  * a facet edge), by area: faces lying on each other exchange all over, a hinge or bracket at the
  * edge next to it. An interior is met everywhere by area. Under MLI the wall is met; where MLI
- * wraps the interior, the interior. Sun-following joints stand at angle 0. See contact.c. */
+ * wraps an interior, that interior. Sun-following joints stand at angle 0. See contact.c. */
 struct um_thermal_contact {
   const char *a, *b;
   double conductance; /* [W/K] */
@@ -90,7 +100,16 @@ struct um_thermal_contact {
 /* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
  * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it.
  */
+enum um_thermal_place_kind {
+  UM_PLACE_PART,       /* all surfaces of a part */
+  UM_PLACE_SIDE,       /* its fronts or backs */
+  UM_PLACE_WALL,       /* all walls under MLI */
+  UM_PLACE_GROUP,      /* surfaces of one group and side */
+  UM_PLACE_GROUP_WALL, /* its wall under MLI */
+  UM_PLACE_INTERIOR
+};
 struct um_thermal_place {
+  enum um_thermal_place_kind kind;
   char *name;     /* "bus", "bus.+x", "solar_array.front", "bus.interior" */
   uint32_t *node; /* [nnode] */
   double *weight; /* [nnode], sum 1: area (surface places) or capacity (interior) */
@@ -103,9 +122,9 @@ struct um_thermal_body {
   size_t ntetrahedron;
 };
 /* UM_ERR_INPUT: a part or group without spec or with two, a value out of range, MLI or conductance
- * to an interior that is not there, heat in a wall that is not there, an inside without walls all
- * around, an unknown place in a contact; and what TetGen's wrapper refuses. specs and contacts are
- * borrowed for the call. */
+ * to an interior that is not there, interiors of one name, heat in a wall that is not there, an
+ * inside without walls all around, an unknown place in a contact; and what TetGen's wrapper
+ * refuses. specs and contacts are borrowed for the call. */
 enum um_status um_thermal_body_create(struct um_context *context,
                                       const struct um_geometry *geometry,
                                       const struct um_thermal_part_spec *parts, size_t npart,

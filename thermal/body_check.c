@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "thermal/body_check_impl.h"
+#include "thermal/interior_impl.h"
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 static const double huge = 1e300;
@@ -54,28 +55,31 @@ static enum um_status check_group(const struct um_thermal_builder *b,
                       {"absorptance of the back", "", g->absorptance_back, 0.0, 1.0},
                       {"emittance of the back", "", g->emittance_back, 0.0, 1.0},
                       {"electrical extraction of the back", "", g->extraction_back, 0.0, 1.0},
-                      {"conductance to the interior", "W/K", g->interior_conductance, 0.0, huge},
                       {"emittance inside", "", g->inside_emittance, 0.0, 1.0}};
   size_t n = COUNT(r);
   if (group->back_material == UM_GEOMETRY_NONE) { /* no back: its values do not act */
     r[3] = r[6];
-    r[4] = r[7];
-    n = 5;
+    n = 4;
   }
   UM_TRY(check_ranges(b->context, part, group->name, r, n));
-  if (g->interior_conductance > 0.0 && !spec->has_interior)
+  for (size_t i = 0; g->interior_conductance != NULL && i < spec->ninterior; i++) {
+    const struct range c = {"conductance to the inside", "W/K", g->interior_conductance[i], 0.0,
+                            huge};
+    UM_TRY(check_ranges(b->context, part, group->name, &c, 1));
+  }
+  if (g->interior_conductance != NULL && spec->ninterior == 0)
     return um_core_fail(b->context, UM_ERR_INPUT,
-                        "part %s, group %s: conductance to the interior %g W/K, but the part has "
-                        "no interior",
-                        part, group->name, g->interior_conductance);
+                        "part %s, group %s: conductance to an interior, but the part has no "
+                        "interior",
+                        part, group->name);
   if (g->mli == NULL) return UM_OK;
   struct range m[] = {
       {"effective emittance of the MLI", "", g->mli->effective_emittance, 0.0, 1.0},
       {"areal heat capacity of the MLI", "J/m2/K", g->mli->areal_heat_capacity, 0.0, huge}};
   UM_TRY(check_ranges(b->context, part, group->name, m, COUNT(m)));
   const char *why = NULL;
-  if (g->mli->wraps_interior && !spec->has_interior)
-    why = "the part has no interior";
+  if (g->mli->wraps_interior && g->mli->interior >= spec->ninterior)
+    why = "the part has no such interior";
   else if (g->mli->wraps_interior && group->back_material != UM_GEOMETRY_NONE)
     why = "its back is a radiating surface, which needs a wall";
   else if (g->mli->wraps_interior && spec->kind == UM_THERMAL_SOLID)
@@ -117,10 +121,9 @@ static enum um_status check_part(struct um_thermal_builder *b,
     UM_TRY(check_shell(b->context, part, NULL, &spec->shell));
   }
   UM_TRY(check_inside(b, spec));
-  struct range r[] = {{"start temperature", "K", spec->start_temperature, 1e-3, 1e5},
-                      {"heat capacity of the interior", "J/K", spec->interior_capacity, 0.0, huge},
-                      {"power in the interior", "W", spec->interior_power, -huge, huge}};
-  UM_TRY(check_ranges(b->context, part, NULL, r, spec->has_interior ? COUNT(r) : 1));
+  const struct range start = {"start temperature", "K", spec->start_temperature, 1e-3, 1e5};
+  UM_TRY(check_ranges(b->context, part, NULL, &start, 1));
+  UM_TRY(um_thermal_interiors_check(b, spec));
   for (size_t g = 0; g < spec->ngroup; g++) {
     const struct um_thermal_group_spec *group = &spec->groups[g];
     if (group->group >= b->ngroup ||

@@ -37,6 +37,18 @@ bool um_thermal_builder_wall_left_out(const struct um_thermal_builder *b, uint32
   return b->group[group]->mli != NULL && b->group[group]->mli->wraps_interior;
 }
 
+const uint32_t *um_thermal_builder_interiors(const struct um_thermal_builder *b, size_t part)
+{
+  return b->interior + b->first_interior[part];
+}
+
+uint32_t um_thermal_builder_wrapped(const struct um_thermal_builder *b, uint32_t group)
+{
+  if (!um_thermal_builder_wall_left_out(b, group)) return UM_THERMAL_SPACE;
+  uint32_t part = um_geometry_group(b->geometry, group)->part;
+  return um_thermal_builder_interiors(b, part)[b->group[group]->mli->interior];
+}
+
 const char *um_thermal_builder_part_name(const struct um_thermal_builder *b, size_t part)
 {
   return um_geometry_part_name(b->geometry, part);

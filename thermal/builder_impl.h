@@ -17,8 +17,9 @@ struct um_thermal_builder {
   /* Structural node under each corner of each facet, outer and inner layer (the same where there
    * is one layer); UM_THERMAL_SPACE where the wall is left out. [nfacet] */
   uint32_t (*front)[3], (*back)[3];
-  uint32_t *skin;     /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
-  uint32_t *interior; /* [npart]; UM_THERMAL_SPACE none */
+  uint32_t *skin;         /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
+  size_t *first_interior; /* [npart + 1] where a part's interiors begin */
+  uint32_t *interior;     /* [first_interior[npart]] their nodes; UM_THERMAL_SPACE: not yet */
   /* Scratch per mesh vertex (vertices belong to one part): node and capacity of the layers. */
   uint32_t *vertex_node[2]; /* [nvertex] */
   double *vertex_capacity[2];
@@ -37,6 +38,10 @@ bool um_thermal_builder_radiates_inside(const struct um_thermal_builder *b, size
 /* A facet has two layers: a surface on both sides and a finite conductance through the wall. */
 bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet);
 bool um_thermal_builder_wall_left_out(const struct um_thermal_builder *b, uint32_t group);
+/* Nodes of the interiors of a part, in the order of its spec. */
+const uint32_t *um_thermal_builder_interiors(const struct um_thermal_builder *b, size_t part);
+/* Node of the interior that the MLI of a group wraps; UM_THERMAL_SPACE where it wraps none. */
+uint32_t um_thermal_builder_wrapped(const struct um_thermal_builder *b, uint32_t group);
 const char *um_thermal_builder_part_name(const struct um_thermal_builder *b, size_t part);
 
 #endif

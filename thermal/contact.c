@@ -62,10 +62,11 @@ static bool resolve(const struct um_thermal_builder *b, struct side *s)
   return false;
 }
 
-static void node_or_interior(const struct um_thermal_builder *b, const uint32_t layer[3],
-                             uint32_t part, uint32_t out[3])
+static void node_or_interior(const struct um_thermal_builder *b, size_t facet,
+                             const uint32_t layer[3], uint32_t out[3])
 {
-  for (int c = 0; c < 3; c++) out[c] = layer[c] == UM_THERMAL_SPACE ? b->interior[part] : layer[c];
+  uint32_t inside = um_thermal_builder_wrapped(b, b->mesh->facet_group[facet]);
+  for (int c = 0; c < 3; c++) out[c] = layer[c] == UM_THERMAL_SPACE ? inside : layer[c];
 }
 
 static void patch_fill(const struct um_thermal_builder *b, size_t facet, const struct side *s,
@@ -82,9 +83,9 @@ static void patch_fill(const struct um_thermal_builder *b, size_t facet, const s
     p->radius = fmax(p->radius, um_vec3_norm(um_vec3_sub(p->corner[c], p->centre)));
   p->layers = 0;
   if (s->at.front || !um_thermal_builder_two_layers(b, facet))
-    node_or_interior(b, b->front[facet], s->at.part, p->node[p->layers++]);
+    node_or_interior(b, facet, b->front[facet], p->node[p->layers++]);
   if (s->at.back && um_thermal_builder_two_layers(b, facet))
-    node_or_interior(b, b->back[facet], s->at.part, p->node[p->layers++]);
+    node_or_interior(b, facet, b->back[facet], p->node[p->layers++]);
 }
 
 static int sample_order(const void *a, const void *b)
@@ -97,7 +98,7 @@ static int sample_order(const void *a, const void *b)
 /* Facets and nodes of a side; corners of neighbouring facets that are one node are merged. */
 static enum um_status collect(const struct um_thermal_builder *b, struct side *s)
 {
-  if (s->at.interior) return UM_OK;
+  if (s->at.interior != UM_THERMAL_SPACE) return UM_OK;
   size_t n = 0;
   UM_TRY(um_core_allocate(b->context, b->mesh->nfacet, sizeof *s->patch, &s->patch));
   UM_TRY(um_core_allocate(b->context, 6 * b->mesh->nfacet, sizeof *s->sample, &s->sample));
@@ -229,7 +230,8 @@ static enum um_status pair(struct um_thermal_builder *b, const struct side *from
 static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const struct side *over,
                              struct flow *flow)
 {
-  if (over->at.interior) return join(b, node, b->interior[over->at.part], flow->size, flow);
+  if (over->at.interior != UM_THERMAL_SPACE)
+    return join(b, node, over->at.interior, flow->size, flow);
   double area = 0.0;
   for (size_t i = 0; i < over->nsample; i++) area += over->sample[i].area;
   for (size_t i = 0; i < over->nsample; i++)
@@ -240,8 +242,8 @@ static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const 
 static enum um_status connect(struct um_thermal_builder *b, struct side *x, struct side *y,
                               struct flow *flow)
 {
-  if (x->at.interior) return spread(b, b->interior[x->at.part], y, flow);
-  if (y->at.interior) return spread(b, b->interior[y->at.part], x, flow);
+  if (x->at.interior != UM_THERMAL_SPACE) return spread(b, x->at.interior, y, flow);
+  if (y->at.interior != UM_THERMAL_SPACE) return spread(b, y->at.interior, x, flow);
   double gap = fmin(find_feet(b->context, x, y), find_feet(b->context, y, x));
   UM_TRY(um_core_stop_check(b->context, "contacts were joined"));
   gap += flow->radiates ? INFINITY : 0.5 * fmin(x->edge, y->edge);
@@ -262,7 +264,7 @@ static enum um_status refuse_place(const struct um_thermal_builder *b,
       um_core_words_consider(&guess, um_thermal_builder_part_name(b, p));
   return um_core_fail(b->context, UM_ERR_INPUT,
                       "contact %s - %s: there is no place '%s'%s; accepted: PART, PART.GROUP, "
-                      "PART.front, PART.back, PART.interior",
+                      "PART.front, PART.back, PART.INTERIOR",
                       contact->a, contact->b, name, um_core_words_hint(&guess, hint));
 }
 

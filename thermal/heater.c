@@ -67,8 +67,9 @@ static enum um_status share_of(const struct um_thermal_builder *b,
   double *weight = NULL;
   size_t nnode = um_thermal_network_nodes(b->network);
   UM_TRY(um_core_allocate(b->context, nnode, sizeof *weight, &weight));
-  if (where->interior) weight[b->interior[where->part]] = 1.0;
-  for (size_t f = 0; f < b->mesh->nfacet && !where->interior; f++) {
+  bool inside = where->interior != UM_THERMAL_SPACE;
+  if (inside) weight[where->interior] = 1.0;
+  for (size_t f = 0; f < b->mesh->nfacet && !inside; f++) {
     if (b->mesh->facet_part[f] != where->part) continue;
     if (where->group != UM_GEOMETRY_NONE && b->mesh->facet_group[f] != where->group) continue;
     bool two = um_thermal_builder_two_layers(b, f);
@@ -105,8 +106,11 @@ static enum um_status group_heat(const struct um_thermal_builder *b, size_t part
 {
   enum um_status status;
   struct share share = {0};
-  const struct um_thermal_where where = {
-      .part = (uint32_t)part, .group = spec->group, .front = true, .back = true};
+  const struct um_thermal_where where = {.part = (uint32_t)part,
+                                         .group = spec->group,
+                                         .front = true,
+                                         .back = true,
+                                         .interior = UM_THERMAL_SPACE};
   if (spec->power == 0.0 && spec->history == NULL) return UM_OK;
   UM_CHECK(share_of(b, &where, "power", &share));
   for (size_t i = 0; i < share.n; i++)
@@ -129,7 +133,7 @@ static enum um_status heater_find(const struct um_thermal_builder *b, size_t par
   return um_core_fail(
       b->context, UM_ERR_INPUT,
       "part %s: a heater on '%.100s', which it has not; accepted: one of its groups, "
-      "GROUP.back, front, back, interior where it has one",
+      "GROUP.back, front, back, an interior where it has one",
       name, heater->place);
 }
 
@@ -151,8 +155,9 @@ static enum um_status heater_add(const struct um_thermal_builder *b, size_t part
                                                    .off = heater->off};
   status = um_thermal_network_thermostat_add(b->network, &thermostat);
   if (status == UM_ERR_INPUT)
-    um_core_message_prefix(b->context, "%s%s", place_label(b, &where, label, sizeof label),
-                           where.interior ? ", interior" : "");
+    um_core_message_prefix(b->context, "%s%s%s", place_label(b, &where, label, sizeof label),
+                           where.interior != UM_THERMAL_SPACE ? ", " : "",
+                           where.interior != UM_THERMAL_SPACE ? heater->place : "");
 done:
   share_free(b->context, &share);
   return status;
@@ -163,8 +168,11 @@ enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t par
   const struct um_thermal_part_spec *spec = b->part[part];
   for (size_t g = 0; g < spec->ngroup; g++) UM_TRY(group_heat(b, part, &spec->groups[g]));
   for (size_t h = 0; h < spec->nheater; h++) UM_TRY(heater_add(b, part, &spec->heater[h]));
-  if (spec->interior_history == NULL || !spec->has_interior) return UM_OK;
-  double weight = 1.0;
-  const struct share share = {&b->interior[part], &weight, 1};
-  return history_add(b, &share, spec->interior_history);
+  for (size_t i = 0; i < spec->ninterior; i++) {
+    double weight = 1.0;
+    const struct share share = {&b->interior[b->first_interior[part] + i], &weight, 1};
+    if (spec->interior[i].history != NULL)
+      UM_TRY(history_add(b, &share, spec->interior[i].history));
+  }
+  return UM_OK;
 }

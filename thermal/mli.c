@@ -5,7 +5,7 @@
  *   C_o dT_o/dt = alpha q_s + eps q_IR - eps sigma T_o^4 - e* sigma (T_o^4 - T_i^4).
  *
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
- * is the wall (e* A / 3 to each corner) or, where the wall is left out, the interior node. */
+ * is the wall (e* A / 3 to each corner) or, where the wall is left out, an interior. */
 #include "thermal/mli_impl.h"
 
 #include <stdio.h>
@@ -16,7 +16,8 @@ static enum um_status couple(struct um_thermal_builder *b, uint32_t skin, size_t
   double radiator = mli->effective_emittance * area; /* [m^2] */
   if (!(radiator > 0.0)) return UM_OK;
   if (mli->wraps_interior)
-    return um_thermal_network_radiator_add(b->network, skin, b->interior[part], radiator);
+    return um_thermal_network_radiator_add(
+        b->network, skin, um_thermal_builder_interiors(b, part)[mli->interior], radiator);
   if (wall[0] == wall[1] && wall[0] == wall[2])
     return um_thermal_network_radiator_add(b->network, skin, wall[0], radiator);
   for (int c = 0; c < 3; c++)

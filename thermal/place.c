@@ -4,7 +4,7 @@
  *   part.group, part.group.back   the same of one group and side
  *   part.wall, part.group.wall    the wall under MLI, where there is one
  *   part.inside, part.group.inside  the inner layer of a wall that radiates inside and has one
- *   part.interior                 the interior node */
+ *   part.NAME                     the interior of that name */
 #include "thermal/place_impl.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffi
 {
   where->group = UM_GEOMETRY_NONE;
   where->front = where->back = true;
-  where->interior = false;
+  where->interior = UM_THERMAL_SPACE;
   if (*suffix == '\0') return true;
   if (*suffix != '.') return false;
   suffix++;
@@ -36,8 +36,10 @@ bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffi
   where->group = UM_GEOMETRY_NONE;
   where->front = strcmp(suffix, "front") == 0;
   where->back = is_back(b, where->part, suffix);
-  where->interior = strcmp(suffix, "interior") == 0 && b->interior[where->part] != UM_THERMAL_SPACE;
-  return where->front || where->back || where->interior;
+  for (size_t i = 0; i < b->part[where->part]->ninterior; i++)
+    if (strcmp(suffix, b->part[where->part]->interior[i].name) == 0)
+      where->interior = um_thermal_builder_interiors(b, where->part)[i];
+  return where->front || where->back || where->interior != UM_THERMAL_SPACE;
 }
 
 struct selection {
@@ -98,11 +100,12 @@ static double accumulate(const struct um_thermal_builder *b, const struct select
 }
 
 static enum um_status place_new(struct um_context *context, struct um_thermal_body *body,
-                                size_t nnode, struct um_thermal_place **out)
+                                enum um_thermal_place_kind kind, size_t nnode,
+                                struct um_thermal_place **out)
 {
   UM_TRY(um_core_reallocate(context, body->nplace + 1, sizeof *body->place, &body->place));
   struct um_thermal_place *p = &body->place[body->nplace++];
-  *p = (struct um_thermal_place){0};
+  *p = (struct um_thermal_place){.kind = kind};
   UM_TRY(um_core_allocate(context, nnode, sizeof *p->node, &p->node));
   UM_TRY(um_core_allocate(context, nnode, sizeof *p->weight, &p->weight));
   p->nnode = nnode;
@@ -115,6 +118,12 @@ static enum um_status place_add(const struct um_thermal_builder *b, struct um_th
                                 const struct selection *w, double *area, const char *group,
                                 const char *suffix)
 {
+  enum um_thermal_place_kind whole = w->wall       ? UM_PLACE_WALL
+                                     : w->side < 0 ? UM_PLACE_PART
+                                                   : UM_PLACE_SIDE;
+  enum um_thermal_place_kind kind = group == NULL ? whole
+                                    : w->wall     ? UM_PLACE_GROUP_WALL
+                                                  : UM_PLACE_GROUP;
   UM_TRY(um_core_stop_check(b->context, "places were listed"));
   struct reach reach = {um_thermal_network_nodes(b->network), 0};
   double sum = accumulate(b, w, area, &reach);
@@ -123,7 +132,7 @@ static enum um_status place_add(const struct um_thermal_builder *b, struct um_th
     if (area[i] > 0.0) n++;
   if (n == 0) return UM_OK;
   struct um_thermal_place *place;
-  UM_TRY(place_new(b->context, body, n, &place));
+  UM_TRY(place_new(b->context, body, kind, n, &place));
   n = 0;
   for (size_t i = reach.low; i < reach.high; i++) {
     if (area[i] > 0.0) {
@@ -144,6 +153,21 @@ static bool part_has_back(const struct um_thermal_builder *b, uint32_t part)
     if (group->part == part && group->back_material != UM_GEOMETRY_NONE) return true;
   }
   return false;
+}
+
+static enum um_status places_of_interiors(const struct um_thermal_builder *b,
+                                          struct um_thermal_body *body, uint32_t part)
+{
+  for (size_t i = 0; i < b->part[part]->ninterior; i++) {
+    struct um_thermal_place *place;
+    UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, 1, &place));
+    place->node[0] = um_thermal_builder_interiors(b, part)[i];
+    place->weight[0] = 1.0;
+    UM_TRY(um_core_asprintf(b->context, &place->name, "%s.%s",
+                            um_thermal_builder_part_name(b, part),
+                            b->part[part]->interior[i].name));
+  }
+  return UM_OK;
 }
 
 static enum um_status places_of_part(const struct um_thermal_builder *b,
@@ -177,13 +201,7 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
     w.inside = true;
     UM_TRY(place_add(b, body, &w, area, group->name, ".inside"));
   }
-  if (b->interior[part] == UM_THERMAL_SPACE) return UM_OK;
-  struct um_thermal_place *place;
-  UM_TRY(place_new(b->context, body, 1, &place));
-  place->node[0] = b->interior[part];
-  place->weight[0] = 1.0;
-  return um_core_asprintf(b->context, &place->name, "%s.interior",
-                          um_thermal_builder_part_name(b, part));
+  return places_of_interiors(b, body, part);
 }
 
 enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_thermal_body *body)

@@ -5,11 +5,12 @@
 #include "thermal/builder_impl.h"
 
 /* Where a name points inside a part: what follows the part's name, "", ".group", ".group.back",
- * ".front", ".back" or ".interior"; ".inside" is ".back" of a part that radiates inside. A wall of
- * one layer is both front and back. */
+ * ".front", ".back" or that of an interior, ".NAME"; ".inside" is ".back" of a part that radiates
+ * inside. A wall of one layer is both front and back. */
 struct um_thermal_where {
   uint32_t part, group; /* group UM_GEOMETRY_NONE: all */
-  bool front, back, interior;
+  bool front, back;
+  uint32_t interior; /* node, or UM_THERMAL_SPACE: a place of the surface */
 };
 /* false: there is no such place in where->part. */
 bool um_thermal_where_find(const struct um_thermal_builder *b, const char *suffix,

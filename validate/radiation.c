@@ -86,10 +86,11 @@ static enum um_status blanket_create(struct um_context *context, double effectiv
                                      .areal_heat_capacity = 60.0,
                                      .wraps_interior = true};
   struct um_thermal_group_spec group[6];
+  struct um_thermal_interior_spec inside = {.name = "interior", .capacity = 1e5};
   const struct um_thermal_part_spec part = {.kind = UM_THERMAL_LUMPED,
                                             .shell = {.areal_heat_capacity = 4860.0},
-                                            .has_interior = true,
-                                            .interior_capacity = 1e5,
+                                            .interior = &inside,
+                                            .ninterior = 1,
                                             .start_temperature = 293.0,
                                             .groups = group,
                                             .ngroup = 6};

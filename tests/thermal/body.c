@@ -45,8 +45,7 @@ static void mli_case(enum um_thermal_part_kind kind, bool interior, double e, do
   s.shape[p].facet_size = 0.8;
   s.shape[p].solid = kind == UM_THERMAL_SOLID;
   s.spec[p].kind = kind;
-  s.spec[p].has_interior = interior;
-  s.spec[p].interior_capacity = 1e5;
+  if (interior) help_interior(&s, p, "interior", 1e5, 0.0);
   s.group[p].absorptance_front = 0.38;
   s.group[p].emittance_front = 0.78;
   s.group[p].mli = &mli;
@@ -143,10 +142,7 @@ static void test_interior(void **state)
     size_t p = help_part(&s, "bus", UM_SHAPE_BOX, NULL);
     s.shape[p].facet_size = 0.5;
     s.spec[p].kind = lumped ? UM_THERMAL_LUMPED : UM_THERMAL_SHELL;
-    s.spec[p].has_interior = true;
-    s.spec[p].interior_capacity = 1e5;
-    s.spec[p].interior_power = 12.0;
-    s.group[p].interior_conductance = 5.0;
+    help_interior(&s, p, "interior", 1e5, 5.0)->power = 12.0;
     help_build(&s, NULL, 0);
     double *t = temperatures(&s, 300.0);
     set_place(&s, "bus.interior", t, 310.0);
@@ -231,8 +227,7 @@ static void test_contact_blanket(void **state)
     size_t p = help_part(&s, "bus", UM_SHAPE_BOX, NULL);
     help_part(&s, "array", UM_SHAPE_PLATE, "paint");
     s.shape[1].position = um_vec3(1.1, 0, 0);
-    s.spec[p].has_interior = true;
-    s.spec[p].interior_capacity = 1e5;
+    help_interior(&s, p, "interior", 1e5, 0.0);
     mli.wraps_interior = !wall;
     s.group[p].mli = &mli;
     struct um_thermal_contact contact[2] = {{"array", "bus", 3.0, 0.0},
@@ -281,11 +276,11 @@ static void test_refused(void **state)
   refused(&s, NULL, "emittance of the front 1.2");
   s.all[3].emittance_front = 0.8;
   s.all[2].mli = &mli;
-  refused(&s, NULL, "the part has no interior");
+  refused(&s, NULL, "the part has no such interior");
   s.all[2].mli = NULL;
-  s.all[2].interior_conductance = 3.0;
+  s.all[2].interior_conductance = (double[]){3.0};
   refused(&s, NULL, "the part has no interior");
-  s.all[2].interior_conductance = 0.0;
+  s.all[2].interior_conductance = NULL;
   s.spec[p].ngroup = 5;
   refused(&s, NULL, "no thermal spec");
   s.spec[p].ngroup = 6;

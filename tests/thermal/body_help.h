@@ -8,7 +8,8 @@
 #include "thermal/body.h"
 #include "thermal/network_impl.h"
 
-#define HELP_PARTS 12
+#define HELP_PARTS     12
+#define HELP_INTERIORS 3
 
 /* A satellite being described: fill shape[] and spec[], then help_build. */
 struct help_satellite {
@@ -16,6 +17,8 @@ struct help_satellite {
   struct um_geometry_skin skin[HELP_PARTS];
   struct um_thermal_part_spec spec[HELP_PARTS];
   struct um_thermal_group_spec group[HELP_PARTS]; /* of every group of the part */
+  struct um_thermal_interior_spec interior[HELP_PARTS][HELP_INTERIORS];
+  double conductance[HELP_PARTS][HELP_INTERIORS]; /* [W/K] of every group of the part */
   size_t npart;
   struct um_geometry *geometry;
   struct um_thermal_body *body;
@@ -47,6 +50,18 @@ static inline size_t help_part(struct help_satellite *s, const char *name,
                                                .absorptance_back = 1.0,
                                                .emittance_back = 1.0};
   return p;
+}
+
+/* Another node inside a part, held by every group of it with a conductance [W/K]. */
+static inline struct um_thermal_interior_spec *
+help_interior(struct help_satellite *s, size_t p, const char *name, double capacity, double held)
+{
+  size_t i = s->spec[p].ninterior++;
+  s->spec[p].interior = s->interior[p];
+  s->interior[p][i] = (struct um_thermal_interior_spec){.name = name, .capacity = capacity};
+  s->conductance[p][i] = held;
+  s->group[p].interior_conductance = s->conductance[p];
+  return &s->interior[p][i];
 }
 
 static inline void help_geometry(struct help_satellite *s)

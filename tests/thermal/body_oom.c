@@ -8,13 +8,12 @@ static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
 {
   *mli = (struct um_thermal_mli){.effective_emittance = 0.01, .areal_heat_capacity = 60.0};
   help_part(s, "bus", UM_SHAPE_BOX, NULL);
-  s->spec[0].has_interior = true;
-  s->spec[0].interior_capacity = 1e4;
   s->spec[0].inside = true;
   s->spec[0].shell.through_conductance = 20.0;
   s->group[0].inside_emittance = 0.8;
+  help_interior(s, 0, "interior", 1e4, 2.0);
+  help_interior(s, 0, "frame", 1e3, 1.0);
   s->group[0].mli = mli;
-  s->group[0].interior_conductance = 2.0;
   help_part(s, "array", UM_SHAPE_PLATE, "paint");
   s->shape[1].position = um_vec3(1.2, 0, 0);
   s->shape[1].joint = UM_JOINT_SUN;

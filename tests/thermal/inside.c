@@ -365,8 +365,8 @@ static void refusals(void **state)
   struct um_thermal_mli mli = {
       .effective_emittance = 0.02, .areal_heat_capacity = 60.0, .wraps_interior = true};
   p = help_part(&s, "bus", UM_SHAPE_BOX, NULL);
-  s.spec[p].inside = s.spec[p].has_interior = true;
-  s.spec[p].interior_capacity = 1e4;
+  s.spec[p].inside = true;
+  help_interior(&s, p, "interior", 1e4, 0.0);
   help_geometry(&s);
   s.all[3].mli = &mli;
   refused(&s,

@@ -117,9 +117,7 @@ static void interior(void **state)
   struct help_satellite s = {0};
   size_t p = help_part(&s, "bus", UM_SHAPE_BOX, NULL);
   s.shape[p].facet_size = 0.6;
-  s.spec[p].has_interior = true;
-  s.spec[p].interior_capacity = 1e4;
-  s.spec[p].interior_power = 60.0;
+  help_interior(&s, p, "interior", 1e4, 0.0)->power = 60.0;
   s.spec[p].shell.through_conductance = INFINITY;
   const struct um_thermal_contact contact = {.a = "bus.interior", .b = "bus", .exchange_area = 0.4};
   help_build(&s, &contact, 1);

@@ -1,0 +1,17 @@
+/* Private to thermal/: what is inside parts. */
+#ifndef UMBRA_THERMAL_INTERIOR_IMPL_H
+#define UMBRA_THERMAL_INTERIOR_IMPL_H
+
+#include "thermal/builder_impl.h"
+
+/* Names and ranges of the interiors of a part. */
+enum um_status um_thermal_interiors_check(const struct um_thermal_builder *b,
+                                          const struct um_thermal_part_spec *spec);
+/* Room for the nodes of all parts; specs are checked. */
+enum um_status um_thermal_interiors_allocate(struct um_thermal_builder *b);
+/* Nodes of the interiors of a part. */
+enum um_status um_thermal_interiors_add(struct um_thermal_builder *b, size_t part);
+/* Conductors to the walls, which stand. */
+enum um_status um_thermal_interiors_couple(struct um_thermal_builder *b, size_t part);
+
+#endif
