@@ -19,10 +19,10 @@ enum um_status um_effects_interior_find(struct um_context *context, const struct
   for (size_t i = 0; i < spec->ninterior; i++)
     if (strcmp(spec->interior[i].name, name) == 0) *out = &spec->interior[i];
   if (*out == NULL)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect '%s': the part '%s' has no %s that could %s; accepted: a part with "
-                        "interior, or PART.NAME of its interiors",
-                        effect, part, name, wanted);
+    return um_core_fail(
+        context, UM_ERR_INPUT, "effect '%s': the part '%s' has no %s that could %s; accepted: %s",
+        effect, part, name, wanted,
+        spec->ninterior > 0 ? "PART.NAME of its interiors" : "a part with interior");
   if ((*out)->held > 0.0)
     return um_core_fail(context, UM_ERR_INPUT,
                         "effect '%s': '%s.%s' is held at %g K and cannot %s; accepted: an interior "

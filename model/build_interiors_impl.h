@@ -4,23 +4,6 @@
 
 #include "model/model.h"
 
-#define UM_MODEL_NO_INTERIOR ((size_t)-1)
-
-/* Interiors of a part are counted as in its thermal spec: `interior` where it has one, then
- * `interiors` in the order of the scenario. */
-size_t um_model_interior_count(const struct um_scenario_part *part);
-const struct um_scenario_interior *um_model_interior_at(const struct um_scenario_part *part,
-                                                        size_t index);
-/* "interior" or the scenario's own name. */
-const char *um_model_interior_name(const struct um_scenario_interior *interior);
-/* UM_MODEL_NO_INTERIOR when there is none of that name. */
-size_t um_model_interior_find(const struct um_scenario_part *part, const char *name);
-/* "no interior 'NAME'; accepted: ..." at a key; other: one more word that is accepted, or NULL. */
-enum um_status um_model_refuse_interior(struct um_context *context,
-                                        const struct um_scenario_part *part,
-                                        const struct um_mark *at, const char *key, const char *name,
-                                        const char *other);
-
 /* to->interior; index: of the part in the geometry. UM_ERR_INPUT at the key. */
 enum um_status um_model_build_interiors(struct um_context *context, struct um_model *model,
                                         const struct um_scenario_part *part, uint32_t index,

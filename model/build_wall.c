@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/build_interiors_impl.h"
+#include "model/interior_names_impl.h"
 #include "model/words_impl.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,

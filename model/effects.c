@@ -1,8 +1,8 @@
 /* The effects of a scenario: its own list, then --with and --without, checked against the registry.
  */
 #include "model/effects.h"
-#include "model/build_interiors_impl.h"
 #include "model/effects_impl.h"
+#include "model/interior_names_impl.h"
 
 #include <math.h>
 #include <stdio.h>
