@@ -37,5 +37,6 @@ void um_environment_defaults(struct um_environment *out)
       .solar_reflection_on = true,
       .absorptance_by_angle = true,
       .emittance_by_temperature = true,
+      .bulk_by_temperature = true,
   };
 }

@@ -147,5 +147,12 @@ struct um_materials_bulk {
   double areal_heat_capacity; /* [J/m^2/K], explicit or density * specific_heat * thickness */
 };
 struct um_materials_bulk um_materials_bulk(const struct um_materials_record *record);
+/* What goes with temperature: ratio to the value at 300 K [1], at a temperature [K]; 1 where the
+ * record has no table. */
+enum um_materials_bulk_property { UM_BULK_SPECIFIC_HEAT, UM_BULK_CONDUCTIVITY };
+bool um_materials_bulk_varies(const struct um_materials_record *record,
+                              enum um_materials_bulk_property property);
+double um_materials_bulk_ratio(const struct um_materials_record *record,
+                               enum um_materials_bulk_property property, double temperature);
 
 #endif

@@ -102,19 +102,6 @@ static enum um_status read_grey(struct um_context *context, const struct um_mate
   return read_bands(context, in, g);
 }
 
-static void read_bulk(const struct um_materials_thermal_input *in, struct um_materials_bulk *out)
-{
-  *out = (struct um_materials_bulk){NAN, NAN, NAN, NAN, NAN};
-  if (in == NULL) return;
-  out->density = in->density;
-  out->specific_heat = in->specific_heat;
-  out->conductivity = in->conductivity;
-  out->thickness = in->thickness_mm * 1e-3;
-  out->areal_heat_capacity = !isnan(in->areal_heat_capacity)
-                                 ? in->areal_heat_capacity
-                                 : in->density * in->specific_heat * out->thickness;
-}
-
 static enum um_status read_texts(struct um_context *context, const struct um_materials_input *in,
                                  struct um_materials_record *record)
 {
@@ -160,7 +147,7 @@ static enum um_status read_input(struct um_context *context, const struct um_mat
 {
   UM_TRY(check_name(context, in));
   UM_TRY(read_texts(context, in, record));
-  read_bulk(in->thermal, &record->bulk);
+  UM_TRY(um_materials_bulk_read(context, in->thermal, record));
   if (in->sheet != NULL && in->substrate == NULL)
     return um_document_mark_fail(context, &in->sheet->at,
                                  "a sheet lies on a substrate; accepted: beside the key substrate");
@@ -208,6 +195,7 @@ void um_materials_record_destroy(struct um_materials_record **record)
   struct um_materials_record *r = *record;
   struct um_context *context = r->context;
   um_materials_spectrum_free(context, &r->spectrum);
+  um_materials_bulk_free(r);
   um_core_free(context, r->explicit_values.bands);
   um_core_free(context, r->name);
   um_core_free(context, r->summary);

@@ -307,7 +307,3 @@ struct um_materials_catalogue um_materials_catalogue(const struct um_materials_r
 {
   return record->catalogue;
 }
-struct um_materials_bulk um_materials_bulk(const struct um_materials_record *record)
-{
-  return record->bulk;
-}

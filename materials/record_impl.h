@@ -43,6 +43,12 @@ struct um_materials_spectrum {
   double log_first, buckets_per_log;
 };
 
+/* A property at temperatures; n 0: none. */
+struct um_materials_table {
+  double *temperature, *value; /* [n] [K] ascending, [its unit] */
+  size_t n;
+};
+
 struct um_materials_record {
   struct um_context *context;
   char *name, *summary, *citation, *source;
@@ -50,6 +56,7 @@ struct um_materials_record {
   double alpha; /* Beckmann [1]; 0 without a lobe */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
+  struct um_materials_table specific_heat, conductivity;            /* [J/kg/K], [W/m/K] */
   struct um_materials_grey explicit_values;                         /* of a grey record */
   struct um_materials_spectrum spectrum;                            /* of the others */
   double solar_absorptance;                                         /* normal incidence */

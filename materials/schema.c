@@ -123,6 +123,24 @@ static const struct um_schema_object surface_object = {
     .fields = surface_fields,
     .nfield = UM_FIELD_COUNT(surface_fields)};
 
+#define TABLE(member, key, text)                                                                   \
+  UM_FIELD(struct um_materials_by_temperature_input, member, key, UM_SCHEMA_NUMBERS,               \
+           .minimum = 0.0, .maximum = 1e9, .open_minimum = true, .help = text)
+static const struct um_schema_field by_temperature_fields[] = {
+    UM_FIELD(struct um_materials_by_temperature_input, temperature, "temperature_K",
+             UM_SCHEMA_NUMBERS, .required = true, .minimum = 0.0, .maximum = 1e5,
+             .help = "Temperatures, ascending."),
+    TABLE(specific_heat, "specific_heat_J_kg_K", "Specific heat at each of them; linear between."),
+    TABLE(conductivity, "conductivity_W_m_K", "Conductivity at each of them; linear between."),
+};
+static const struct um_schema_object by_temperature_object = {
+    .name = "properties by temperature",
+    .help = "Tables that count by their ratio to their own value at 300 K, where the record's "
+            "numbers hold; constant beyond their ends.",
+    .size = sizeof(struct um_materials_by_temperature_input),
+    .fields = by_temperature_fields,
+    .nfield = UM_FIELD_COUNT(by_temperature_fields)};
+
 #define THERMAL(member, key, text)                                                                 \
   UM_FIELD(struct um_materials_thermal_input, member, key, UM_SCHEMA_NUMBER, .minimum = 0.0,       \
            .maximum = 1e9, .open_minimum = true, .default_value = NAN, .help = text)
@@ -133,6 +151,9 @@ static const struct um_schema_field thermal_fields[] = {
     THERMAL(thickness_mm, "thickness_mm", "Thickness as built, for sheets and cells."),
     THERMAL(areal_heat_capacity, "areal_heat_capacity_J_m2_K",
             "Heat capacity per area; default density * specific heat * thickness."),
+    UM_FIELD(struct um_materials_thermal_input, by_temperature, "by_temperature", UM_SCHEMA_MAP,
+             .object = &by_temperature_object,
+             .help = "Specific heat and conductivity at other temperatures than 300 K."),
 };
 static const struct um_schema_object thermal_object = {
     .name = "thermal properties",

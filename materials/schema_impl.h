@@ -35,6 +35,11 @@ struct um_materials_surface_input {
   double rq_um, tau_um;                              /* [um] */
 };
 
+struct um_materials_by_temperature_input {
+  struct um_mark at;
+  struct um_schema_list temperature, specific_heat, conductivity; /* of double: [K], as below */
+};
+
 struct um_materials_thermal_input {
   struct um_mark at;
   double density;             /* [kg/m^3] */
@@ -42,6 +47,7 @@ struct um_materials_thermal_input {
   double conductivity;        /* [W/m/K] */
   double thickness_mm;        /* [mm] */
   double areal_heat_capacity; /* [J/m^2/K] */
+  struct um_materials_by_temperature_input *by_temperature;
 };
 
 struct um_materials_catalogue_input {
@@ -71,5 +77,11 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
 enum um_status um_materials_substrate_read(struct um_context *context,
                                            const struct um_materials_input *in,
                                            struct um_materials_record *record);
+
+/* bulk.c: the record's bulk properties. UM_ERR_INPUT as above; UM_ERR_MEMORY. */
+enum um_status um_materials_bulk_read(struct um_context *context,
+                                      const struct um_materials_thermal_input *in,
+                                      struct um_materials_record *record);
+void um_materials_bulk_free(struct um_materials_record *record);
 
 #endif

@@ -8,6 +8,7 @@
 #include "core/words.h"
 #include "model/aging_impl.h"
 #include "model/build_interiors_impl.h"
+#include "model/build_mli_impl.h"
 #include "model/build_power_impl.h"
 #include "model/build_wall_impl.h"
 #include "model/effects_impl.h"
@@ -37,17 +38,39 @@ static void optics_of(const struct um_model *model, uint32_t material, double *a
   *law = model->surface_law[material];
 }
 
+/* What covers a group of that name; own: what the part states for it, or NULL. */
+static const struct um_scenario_mli *mli_of(const struct um_scenario_part *part,
+                                            const struct um_scenario_group *own)
+{
+  if (own != NULL && own->mli != NULL) return own->mli;
+  return own != NULL && own->bare ? NULL : part->mli;
+}
+
+/* Area of all groups of a part that a blanket covers [m^2]. */
+static double area_under(const struct assembly *a, const struct um_scenario_part *part,
+                         uint32_t index, const struct um_scenario_mli *mli)
+{
+  const struct um_geometry *geometry = a->model->geometry;
+  double area = 0.0;
+  for (uint32_t g = 0; g < um_geometry_group_count(geometry); g++) {
+    const struct um_geometry_group *group = um_geometry_group(geometry, g);
+    if (group->part != um_geometry_group(geometry, index)->part) continue;
+    if (mli_of(part, um_model_group_named(part, group->name)) == mli) area += a->group_area[g];
+  }
+  return area;
+}
+
 static enum um_status group_of(const struct assembly *a, const struct um_scenario_part *part,
                                uint32_t index, struct um_thermal_group_spec *to)
 {
   const struct um_geometry_group *group = um_geometry_group(a->model->geometry, index);
   const struct um_scenario_group *own = um_model_group_named(part, group->name);
-  const struct um_scenario_mli *mli = own != NULL && own->mli != NULL ? own->mli
-                                      : own != NULL && own->bare      ? NULL
-                                                                      : part->mli;
+  const struct um_scenario_mli *mli = mli_of(part, own);
   to->group = index;
   struct um_thermal_mli *blanket = NULL;
-  if (mli != NULL) UM_TRY(um_model_build_mli(a->context, a->model, part, mli, &blanket));
+  if (mli != NULL)
+    UM_TRY(um_model_build_mli(a->context, a->model, part, mli, area_under(a, part, index, mli),
+                              &blanket));
   to->mli = blanket;
 
   const struct um_scenario_shell *wall =

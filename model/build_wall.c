@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/interior_names_impl.h"
+#include "model/bulk_law_impl.h"
 #include "model/words_impl.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
@@ -17,7 +17,7 @@ const struct um_scenario_group *um_model_group_named(const struct um_scenario_pa
 }
 
 /* Wall by explicit numbers, or by a bulk material and a thickness. */
-enum um_status um_model_build_shell(struct um_context *context, const struct um_model *model,
+enum um_status um_model_build_shell(struct um_context *context, struct um_model *model,
                                     const struct um_scenario_shell *from,
                                     struct um_thermal_shell *to)
 {
@@ -31,11 +31,17 @@ enum um_status um_model_build_shell(struct um_context *context, const struct um_
         um_materials_library_find(model->library, from->material);
     struct um_materials_bulk bulk = um_materials_bulk(record);
     double thickness = isnan(from->thickness_mm) ? bulk.thickness : from->thickness_mm * 1e-3;
-    if (isnan(to->areal_heat_capacity))
+    if (isnan(to->areal_heat_capacity)) {
       to->areal_heat_capacity = isnan(from->thickness_mm) && !isnan(bulk.areal_heat_capacity)
                                     ? bulk.areal_heat_capacity
                                     : bulk.density * bulk.specific_heat * thickness;
-    if (isnan(to->conductance)) to->conductance = bulk.conductivity * thickness;
+      UM_TRY(um_model_bulk_ratio(context, model, record, UM_BULK_SPECIFIC_HEAT, &to->law.capacity));
+    }
+    if (isnan(to->conductance)) {
+      to->conductance = bulk.conductivity * thickness;
+      UM_TRY(
+          um_model_bulk_ratio(context, model, record, UM_BULK_CONDUCTIVITY, &to->law.conductivity));
+    }
     if (isnan(to->areal_heat_capacity))
       return um_document_mark_fail(context, &from->at,
                                    "material '%s' has no density, specific heat or thickness; give "
@@ -51,13 +57,12 @@ enum um_status um_model_build_shell(struct um_context *context, const struct um_
 }
 
 /* A part that says nothing of its wall gets it from its materials as built. */
-enum um_status um_model_build_shell_of_materials(struct um_context *context,
-                                                 const struct um_model *model,
+enum um_status um_model_build_shell_of_materials(struct um_context *context, struct um_model *model,
                                                  const struct um_scenario_part *part,
                                                  const struct um_geometry_group *group,
                                                  struct um_thermal_shell *to)
 {
-  *to = (struct um_thermal_shell){0.0, 0.5, 0.0, INFINITY};
+  *to = (struct um_thermal_shell){.front_share = 0.5, .through_conductance = INFINITY};
   const uint32_t side[2] = {group->front_material, group->back_material};
   for (int k = 0; k < 2; k++) {
     if (side[k] == UM_GEOMETRY_NONE || (k == 1 && side[1] == side[0])) continue;
@@ -74,28 +79,7 @@ enum um_status um_model_build_shell_of_materials(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_model_build_mli(struct um_context *context, struct um_model *model,
-                                  const struct um_scenario_part *part,
-                                  const struct um_scenario_mli *from, struct um_thermal_mli **out)
-{
-  struct um_thermal_mli *mli = NULL;
-  bool inside = from->wraps != NULL && strcmp(from->wraps, "wall") != 0;
-  size_t interior = inside ? um_model_interior_find(part, from->wraps) : 0;
-  if (interior == UM_MODEL_NO_INTERIOR && strcmp(from->wraps, "interior") == 0)
-    return um_document_mark_fail(
-        context, &from->at, "wraps the interior, but the part '%s' has no interior", part->name);
-  if (interior == UM_MODEL_NO_INTERIOR)
-    return um_model_refuse_interior(context, part, &from->at, "wraps", from->wraps, "wall");
-  UM_TRY(um_core_arena_allocate(context, &model->memory, 1, sizeof *mli, &mli));
-  mli->effective_emittance = from->effective_emittance;
-  mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
-  mli->wraps_interior = inside;
-  mli->interior = interior;
-  *out = mli;
-  return UM_OK;
-}
-
-enum um_status um_model_build_solid(struct um_context *context, const struct um_model *model,
+enum um_status um_model_build_solid(struct um_context *context, struct um_model *model,
                                     const struct um_scenario_part *part,
                                     struct um_thermal_part_spec *to)
 {
@@ -110,8 +94,15 @@ enum um_status um_model_build_solid(struct um_context *context, const struct um_
         um_materials_library_find(model->library, from->material);
     struct um_materials_bulk bulk = um_materials_bulk(record);
     if (isnan(to->density)) to->density = bulk.density;
-    if (isnan(to->specific_heat)) to->specific_heat = bulk.specific_heat;
-    if (isnan(to->conductivity)) to->conductivity = bulk.conductivity;
+    if (isnan(to->specific_heat)) {
+      to->specific_heat = bulk.specific_heat;
+      UM_TRY(um_model_bulk_ratio(context, model, record, UM_BULK_SPECIFIC_HEAT, &to->law.capacity));
+    }
+    if (isnan(to->conductivity)) {
+      to->conductivity = bulk.conductivity;
+      UM_TRY(
+          um_model_bulk_ratio(context, model, record, UM_BULK_CONDUCTIVITY, &to->law.conductivity));
+    }
   }
   if (isnan(to->density) || isnan(to->specific_heat) || isnan(to->conductivity))
     return um_document_mark_fail(

@@ -8,19 +8,14 @@
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
                                                      const char *name);
 
-enum um_status um_model_build_shell(struct um_context *context, const struct um_model *model,
+enum um_status um_model_build_shell(struct um_context *context, struct um_model *model,
                                     const struct um_scenario_shell *from,
                                     struct um_thermal_shell *to);
-enum um_status um_model_build_shell_of_materials(struct um_context *context,
-                                                 const struct um_model *model,
+enum um_status um_model_build_shell_of_materials(struct um_context *context, struct um_model *model,
                                                  const struct um_scenario_part *part,
                                                  const struct um_geometry_group *group,
                                                  struct um_thermal_shell *to);
-/* *out lives as long as the model. */
-enum um_status um_model_build_mli(struct um_context *context, struct um_model *model,
-                                  const struct um_scenario_part *part,
-                                  const struct um_scenario_mli *from, struct um_thermal_mli **out);
-enum um_status um_model_build_solid(struct um_context *context, const struct um_model *model,
+enum um_status um_model_build_solid(struct um_context *context, struct um_model *model,
                                     const struct um_scenario_part *part,
                                     struct um_thermal_part_spec *to);
 void um_model_warn_of_bare_blanket(struct um_context *context, const struct um_model *model,

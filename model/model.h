@@ -83,7 +83,9 @@ struct um_model {
   struct um_materials_adjustment
       *adjustment; /* [material of the geometry] by effects, at time.start_utc */
   const struct um_thermal_surface_law *
-      *surface_law; /* [material of the geometry]; NULL: constant */
+      *surface_law;                           /* [material of the geometry]; NULL: constant */
+  const struct um_thermal_ratio **bulk_ratio; /* [2 per record of the library] made so far, or NULL
+                                                 (bulk_law.c); NULL: none */
   struct um_thermal_body *body;
   double *start_offset; /* [node] added to what a run begins with [K]; NULL: nothing */
   struct um_optics_band *band;

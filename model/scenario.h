@@ -198,8 +198,11 @@ struct um_scenario_shell {
 };
 struct um_scenario_mli {
   struct um_mark at;
+  int law; /* enum um_thermal_mli_law */
   double effective_emittance, areal_heat_capacity_J_m2_K;
   const char *wraps; /* NULL or "wall": the wall; else an interior */
+  double factor, layers, layers_per_cm, shield_emittance; /* of laws; NaN: not stated */
+  double seam_length_m, seam_conductance_W_m_K;           /* NaN: no seams */
 };
 struct um_scenario_interior {
   struct um_mark at;

@@ -31,10 +31,26 @@ static const struct um_schema_field shell_fields[] = {
 #undef F
 OBJECT(shell_object, struct um_scenario_shell, "shell", "The wall of a part as a thin sheet.",
        FIELDS(shell_fields));
+static const char *const mli_laws[] = {"constant", "doenecke", "lockheed", NULL};
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_mli, member, key, type, __VA_ARGS__)
 static const struct um_schema_field mli_fields[] = {
-    F(effective_emittance, "effective_emittance", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1),
-      HELP("e*, between the outer layer and what it wraps")),
+    F(law, "law", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = mli_laws,
+      HELP("how e* goes with the mean temperature of its sides: one number; Doenecke 1993; "
+           "Lockheed (NASA CR-134477)")),
+    F(effective_emittance, "effective_emittance", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1),
+      HELP("e*, between the outer layer and what it wraps; of law: constant, which needs it")),
+    F(factor, "factor", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(100),
+      HELP("f_N f_A f_p of law: doenecke, for number of layers, area and perforation; default 1")),
+    F(layers, "layers", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1, 1000),
+      HELP("shields, of law: lockheed, which needs it")),
+    F(layers_per_cm, "layers_per_cm", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1000),
+      HELP("density of shields, of law: lockheed, which needs it")),
+    F(shield_emittance, "shield_emittance", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1),
+      HELP("of one shield at 300 K, of law: lockheed; default 0.031")),
+    F(seam_length_m, "seam_length_m", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e6),
+      HELP("of all seams of the groups that it covers")),
+    F(seam_conductance_W_m_K, "seam_conductance_W_m_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
+      BETWEEN(0, 1e3), HELP("heat conducted past the blanket per length of seam")),
     F(areal_heat_capacity_J_m2_K, "areal_heat_capacity_J_m2_K", UM_SCHEMA_NUMBER, REQUIRED,
       POSITIVE(1e6), HELP("of the outer layer")),
     F(wraps, "wraps", UM_SCHEMA_TEXT, NAME,

@@ -6,6 +6,7 @@
  * body only through conduction, its interiors and contacts. */
 #include "geometry/inside.h"
 #include "thermal/body_check_impl.h"
+#include "thermal/bulk_law_impl.h"
 #include "thermal/contact_impl.h"
 #include "thermal/heater_impl.h"
 #include "thermal/interior_impl.h"
@@ -49,6 +50,7 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
   UM_TRY(um_core_allocate(context, b->npart, sizeof *b->part, &b->part));
   UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group, &b->group));
   UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_area, &b->group_area));
+  UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_law, &b->group_law));
   UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_front, &b->group_front));
   UM_TRY(um_core_allocate(context, b->ngroup, sizeof *b->group_back, &b->group_back));
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->front, &b->front));
@@ -77,6 +79,7 @@ static void builder_free(struct um_thermal_builder *b)
   um_core_free(context, b->part);
   um_core_free(context, b->group);
   um_core_free(context, b->group_area);
+  um_core_free(context, b->group_law);
   um_core_free(context, b->group_front);
   um_core_free(context, b->group_back);
   um_core_free(context, b->front);
@@ -175,6 +178,8 @@ static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_b
   UM_TRY(rest_pose(b));
   UM_TRY(um_thermal_network_create(b->context, &body->network));
   b->network = body->network;
+  for (uint32_t g = 0; g < b->ngroup; g++)
+    UM_TRY(um_thermal_bulk_laws(b, &um_thermal_builder_shell(b, g)->law, &b->group_law[g]));
   for (size_t p = 0; p < b->npart; p++) {
     UM_TRY(um_core_stop_check(b->context, "the heat network was built"));
     UM_TRY(assemble_part(b, p));

@@ -18,15 +18,13 @@ void um_thermal_system_powers(struct um_thermal_system *system)
 
 double um_thermal_system_node_heat(const struct um_thermal_system *system, size_t node)
 {
-  const double *t = system->temperature, *p = system->power4;
   double heat = system->power[node] + system->now.q[node];
   if (system->made != NULL) heat += system->made[node];
   if (system->exchange != NULL) heat += system->exchange->gain[node];
-  heat -= system->space[node] * (p[node] - system->space4);
+  heat -= system->space[node] * (system->power4[node] - system->space4);
   double exchange = 0.0;
   for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
-    size_t j = system->other[e];
-    exchange += system->linear[e] * (t[j] - t[node]) + system->fourth[e] * (p[j] - p[node]);
+    exchange += um_thermal_system_link_heat(system, e, node, system->other[e]);
   }
   return heat + exchange;
 }

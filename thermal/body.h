@@ -4,7 +4,14 @@
 #define UMBRA_THERMAL_BODY_H
 
 #include "geometry/geometry.h"
+#include "thermal/mli_law.h"
 #include "thermal/network.h"
+
+/* What a wall or solid is made of goes with temperature; the ratios outlive the body. */
+struct um_thermal_bulk_law {
+  const struct um_thermal_ratio *capacity, *conductivity; /* over those at 300 K; NULL: constant */
+  double capacity_slope; /* of the capacity beside that, per K from 300 K [1/K]; 0: none */
+};
 
 /* A wall: thin sheet with two faces. Capacities are per face node layer.
  * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A wall has two layers where both
@@ -14,14 +21,20 @@ struct um_thermal_shell {
   double front_share;         /* of it on the front layer [1], default 0.5 (1 when one layer) */
   double conductance;         /* k t of the whole wall, in plane [W/K]; split like the capacity */
   double through_conductance; /* between the layers [W/m^2/K]; INFINITY: one layer */
+  struct um_thermal_bulk_law law; /* of capacity and in-plane conductance */
 };
 /* MLI on the outside of a wall, or of an interior when mounted on none: a skin node per facet of
- * areal capacity, coupled to what it wraps by e* sigma (T^4 - T^4) and optional linear part. */
+ * areal capacity, coupled to what it wraps by e* sigma (T^4 - T^4), or as a law has it, and through
+ * its seams. */
 struct um_thermal_mli {
-  double effective_emittance; /* e* [1] */
+  double effective_emittance; /* e*; at 300 K where it goes with temperature [1] */
   double areal_heat_capacity; /* of the outer layer [J/m^2/K] */
   bool wraps_interior;        /* couples to an interior of the part, and the wall is left out */
   size_t interior;            /* which one of the part's */
+  enum um_thermal_mli_law law;
+  double conducted;        /* share of e* at 300 K that spacers conduct, under a law [1] */
+  double exponent;         /* e* is times (T_m / 300 K)^exponent beside that; 0: it is not */
+  double seam_conductance; /* over the blanket's area [W/m^2/K] */
 };
 /* Heat of a place over time: linear between rows, equal times are jumps, 0 outside. */
 struct um_thermal_power_history {
@@ -74,6 +87,7 @@ struct um_thermal_part_spec {
   bool inside; /* radiates inside; else heat crosses it by conduction, contacts and interior */
   struct um_thermal_shell shell;
   double density, specific_heat, conductivity; /* SOLID */
+  struct um_thermal_bulk_law law;              /* SOLID */
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
   struct um_thermal_interior_spec *interior;   /* [ninterior] nodes inside; names differ */
   size_t ninterior;

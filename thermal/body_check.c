@@ -75,7 +75,10 @@ static enum um_status check_group(const struct um_thermal_builder *b,
   if (g->mli == NULL) return UM_OK;
   struct range m[] = {
       {"effective emittance of the MLI", "", g->mli->effective_emittance, 0.0, 1.0},
-      {"areal heat capacity of the MLI", "J/m2/K", g->mli->areal_heat_capacity, 0.0, huge}};
+      {"areal heat capacity of the MLI", "J/m2/K", g->mli->areal_heat_capacity, 0.0, huge},
+      {"conducted share of the MLI", "", g->mli->conducted, 0.0, 1.0},
+      {"exponent of the MLI's effective emittance", "", g->mli->exponent, -10.0, 10.0},
+      {"seam conductance of the MLI", "W/m2/K", g->mli->seam_conductance, 0.0, huge}};
   UM_TRY(check_ranges(b->context, part, group->name, m, COUNT(m)));
   const char *why = NULL;
   if (g->mli->wraps_interior && g->mli->interior >= spec->ninterior)

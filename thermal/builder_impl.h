@@ -4,6 +4,11 @@
 
 #include "thermal/body.h"
 
+/* Laws of the network that a wall or solid follows, or UM_THERMAL_NO_LAW. */
+struct um_thermal_bulk_index {
+  uint32_t capacity, conduction;
+};
+
 struct um_thermal_builder {
   struct um_context *context;
   const struct um_geometry *geometry;
@@ -13,6 +18,7 @@ struct um_thermal_builder {
   const struct um_thermal_part_spec **part;   /* [npart] by geometry part */
   const struct um_thermal_group_spec **group; /* [ngroup] by geometry group */
   double *group_area;                         /* [ngroup] one side [m^2] */
+  struct um_thermal_bulk_index *group_law;    /* [ngroup] of their walls */
   uint32_t *group_front, *group_back;         /* [ngroup] nodes of LUMPED groups */
   /* Structural node under each corner of each facet, outer and inner layer (the same where there
    * is one layer); UM_THERMAL_SPACE where the wall is left out. [nfacet] */

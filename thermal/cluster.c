@@ -185,10 +185,10 @@ static void matrix_fill(const struct um_thermal_system *system, struct um_therma
     double diagonal = um_thermal_system_space_loss(system, i, system->cube);
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       uint32_t j = system->other[e];
-      diagonal += system->linear[e] + 4.0 * system->fourth[e] * system->cube[i];
+      diagonal += um_thermal_system_link_out(system, e, i, j, system->cube);
       if (!is_eliminated(system, j)) continue;
       cluster->matrix[a * m + place_of(cluster, j)] -=
-          system->linear[e] + 4.0 * system->fourth[e] * system->cube[j];
+          um_thermal_system_link_in(system, e, i, j, system->cube);
     }
     cluster->matrix[a * m + a] += diagonal;
   }
@@ -243,7 +243,8 @@ bool um_thermal_system_cluster_linearize(struct um_thermal_system *system,
       if (u == UM_THERMAL_NONE) continue;
       size_t b = 0;
       while (cluster->neighbour[b] != u) b++;
-      cluster->response[a * p + b] += system->linear[e] + 4.0 * system->fourth[e] * system->cube[j];
+      cluster->response[a * p + b] +=
+          um_thermal_system_link_in(system, e, cluster->node[a], j, system->cube);
     }
   for (size_t b = 0; b < p; b++)
     lu_solve(cluster->matrix, cluster->pivot, m, cluster->response + b, p);

@@ -61,12 +61,23 @@ static enum um_status surfaces_add(struct um_context *context,
   return UM_OK;
 }
 
+static double by_law(const struct um_thermal_network *network, const struct um_thermal_link *link,
+                     bool conducts, const double *temperature)
+{
+  double out, in;
+  double linear = conducts ? link->value : 0.0;
+  double fourth = conducts ? 0.0 : UM_STEFAN_BOLTZMANN * link->value;
+  return um_thermal_link_law_heat(&network->link_law[link->law], linear, fourth,
+                                  temperature[link->a], temperature[link->b], &out, &in);
+}
+
 static void links_add(const struct um_thermal_network *network, const double *temperature,
                       double space4, struct um_thermal_heat *out)
 {
   for (size_t k = 0; k < network->nconductor; k++) {
     const struct um_thermal_link *link = &network->conductor[k];
     double flow = link->value * (temperature[link->b] - temperature[link->a]);
+    if (link->law != UM_THERMAL_NO_LAW) flow = by_law(network, link, true, temperature);
     out[link->a].conducted += flow;
     out[link->b].conducted -= flow;
   }
@@ -78,6 +89,7 @@ static void links_add(const struct um_thermal_network *network, const double *te
       out[link->a].radiated -= factor * (own4 - space4);
     } else {
       double flow = factor * (pow(temperature[link->b], 4) - own4);
+      if (link->law != UM_THERMAL_NO_LAW) flow = by_law(network, link, false, temperature);
       out[link->a].exchanged += flow;
       out[link->b].exchanged -= flow;
     }

@@ -169,9 +169,12 @@ static int switch_callback(realtype t, N_Vector y, realtype *out, void *self)
   const double *unknown = N_VGetArrayPointer(y);
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_network_thermostat *t_k = system->thermostat[k].thermostat;
-    double sum = 0.0;
-    for (size_t j = 0; j < t_k->sensor.n; j++)
-      sum += t_k->sensor.weight[j] * unknown[system->unknown[t_k->sensor.node[j]]];
+    double sum = 0.0, warming;
+    for (size_t j = 0; j < t_k->sensor.n; j++) {
+      uint32_t node = t_k->sensor.node[j];
+      sum += t_k->sensor.weight[j] * um_thermal_system_temperature_of(
+                                         system, node, unknown[system->unknown[node]], &warming);
+    }
     out[k] = sum - (system->thermostat[k].on ? t_k->off : t_k->on);
   }
   return 0;
@@ -200,6 +203,11 @@ static int audit_callback(realtype t, N_Vector y, N_Vector out, void *self)
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       size_t j = system->other[e];
       if (system->fixed[j]) continue;
+      if (um_thermal_system_link_varies(system, e)) {
+        double heat = um_thermal_system_link_heat(system, e, j, i);
+        term[system->fourth[e] != 0.0 ? UM_AUDIT_EXCHANGED : UM_AUDIT_CONDUCTED] += heat;
+        continue;
+      }
       term[UM_AUDIT_CONDUCTED] += system->linear[e] * (temperature[i] - temperature[j]);
       term[UM_AUDIT_EXCHANGED] += system->fourth[e] * (power4[i] - power4[j]);
     }
@@ -406,7 +414,8 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
   um_thermal_system_thermostats_set(system, true);
   double *y = N_VGetArrayPointer(integrator->y);
-  for (size_t k = 0; k < system->nunknown; k++) y[k] = temperature[system->node[k]];
+  for (size_t k = 0; k < system->nunknown; k++)
+    y[k] = um_thermal_system_unknown_of(system, system->node[k], temperature[system->node[k]]);
   N_VConst(0.0, integrator->quadrature);
   integrator->t = 0.0;
   integrator->segment = 0;
@@ -458,7 +467,7 @@ static enum um_status above_zero(struct um_thermal_integrator *integrator)
   const struct um_thermal_system *system = integrator->system;
   const double *y = N_VGetArrayPointer(integrator->y);
   const struct um_thermal_solve_options *options = &system->options;
-  double least = -options->absolute_tolerance * options->tolerance_factor;
+  double least = -options->absolute_tolerance * options->tolerance_factor, warming;
   char label[96];
   for (size_t k = 0; k < system->nunknown; k++)
     if (!(y[k] >= least * integrator->tolerance_factor))
@@ -466,8 +475,9 @@ static enum um_status above_zero(struct um_thermal_integrator *integrator)
           system->context, UM_ERR_NUMERIC,
           "%s is at %.4g K, %.3f s after the start of the heat integration: more heat is taken "
           "from it than reaches it (power %g W)",
-          um_thermal_network_label(system->network, system->node[k], label, sizeof label), y[k],
-          integrator->t, system->power[system->node[k]]);
+          um_thermal_network_label(system->network, system->node[k], label, sizeof label),
+          um_thermal_system_temperature_of(system, system->node[k], y[k], &warming), integrator->t,
+          system->power[system->node[k]]);
   return UM_OK;
 }
 

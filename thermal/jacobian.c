@@ -5,7 +5,8 @@
  *
  * plus (K_ia + 4 s R_ia T_a^3) / C_i dT_a/dT_j for every eliminated node a that i touches, plus
  * w_i v_j / C_i dP/dT of a thermostat taken by its mean power, weights w where it heats and v where
- * it senses. */
+ * it senses. Links by temperature have slopes of their own (link_law.c), and where capacities go
+ * with it column j is times dT_j over the change of its unknown (system_store.c). */
 #include "thermal/system_impl.h"
 
 #include <stdlib.h>
@@ -142,8 +143,8 @@ static bool clusters_add(struct um_thermal_system *system, double *value)
       for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
         uint32_t i = system->other[e], u = system->unknown[i];
         if (u == UM_THERMAL_NONE) continue;
-        double gain = (system->linear[e] + 4.0 * system->fourth[e] * system->cube[node]) /
-                      system->capacity[i];
+        double gain =
+            um_thermal_system_link_in(system, e, i, node, system->cube) / system->capacity[i];
         size_t at = 0;
         while (cluster->neighbour[at] != u) at++;
         for (size_t b = 0; b < cluster->p; b++)
@@ -176,13 +177,16 @@ bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value)
     double loss = um_thermal_system_space_loss(system, i, cube);
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       size_t j = system->other[e];
-      loss += system->linear[e] + 4.0 * system->fourth[e] * cube[i];
+      loss += um_thermal_system_link_out(system, e, i, j, cube);
       if (system->unknown[j] != UM_THERMAL_NONE)
-        value[system->link_slot[e]] +=
-            (system->linear[e] + 4.0 * system->fourth[e] * cube[j]) * inverse;
+        value[system->link_slot[e]] += um_thermal_system_link_in(system, e, i, j, cube) * inverse;
     }
     value[system->diagonal[k]] -= loss * inverse;
   }
   thermostats_add(system, value);
-  return clusters_add(system, value);
+  if (!clusters_add(system, value)) return false;
+  for (size_t k = 0; k < system->nunknown && system->warming != NULL; k++)
+    for (int64_t e = system->column[k]; e < system->column[k + 1]; e++)
+      value[e] *= system->warming[system->node[k]];
+  return true;
 }

@@ -6,11 +6,11 @@
  *
  *   D A = C + g K,   K_ij = -(K_ij + 4 s R_ij T_j^3),
  *
- * is symmetric where nodes are coupled by conduction and radiate to space alone: then its factors
- * solve. Radiation between nodes of different temperature, arithmetic nodes between such, and mean
- * thermostats make it differ from its transpose. Then rows are scaled anew, D_i = C_i exp(r_i) with
- * r_i from sweeps toward D_i a_ij = D_j a_ji (a skin over one wall is met exactly: exp(r) =
- * T_skin^3 / T_wall^3), CHOLMOD factors the symmetric neighbour
+ * is symmetric where nodes are coupled by constant conduction and radiate to space alone: then its
+ * factors solve. Radiation between nodes of different temperature, arithmetic nodes between such,
+ * and mean thermostats make it differ from its transpose. Then rows are scaled anew, D_i = C_i
+ * exp(r_i) with r_i from sweeps toward D_i a_ij = D_j a_ji (a skin over one wall is met exactly:
+ * exp(r) = T_skin^3 / T_wall^3), CHOLMOD factors the symmetric neighbour
  *
  *   P_ii = D_i a_ii,   P_ij = -sqrt(D_i a_ij D_j a_ji),
  *
@@ -111,7 +111,8 @@ static bool is_mixed(const struct um_thermal_system *system)
   for (size_t k = 0; k < system->nunknown; k++) {
     size_t i = system->node[k];
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++)
-      if (system->fourth[e] != 0.0 && system->unknown[system->other[e]] != UM_THERMAL_NONE)
+      if ((system->fourth[e] != 0.0 || um_thermal_system_link_varies(system, e)) &&
+          system->unknown[system->other[e]] != UM_THERMAL_NONE)
         return true;
   }
   return false;
@@ -202,7 +203,8 @@ static bool scale_begin(struct um_thermal_linear *linear)
   bool symmetric = true;
   double sign = value[system->diagonal[0]] < 0.0 ? -1.0 : 1.0;
   for (size_t k = 0; k < system->nunknown; k++)
-    linear->scale[k] = sign * system->capacity[system->node[k]];
+    linear->scale[k] = sign * system->capacity[system->node[k]] *
+                       um_thermal_system_warming(system, system->node[k]);
   for (size_t k = 0; k < system->nunknown && symmetric; k++)
     for (size_t e = (size_t)system->column[k]; e < (size_t)system->column[k + 1]; e++) {
       size_t mirror = linear->mirror[e];

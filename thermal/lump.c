@@ -4,6 +4,7 @@
  *
  * A group whose MLI wraps the interior is its blanket: the node has the blanket's capacity, and
  * the wall is left out. */
+#include "thermal/bulk_law_impl.h"
 #include "thermal/lump_impl.h"
 
 #include <stdio.h>
@@ -42,10 +43,14 @@ static enum um_status assemble_group(struct um_thermal_builder *b, size_t part, 
   node_name(b, part, group, two, false, name);
   UM_TRY(um_thermal_builder_node(b, name, capacity * share, start, 0.0, &b->group_front[group]));
   b->group_back[group] = b->group_front[group];
+  UM_TRY(
+      um_thermal_bulk_capacity(b, &b->group_law[group], b->group_front[group], capacity * share));
   if (!two) return UM_OK;
   node_name(b, part, group, two, true, name);
   UM_TRY(um_thermal_builder_node(b, name, capacity * (1.0 - share), start, 0.0,
                                  &b->group_back[group]));
+  UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->group_back[group],
+                                  capacity * (1.0 - share)));
   if (!(shell->through_conductance > 0.0)) return UM_OK;
   return um_thermal_network_conductor_add(b->network, b->group_front[group], b->group_back[group],
                                           shell->through_conductance * area);

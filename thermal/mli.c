@@ -2,26 +2,80 @@
  * layer is a skin of its own that radiates to space and exchanges with what it wraps by an
  * effective emittance,
  *
- *   C_o dT_o/dt = alpha q_s + eps q_IR - eps sigma T_o^4 - e* sigma (T_o^4 - T_i^4).
+ *   C_o dT_o/dt = alpha q_s + eps q_IR - eps sigma T_o^4 - e* sigma (T_o^4 - T_i^4) - u (T_o -
+ * T_i),
+ *
+ * u the conductance of its seams over its area; e* may go with temperature (mli_law.h).
  *
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
  * is the wall (e* A / 3 to each corner) or, where the wall is left out, an interior. */
 #include "thermal/mli_impl.h"
 
+#include <math.h>
 #include <stdio.h>
+
+#include "core/constants.h"
+
+/* A link between skin and what is wrapped that may follow a law; value [W/K] or [m^2]. */
+static enum um_status link(struct um_thermal_builder *b, bool conducts, uint32_t skin,
+                           uint32_t wrapped, double value, const struct um_thermal_link_law *law)
+{
+  uint32_t index = UM_THERMAL_NO_LAW;
+  if (!(value > 0.0)) return UM_OK;
+  if (law != NULL) UM_TRY(um_thermal_network_link_law_add(b->network, law, &index));
+  if (conducts)
+    UM_TRY(um_thermal_network_conductor_add(b->network, skin, wrapped, value));
+  else
+    UM_TRY(um_thermal_network_radiator_add(b->network, skin, wrapped, value));
+  if (law == NULL) return UM_OK;
+  if (conducts)
+    um_thermal_network_conductor_follow(b->network, index);
+  else
+    um_thermal_network_radiator_follow(b->network, index);
+  return UM_OK;
+}
+
+/* A blanket of `area` [m^2] between skin and one of `nodes` that share it. With c the conducted
+ * share of e* at 300 K,
+ *
+ *   Doenecke: r = c (T_m / 300)^-2 + (1 - c) (T_m / 300)^0.667 on e* sigma (T^4 - T^4),
+ *   Lockheed: c 4 sigma (300 K)^3 e* (T_m / 300) (T - T)
+ *             + (1 - c) (4 / 4.67) e* sigma (300 K)^-0.67 (T^4.67 - T^4.67),
+ *
+ * all times (T_m / 300)^exponent. */
+static enum um_status couple_node(struct um_thermal_builder *b, uint32_t skin, uint32_t wrapped,
+                                  const struct um_thermal_mli *mli, double area, double nodes)
+{
+  double radiator = mli->effective_emittance * area / nodes, n = mli->exponent; /* [m^2] */
+  double black = 4.0 * UM_STEFAN_BOLTZMANN * pow(UM_THERMAL_STATED, 3);         /* [W/m^2/K] */
+  struct um_thermal_link_law law = {.power = 4.0, .factor = {1.0}, .exponent = {n}};
+  UM_TRY(link(b, true, skin, wrapped, mli->seam_conductance * area / nodes, NULL));
+  switch (mli->law) {
+  case UM_MLI_CONSTANT:
+    return link(b, false, skin, wrapped, radiator, n == 0.0 ? NULL : &law);
+  case UM_MLI_DOENECKE:
+    law = (struct um_thermal_link_law){.power = 4.0,
+                                       .factor = {mli->conducted, 1.0 - mli->conducted},
+                                       .exponent = {n - 2.0, n + 0.667}};
+    return link(b, false, skin, wrapped, radiator, &law);
+  case UM_MLI_LOCKHEED:
+    law.power = 4.67;
+    UM_TRY(link(b, false, skin, wrapped, (1.0 - mli->conducted) * 4.0 / 4.67 * radiator, &law));
+    law = (struct um_thermal_link_law){.power = 4.0, .factor = {1.0}, .exponent = {n + 1.0}};
+    return link(b, true, skin, wrapped, mli->conducted * black * radiator, &law);
+  }
+  return UM_OK;
+}
 
 static enum um_status couple(struct um_thermal_builder *b, uint32_t skin, size_t part,
                              const uint32_t wall[3], const struct um_thermal_mli *mli, double area)
 {
-  double radiator = mli->effective_emittance * area; /* [m^2] */
-  if (!(radiator > 0.0)) return UM_OK;
   if (mli->wraps_interior)
-    return um_thermal_network_radiator_add(
-        b->network, skin, um_thermal_builder_interiors(b, part)[mli->interior], radiator);
+    return couple_node(b, skin, um_thermal_builder_interiors(b, part)[mli->interior], mli, area,
+                       1.0);
   if (wall[0] == wall[1] && wall[0] == wall[2])
-    return um_thermal_network_radiator_add(b->network, skin, wall[0], radiator);
-  for (int c = 0; c < 3; c++)
-    UM_TRY(um_thermal_network_radiator_add(b->network, skin, wall[c], radiator / 3.0));
+    return couple_node(b, skin, wall[0], mli, area, 1.0);
+  for (int c = 0; c < 3; c++) UM_TRY(couple_node(b, skin, wall[c], mli, area, 3.0));
   return UM_OK;
 }
 

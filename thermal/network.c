@@ -9,9 +9,8 @@
 
 #include "thermal/network_impl.h"
 
-/* Make room for one more of `size` bytes in *block. */
-static enum um_status grow(struct um_context *context, void *block, size_t count, size_t *room,
-                           size_t size)
+enum um_status um_thermal_network_grow(struct um_context *context, void *block, size_t count,
+                                       size_t *room, size_t size)
 {
   if (count < *room) return UM_OK;
   size_t wanted = *room == 0 ? 64 : 2 * *room;
@@ -97,6 +96,7 @@ void um_thermal_network_destroy(struct um_thermal_network **network)
   um_core_free(context, n->surface);
   um_core_free(context, n->attached);
   heat_free(n);
+  um_thermal_network_laws_free(n);
   um_core_free(context, n);
   *network = NULL;
 }
@@ -134,8 +134,8 @@ enum um_status um_thermal_network_node_add(struct um_thermal_network *network, c
                                            double temperature, double power, uint32_t *index)
 {
   UM_TRY(node_check(network, name, kind, capacity, temperature, power));
-  UM_TRY(grow(network->context, &network->node, network->nnode, &network->node_room,
-              sizeof *network->node));
+  UM_TRY(um_thermal_network_grow(network->context, &network->node, network->nnode,
+                                 &network->node_room, sizeof *network->node));
   struct um_thermal_network_node node = {NULL, kind, capacity, temperature, power};
   if (name != NULL) UM_TRY(um_core_strdup(network->context, name, &node.name));
   network->node[network->nnode] = node;
@@ -188,10 +188,10 @@ static enum um_status link_check(const struct um_thermal_network *network, const
 enum um_status um_thermal_network_conductor_add(struct um_thermal_network *network, uint32_t a,
                                                 uint32_t b, double conductance)
 {
-  struct um_thermal_link link = {a, b, conductance};
+  struct um_thermal_link link = {a, b, conductance, UM_THERMAL_NO_LAW};
   UM_TRY(link_check(network, "conductance", "W/K", &link, false, true));
-  UM_TRY(grow(network->context, &network->conductor, network->nconductor, &network->conductor_room,
-              sizeof *network->conductor));
+  UM_TRY(um_thermal_network_grow(network->context, &network->conductor, network->nconductor,
+                                 &network->conductor_room, sizeof *network->conductor));
   network->conductor[network->nconductor++] = link;
   return UM_OK;
 }
@@ -199,10 +199,10 @@ enum um_status um_thermal_network_conductor_add(struct um_thermal_network *netwo
 enum um_status um_thermal_network_radiator_add(struct um_thermal_network *network, uint32_t a,
                                                uint32_t b, double radiator)
 {
-  struct um_thermal_link link = {a, b, radiator};
+  struct um_thermal_link link = {a, b, radiator, UM_THERMAL_NO_LAW};
   UM_TRY(link_check(network, "radiative conductance", "m2", &link, true, false));
-  UM_TRY(grow(network->context, &network->radiator, network->nradiator, &network->radiator_room,
-              sizeof *network->radiator));
+  UM_TRY(um_thermal_network_grow(network->context, &network->radiator, network->nradiator,
+                                 &network->radiator_room, sizeof *network->radiator));
   network->radiator[network->nradiator++] = link;
   return UM_OK;
 }

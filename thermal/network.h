@@ -15,6 +15,7 @@
 
 #include "core/context.h"
 #include "thermal/surface_law.h"
+#include "thermal/temperature_law.h"
 
 enum um_thermal_node_kind { UM_NODE_DIFFUSIVE, UM_NODE_ARITHMETIC, UM_NODE_BOUNDARY };
 
@@ -93,6 +94,25 @@ enum um_status um_thermal_network_conductor_add(struct um_thermal_network *netwo
 /* Radiative conductance R [m^2] (emittance included); b may be UM_THERMAL_SPACE. */
 enum um_status um_thermal_network_radiator_add(struct um_thermal_network *network, uint32_t a,
                                                uint32_t b, double radiator);
+/* --- by temperature (network_law.c) ---------------------------------------------------------- */
+
+/* A law that links or capacities of the network may follow, copied; one that is there already gets
+ * the same index. UM_ERR_INPUT: ratios that are not finite and above 0, powers below 1. */
+enum um_status um_thermal_network_link_law_add(struct um_thermal_network *network,
+                                               const struct um_thermal_link_law *law,
+                                               uint32_t *index);
+enum um_status um_thermal_network_capacity_law_add(struct um_thermal_network *network,
+                                                   const struct um_thermal_ratio *ratio,
+                                                   uint32_t *index);
+/* The link that was added last follows a law. */
+void um_thermal_network_conductor_follow(struct um_thermal_network *network, uint32_t law);
+void um_thermal_network_radiator_follow(struct um_thermal_network *network, uint32_t law);
+/* `capacity` [J/K] of what a diffusive node holds, stated at 300 K, goes with temperature:
+ *
+ *   C(T) = C + sum_s capacity_s (ratio_s(T) - 1). */
+enum um_status um_thermal_network_capacity_follow(struct um_thermal_network *network, uint32_t node,
+                                                  double capacity, uint32_t law);
+
 /* Surface number `surface` [0, nsurface) lies on up to three nodes with weights of sum 1. It
  * absorbs area * (absorptance * (sun + albedo) + emittance * planet) and emits
  * area * emittance * sigma T^4 per node share, each times what its law says of angle and
@@ -142,8 +162,8 @@ um_thermal_network_surface(const struct um_thermal_network *network, uint32_t su
 void um_thermal_network_temperatures_set(struct um_thermal_network *network,
                                          const double *temperature);
 /* True when both say the same, number for number: nodes with their start temperatures, conductors,
- * radiators, surfaces, power histories and thermostats in the same order. Names do not count. The
- * same loads then give the same temperatures, bit by bit. */
+ * radiators, surfaces, laws, power histories and thermostats in the same order. Names do not count.
+ * The same loads then give the same temperatures, bit by bit. */
 bool um_thermal_network_equal(const struct um_thermal_network *a,
                               const struct um_thermal_network *b);
 /* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */

@@ -37,7 +37,8 @@ static bool heat_equal(const struct um_thermal_network *a, const struct um_therm
 static bool links_equal(const struct um_thermal_link *a, const struct um_thermal_link *b, size_t n)
 {
   for (size_t k = 0; k < n; k++)
-    if (a[k].a != b[k].a || a[k].b != b[k].b || a[k].value != b[k].value) return false;
+    if (a[k].a != b[k].a || a[k].b != b[k].b || a[k].value != b[k].value || a[k].law != b[k].law)
+      return false;
   return true;
 }
 
@@ -78,5 +79,5 @@ bool um_thermal_network_equal(const struct um_thermal_network *a,
     if (a->attached[s] != b->attached[s]) return false;
     if (a->attached[s] && !surfaces_equal(&a->surface[s], &b->surface[s])) return false;
   }
-  return heat_equal(a, b);
+  return um_thermal_network_laws_equal(a, b) && heat_equal(a, b);
 }

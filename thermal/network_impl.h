@@ -7,6 +7,7 @@
 struct um_thermal_link {
   uint32_t a, b; /* nodes; of a radiator b may be UM_THERMAL_SPACE */
   double value;  /* [W/K] or [m^2] */
+  uint32_t law;  /* of the network's link laws, or UM_THERMAL_NO_LAW */
 };
 
 struct um_thermal_network_node {
@@ -35,6 +36,12 @@ struct um_thermal_network_thermostat {
   enum um_thermal_thermostat_start start;
 };
 
+/* What of a node's capacity goes with temperature. */
+struct um_thermal_store {
+  uint32_t node, law; /* of the network's capacity laws */
+  double capacity;    /* at 300 K [J/K] */
+};
+
 /* Nodes from `first` on, up to the next section, belong to a part. */
 struct um_thermal_section {
   char *name;
@@ -56,7 +63,21 @@ struct um_thermal_network {
   struct um_thermal_network_source *source;                      /* [nsource] */
   struct um_thermal_network_thermostat *thermostat;              /* [nthermostat] */
   size_t nsource, nthermostat;
+  struct um_thermal_link_law *link_law;   /* [nlink_law] */
+  struct um_thermal_ratio **link_table;   /* [nlink_law] their tables, owned, or NULL */
+  struct um_thermal_ratio **capacity_law; /* [ncapacity_law] owned */
+  struct um_thermal_store *store;         /* [nstore] */
+  size_t nlink_law, ncapacity_law, nstore, store_room;
 };
+
+/* network_law.c */
+void um_thermal_network_laws_free(struct um_thermal_network *network);
+bool um_thermal_network_laws_equal(const struct um_thermal_network *a,
+                                   const struct um_thermal_network *b);
+
+/* network.c: room for one more of `size` bytes in *block. */
+enum um_status um_thermal_network_grow(struct um_context *context, void *block, size_t count,
+                                       size_t *room, size_t size);
 
 /* "node 'name'", "node 12 of part 'bus'" or "node 12", for messages; written into text. */
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,

@@ -152,11 +152,16 @@ static enum um_status correct(struct periodic *periodic)
     return um_core_fail(system->context, UM_ERR_NUMERIC,
                         "an arithmetic node finds no balance in the orbit mean");
   if (system->exchange != NULL) um_thermal_system_exchange_hold(system, false);
+  double *right = N_VGetArrayPointer(periodic->right); /* J is of the unknowns */
+  for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
+    right[k] /= system->warming[system->node[k]];
   /* dT = r + (X + tiny)^-1 r - 3 (X + 6)^-1 r */
   UM_TRY(shifted_solve(periodic, SLOWEST));
   N_VLinearSum(1.0, periodic->right, 1.0, periodic->part, periodic->sum);
   UM_TRY(shifted_solve(periodic, 6.0));
   N_VLinearSum(1.0, periodic->sum, -3.0, periodic->part, periodic->right);
+  for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
+    right[k] *= system->warming[system->node[k]];
   return UM_OK;
 }
 

@@ -56,6 +56,7 @@ static enum um_status linearize(struct um_thermal_response_run *r, double t,
   um_thermal_system_loads_at(system, t); /* surfaces that age emit as they do then */
   if (system->exchange != NULL) um_thermal_system_exchange_at(system, t);
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
+  um_thermal_system_store_at(system);
   um_thermal_system_powers(system);
   if (system->exchange != NULL) um_thermal_system_exchange_hold(system, false);
   if (um_thermal_system_jacobian(system, r->jacobian)) return UM_OK;
@@ -106,7 +107,7 @@ static bool column_rate(void *user, size_t column, double *b)
       for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
         uint32_t i = system->other[e], u = system->unknown[i];
         if (u == UM_THERMAL_NONE) continue;
-        b[u] += (system->linear[e] + 4.0 * system->fourth[e] * system->cube[node]) * r->cluster[a] /
+        b[u] += um_thermal_system_link_in(system, e, i, node, system->cube) * r->cluster[a] /
                 system->capacity[i];
       }
     }
@@ -132,7 +133,8 @@ static void out_fill(struct um_thermal_response_run *r, double t, const double *
     const struct um_thermal_response_source *source = &r->source[r->order[column]];
     const double *s = columns + column * system->nunknown;
     double *out = r->out + r->order[column] * system->n;
-    for (size_t k = 0; k < system->nunknown; k++) out[system->node[k]] = s[k];
+    for (size_t k = 0; k < system->nunknown; k++)
+      out[system->node[k]] = s[k] * um_thermal_system_warming(system, system->node[k]);
     for (size_t g = 0; g < system->ncluster; g++) {
       const struct um_thermal_cluster *cluster = &system->cluster[g];
       bool heated = acts(source, r->from, begin, begin + 2.0 * UM_THERMAL_ONE_TIME) &&
@@ -140,7 +142,7 @@ static void out_fill(struct um_thermal_response_run *r, double t, const double *
       for (size_t a = 0; a < cluster->m; a++) {
         double sum = heated ? r->cluster[a] : 0.0;
         for (size_t p = 0; p < cluster->p; p++)
-          sum += cluster->response[a * cluster->p + p] * s[cluster->neighbour[p]];
+          sum += cluster->response[a * cluster->p + p] * out[system->node[cluster->neighbour[p]]];
         out[cluster->node[a]] = sum;
       }
     }
@@ -161,7 +163,8 @@ static enum um_status hand_over(struct um_thermal_response_run *r, struct march 
                                 const double *columns)
 {
   const double *temperature = m->base + m->place[m->next] * r->system->n;
-  if (r->system->ncluster > 0) UM_TRY(linearize(r, m->times[m->next] - r->from, temperature));
+  if (r->system->ncluster > 0 || r->system->store != NULL)
+    UM_TRY(linearize(r, m->times[m->next] - r->from, temperature));
   out_fill(r, m->times[m->next] - r->from, columns);
   UM_TRY(m->take(m->user, m->next, temperature, r->out));
   m->next++;
@@ -202,7 +205,8 @@ static void start_take(struct um_thermal_response_run *r, const double *start)
   for (size_t column = 0; column < r->nsource; column++)
     for (size_t k = 0; k < r->system->nunknown; k++)
       r->s[column * r->system->nunknown + k] =
-          start[r->order[column] * r->system->n + r->system->node[k]];
+          start[r->order[column] * r->system->n + r->system->node[k]] /
+          um_thermal_system_warming(r->system, r->system->node[k]);
 }
 
 static enum um_status storage_create(struct um_thermal_response_run *r)

@@ -151,6 +151,36 @@ void um_thermal_sensitivity_run_free(struct um_thermal_sensitivity_run *r)
 
 /* --- a run ---------------------------------------------------------------------------------- */
 
+/* Do unknowns of a column stand for other temperatures than the base's? */
+static bool stores_vary(const struct um_thermal_sensitivity_run *r, size_t column)
+{
+  return r->system->store != NULL || r->variant[column]->store != NULL;
+}
+
+/* dT_i / dp of an unknown y whose own answer is s. */
+static double answer_of(const struct um_thermal_sensitivity_run *r, size_t column, size_t i,
+                        double y, double s)
+{
+  double warming, of_variant;
+  if (!stores_vary(r, column)) return s;
+  double base = um_thermal_system_temperature_of(r->system, i, y, &warming);
+  double moved = um_thermal_system_temperature_of(r->variant[column], i, y, &of_variant);
+  return s * warming + (r->forced ? (moved - base) / r->parameter[column].step : 0.0);
+}
+
+/* The unknown's answer to a change of its temperature by t_moved per unit of the parameter. */
+static double unknown_answer(const struct um_thermal_sensitivity_run *r, size_t column, size_t i,
+                             double t_moved)
+{
+  const struct um_thermal_system *system = r->system, *variant = r->variant[column];
+  if (!stores_vary(r, column)) return t_moved;
+  double t = system->network->node[i].temperature, warming;
+  double y = um_thermal_system_unknown_of(system, i, t);
+  double moved = um_thermal_system_unknown_of(variant, i, t);
+  um_thermal_system_temperature_of(system, i, y, &warming);
+  return t_moved / warming + (moved - y) / r->parameter[column].step;
+}
+
 /* Columns at time 0 from [ncolumn][nnode], or from the start temperatures (NULL). */
 static void start_take(struct um_thermal_sensitivity_run *r, const double *start)
 {
@@ -164,6 +194,7 @@ static void start_take(struct um_thermal_sensitivity_run *r, const double *start
       double s = start != NULL
                      ? start[c * system->n + i]
                      : (moved[i].temperature - node[i].temperature) / r->parameter[c].step;
+      s = unknown_answer(r, c, i, s);
       r->s[c * r->n + k] = s;
       r->largest[c] = fmax(r->largest[c], fabs(s));
     }
@@ -188,22 +219,28 @@ static enum um_status start_run(struct um_thermal_sensitivity_run *r)
   return um_thermal_sensitivity_begin(r);
 }
 
-/* The jump of all columns at a switching; slope: dT/dt before it. */
+/* The jump of all columns at a switching; slope: of the unknowns before it [K/s]. */
 static void switch_jump(struct um_thermal_sensitivity_run *r, size_t m, bool was_on,
                         const double *slope)
 {
   const struct um_thermal_system *system = r->system;
   const struct um_thermal_network_thermostat *t = system->thermostat[m].thermostat;
-  double speed = 0.0, power = was_on ? -t->power : t->power;
-  for (size_t j = 0; j < t->sensor.n; j++)
-    speed += t->sensor.weight[j] * slope[system->unknown[t->sensor.node[j]]];
+  const double *y = r->base.y; /* where the stretch begins */
+  double speed = 0.0, warming, power = was_on ? -t->power : t->power;
+  for (size_t j = 0; j < t->sensor.n; j++) {
+    uint32_t u = system->unknown[t->sensor.node[j]];
+    um_thermal_system_temperature_of(system, t->sensor.node[j], y[u], &warming);
+    speed += t->sensor.weight[j] * slope[u] * warming;
+  }
   for (size_t c = 0; c < r->ncolumn && speed != 0.0; c++) {
     const struct um_thermal_network_thermostat *v = r->variant[c]->thermostat[m].thermostat;
     double *s = r->s + c * r->n;
     double moved = 0.0;
     if (r->forced) moved = (was_on ? v->off - t->off : v->on - t->on) / r->parameter[c].step;
-    for (size_t j = 0; j < t->sensor.n; j++)
-      moved -= t->sensor.weight[j] * s[system->unknown[t->sensor.node[j]]];
+    for (size_t j = 0; j < t->sensor.n; j++) {
+      uint32_t u = system->unknown[t->sensor.node[j]];
+      moved -= t->sensor.weight[j] * answer_of(r, c, t->sensor.node[j], y[u], s[u]);
+    }
     double dt = moved / speed;
     for (size_t i = 0; i < t->at.n; i++)
       s[system->unknown[t->at.node[i]]] -=
@@ -239,13 +276,15 @@ enum um_status um_thermal_sensitivity_nodes(struct um_thermal_sensitivity_run *r
     if (system->ncluster > 0) lost = !um_thermal_system_state_set(variant, t, r->y);
     for (size_t i = 0; i < system->n; i++)
       s[i] = (variant->temperature[i] - system->temperature[i]) * inverse;
-    for (size_t k = 0; k < r->n; k++) s[system->node[k]] = columns[c * r->n + k];
+    for (size_t k = 0; k < r->n; k++)
+      s[system->node[k]] = answer_of(r, c, system->node[k], r->y[k], columns[c * r->n + k]);
     for (size_t g = 0; g < system->ncluster; g++) {
       const struct um_thermal_cluster *cluster = &system->cluster[g];
       for (size_t a = 0; a < cluster->m; a++)
         for (size_t p = 0; p < cluster->p; p++)
           s[cluster->node[a]] +=
-              cluster->response[a * cluster->p + p] * columns[c * r->n + cluster->neighbour[p]];
+              cluster->response[a * cluster->p + p] * columns[c * r->n + cluster->neighbour[p]] *
+              um_thermal_system_warming(system, system->node[cluster->neighbour[p]]);
     }
   }
   if (!lost) return UM_OK;

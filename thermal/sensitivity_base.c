@@ -81,7 +81,9 @@ enum um_status um_thermal_base_start(struct um_thermal_base *base, const double 
 {
   const struct um_thermal_system *system = base->system;
   UM_TRY(um_thermal_integrator_start(base->integrator, temperature, NULL));
-  for (size_t k = 0; k < system->nunknown; k++) base->last.y[k] = temperature[system->node[k]];
+  for (size_t k = 0; k < system->nunknown; k++)
+    base->last.y[k] =
+        um_thermal_system_unknown_of(system, system->node[k], temperature[system->node[k]]);
   return stretch_begin(base, base->last.y);
 }
 

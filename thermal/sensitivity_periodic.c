@@ -155,10 +155,14 @@ enum um_status um_thermal_sensitivity_periodic(
   UM_CHECK(periodic_storage(&p));
   for (size_t c = 0; c < nvariant && how != NULL && how->start != NULL; c++)
     for (size_t k = 0; k < r->n; k++)
-      p.taken[c * r->n + k] = how->start[c * r->system->n + r->system->node[k]];
+      p.taken[c * r->n + k] = how->start[c * r->system->n + r->system->node[k]] /
+                              um_thermal_system_warming(r->system, r->system->node[k]);
   UM_CHECK(periodic_find(&p, tolerance));
   r->forced = true;
-  for (size_t k = 0; k < r->n; k++) r->y[k] = network->node[r->system->node[k]].temperature;
+  for (size_t k = 0; k < r->n; k++) {
+    size_t i = r->system->node[k];
+    r->y[k] = um_thermal_system_unknown_of(r->system, i, network->node[i].temperature);
+  }
   um_thermal_system_window(r->system, 0.0, period);
   for (size_t c = 0; c < nvariant; c++) um_thermal_system_window(r->variant[c], 0.0, period);
   UM_CHECK(um_thermal_sensitivity_nodes(r, 0.0, p.total, sensitivity));

@@ -8,6 +8,7 @@
  * a third of the facet to each corner (a consistent mass would violate the maximum principle at
  * short steps). Negative conductances at obtuse angles are part of the method. A linear field is
  * reproduced exactly (test thermal/shell). */
+#include "thermal/bulk_law_impl.h"
 #include "thermal/shell_impl.h"
 
 void um_thermal_shell_element(const struct um_vec3 corner[3], double kt, double out[3])
@@ -78,6 +79,23 @@ static enum um_status make_nodes(struct um_thermal_builder *b, size_t part)
   return UM_OK;
 }
 
+/* The facet's capacity at its corners follows the law of its group. */
+static enum um_status capacity_follow(struct um_thermal_builder *b, size_t facet)
+{
+  uint32_t group = b->mesh->facet_group[facet];
+  double share = front_share(b, facet);
+  double third = um_thermal_builder_shell(b, group)->areal_heat_capacity * b->mesh->area[facet] /
+                 3.0; /* [J/K] */
+  bool two = um_thermal_builder_two_layers(b, facet);
+  for (int c = 0; c < 3; c++) {
+    UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->front[facet][c], third * share));
+    if (two)
+      UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->back[facet][c],
+                                      third * (1.0 - share)));
+  }
+  return UM_OK;
+}
+
 static enum um_status conduct(struct um_thermal_builder *b, size_t facet)
 {
   const struct um_thermal_shell *shell = um_thermal_builder_shell(b, b->mesh->facet_group[facet]);
@@ -85,14 +103,14 @@ static enum um_status conduct(struct um_thermal_builder *b, size_t facet)
   struct um_vec3 corner[3] = {b->pose->vertex[v[0]], b->pose->vertex[v[1]], b->pose->vertex[v[2]]};
   double k[3], share = front_share(b, facet);
   um_thermal_shell_element(corner, shell->conductance, k);
+  const struct um_thermal_bulk_index *law = &b->group_law[b->mesh->facet_group[facet]];
   bool two = um_thermal_builder_two_layers(b, facet);
   for (int e = 0; e < 3 && shell->conductance > 0.0; e++) {
     int i = (e + 1) % 3, j = (e + 2) % 3;
-    UM_TRY(um_thermal_network_conductor_add(b->network, b->front[facet][i], b->front[facet][j],
-                                            share * k[e]));
+    UM_TRY(um_thermal_bulk_conductor(b, law, b->front[facet][i], b->front[facet][j], share * k[e]));
     if (two)
-      UM_TRY(um_thermal_network_conductor_add(b->network, b->back[facet][i], b->back[facet][j],
-                                              (1.0 - share) * k[e]));
+      UM_TRY(um_thermal_bulk_conductor(b, law, b->back[facet][i], b->back[facet][j],
+                                       (1.0 - share) * k[e]));
   }
   /* through the wall: U A / 3 at each corner */
   for (int c = 0; c < 3 && two && shell->through_conductance > 0.0; c++)
@@ -106,6 +124,9 @@ enum um_status um_thermal_shell_assemble(struct um_thermal_builder *b, size_t pa
 {
   UM_TRY(make_nodes(b, part));
   for (size_t f = 0; f < b->mesh->nfacet; f++)
-    if (has_wall(b, f, part)) UM_TRY(conduct(b, f));
+    if (has_wall(b, f, part)) {
+      UM_TRY(capacity_follow(b, f));
+      UM_TRY(conduct(b, f));
+    }
   return UM_OK;
 }

@@ -4,6 +4,7 @@
  *
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
  * A linear field is reproduced exactly (test thermal/solid). */
+#include "thermal/bulk_law_impl.h"
 #include "thermal/solid_impl.h"
 #include "thermal/tetgen.h"
 
@@ -75,6 +76,8 @@ static enum um_status add_tetrahedra(struct um_thermal_builder *b, size_t part,
   static const int edge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   const struct um_thermal_part_spec *spec = b->part[part];
   double k[6];
+  struct um_thermal_bulk_index law;
+  UM_TRY(um_thermal_bulk_laws(b, &spec->law, &law));
   for (int pass = 0; pass < 2; pass++) {
     for (size_t e = 0; e < t->ntetrahedron; e++) {
       const uint32_t *v = t->corner[e];
@@ -84,11 +87,12 @@ static enum um_status add_tetrahedra(struct um_thermal_builder *b, size_t part,
       for (int c = 0; c < 4 && pass == 0; c++)
         capacity[v[c]] += spec->density * spec->specific_heat * volume / 4.0;
       for (int i = 0; i < 6 && pass == 1; i++)
-        UM_TRY(um_thermal_network_conductor_add(b->network, node[v[edge[i][0]]],
-                                                node[v[edge[i][1]]], k[i]));
+        UM_TRY(um_thermal_bulk_conductor(b, &law, node[v[edge[i][0]]], node[v[edge[i][1]]], k[i]));
     }
-    for (size_t v = 0; v < t->nvertex && pass == 0; v++)
+    for (size_t v = 0; v < t->nvertex && pass == 0; v++) {
       UM_TRY(um_thermal_builder_node(b, NULL, capacity[v], spec->start_temperature, 0.0, &node[v]));
+      UM_TRY(um_thermal_bulk_capacity(b, &law, node[v], capacity[v]));
+    }
   }
   b->ntetrahedron += t->ntetrahedron;
   return UM_OK;

@@ -99,6 +99,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
   UM_CHECK(nodes_sort(system, kind == UM_SYSTEM_STEADY));
   UM_CHECK(um_thermal_system_emission_build(system));
   UM_CHECK(um_thermal_system_links_build(system));
+  UM_CHECK(um_thermal_system_store_build(system));
   UM_CHECK(um_thermal_system_clusters_build(system));
   UM_CHECK(um_thermal_system_exchange_build(system));
   UM_CHECK(um_thermal_system_heat_build(system));
@@ -120,6 +121,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
   um_thermal_system_clusters_destroy(s);
   um_thermal_system_heat_destroy(s);
   um_thermal_system_exchange_destroy(s);
+  um_thermal_system_store_destroy(s);
   void *const block[] = {s->node,
                          s->unknown,
                          s->capacity,
@@ -129,6 +131,8 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
                          s->other,
                          s->linear,
                          s->fourth,
+                         (void *)s->link_law,
+                         s->warming,
                          s->space,
                          s->column,
                          s->row,

@@ -191,7 +191,8 @@ static void clusters_follow(const struct um_thermal_system *system, const double
     for (size_t a = 0; a < cluster->m; a++) {
       double sum = 0.0;
       for (size_t p = 0; p < cluster->p; p++)
-        sum += cluster->response[a * cluster->p + p] * x[cluster->neighbour[p]];
+        sum += cluster->response[a * cluster->p + p] * x[cluster->neighbour[p]] *
+               um_thermal_system_warming(system, system->node[cluster->neighbour[p]]);
       change[cluster->node[a]] = sum;
     }
   }
@@ -227,8 +228,8 @@ static void clusters_pass(const struct um_thermal_system *system, double factor,
       for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
         uint32_t i = system->other[e], u = system->unknown[i];
         if (u == UM_THERMAL_NONE) continue;
-        out[u] += factor * (system->linear[e] + 4.0 * system->fourth[e] * cube[node]) *
-                  follow[node] / system->capacity[i];
+        out[u] += factor * um_thermal_system_link_in(system, e, i, node, cube) * follow[node] /
+                  system->capacity[i];
       }
     }
 }
@@ -241,7 +242,7 @@ void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double
   memset(change, 0, system->n * sizeof *change);
   memset(follow, 0, system->n * sizeof *follow);
   for (size_t k = 0; k < system->nunknown; k++) {
-    change[system->node[k]] = x[k];
+    change[system->node[k]] = x[k] * um_thermal_system_warming(system, system->node[k]);
     size = fmax(size, fabs(x[k]));
   }
   clusters_follow(system, x, change);

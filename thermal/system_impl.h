@@ -8,6 +8,7 @@
 
 #include "irradiation/loads.h"
 #include "thermal/exchange_impl.h"
+#include "thermal/link_law_impl.h"
 #include "thermal/network_impl.h"
 #include "thermal/solve_options.h"
 
@@ -85,6 +86,18 @@ struct um_thermal_system_exchange {
   double t;                                     /* [s] of mix; NaN: none yet */
 };
 
+/* A part of a node's capacity that goes with temperature. */
+struct um_thermal_system_share {
+  const struct um_thermal_ratio *ratio; /* of the network; NULL: an unused entry, the last ones */
+  const double *content; /* [UM_THERMAL_LAW_TEMPERATURES] its integral from 0 K [K] */
+  double share;          /* of the capacity stated [1] */
+};
+struct um_thermal_system_store {
+  size_t *start;                         /* [n + 1] shares of a node */
+  struct um_thermal_system_share *share; /* [nshare] */
+  double *content;                       /* [nlaw][UM_THERMAL_LAW_TEMPERATURES] */
+};
+
 /* What a system is made for. */
 enum um_thermal_system_kind {
   UM_SYSTEM_RUN,      /* in time, thermostats switch */
@@ -108,12 +121,17 @@ struct um_thermal_system {
   double *power;     /* [n] [W] */
   bool *fixed;       /* [n] boundary */
 
-  size_t *start;       /* [n + 1] rows of the links */
-  uint32_t *other;     /* [nlink] */
-  double *linear;      /* [nlink] [W/K] */
-  double *fourth;      /* [nlink] sigma R [W/K^4] */
+  size_t *start;                               /* [n + 1] rows of the links */
+  uint32_t *other;                             /* [nlink] */
+  double *linear;                              /* [nlink] [W/K] */
+  double *fourth;                              /* [nlink] sigma R [W/K^4] */
+  const struct um_thermal_link_law **link_law; /* [nlink] NULL: constant; NULL: all are */
   double *space;       /* [n] sigma R to space at the present state [W/K^4] (system_emission.c) */
   double *space_slope; /* [n] its derivative over the node's temperature [W/K^5]; NULL: 0 */
+
+  struct um_thermal_system_store
+      *store;      /* capacities by temperature (system_store.c); NULL: none */
+  double *warming; /* [n] dT over the change of a node's unknown [1]; NULL: 1 */
 
   /* what nodes emit to space under laws, an entry for each law of a node; NULL: no laws */
   const struct um_thermal_surface_law **emission; /* [nemission], borrowed; NULL: an unused entry */
@@ -156,6 +174,44 @@ struct um_thermal_system {
   double *power4;      /* [n] T^4 [K^4] */
   double *cube;        /* [n] |T|^3 [K^3] */
 };
+
+/* Heat from node `from` into node `into` through link e [W], at the present state; with cubes as in
+ * the Jacobian -dH_into/dT_into and dH_into/dT_from [W/K]. A link by temperature has the slopes of
+ * the present state. */
+static inline bool um_thermal_system_link_varies(const struct um_thermal_system *system, size_t e)
+{
+  return system->link_law != NULL && system->link_law[e] != NULL;
+}
+static inline double um_thermal_system_link_heat(const struct um_thermal_system *system, size_t e,
+                                                 size_t into, size_t from)
+{
+  const double *t = system->temperature, *p = system->power4;
+  double out, in;
+  if (um_thermal_system_link_varies(system, e))
+    return um_thermal_link_law_heat(system->link_law[e], system->linear[e], system->fourth[e],
+                                    t[into], t[from], &out, &in);
+  return system->linear[e] * (t[from] - t[into]) + system->fourth[e] * (p[from] - p[into]);
+}
+static inline double um_thermal_system_link_out(const struct um_thermal_system *system, size_t e,
+                                                size_t into, size_t from, const double *cube)
+{
+  double out, in;
+  if (!um_thermal_system_link_varies(system, e))
+    return system->linear[e] + 4.0 * system->fourth[e] * cube[into];
+  um_thermal_link_law_heat(system->link_law[e], system->linear[e], system->fourth[e],
+                           system->temperature[into], system->temperature[from], &out, &in);
+  return out;
+}
+static inline double um_thermal_system_link_in(const struct um_thermal_system *system, size_t e,
+                                               size_t into, size_t from, const double *cube)
+{
+  double out, in;
+  if (!um_thermal_system_link_varies(system, e))
+    return system->linear[e] + 4.0 * system->fourth[e] * cube[from];
+  um_thermal_link_law_heat(system->link_law[e], system->linear[e], system->fourth[e],
+                           system->temperature[into], system->temperature[from], &out, &in);
+  return in;
+}
 
 /* loads NULL: none. Refuses NaN loads, tables in the wrong order, diffusive nodes without capacity,
  * arithmetic nodes without links. */
@@ -218,6 +274,24 @@ double um_thermal_thermostat_sensor(const struct um_thermal_network_thermostat *
  * threshold is passed. */
 void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool start);
 
+/* --- system_store.c -------------------------------------------------------------------------- */
+/* What is integrated is each unknown's heat content over its stated capacity [K], the temperature
+ * where the capacity is constant. */
+enum um_status um_thermal_system_store_build(struct um_thermal_system *system);
+void um_thermal_system_store_destroy(struct um_thermal_system *system);
+/* From a temperature [K] of node i to its unknown and back; warming: dT over its change [1]. */
+double um_thermal_system_unknown_of(const struct um_thermal_system *system, size_t i,
+                                    double temperature);
+double um_thermal_system_temperature_of(const struct um_thermal_system *system, size_t i, double y,
+                                        double *warming);
+/* dT over the change of an unknown at the present state [1]. */
+static inline double um_thermal_system_warming(const struct um_thermal_system *system, size_t i)
+{
+  return system->warming == NULL ? 1.0 : system->warming[i];
+}
+/* warming at system->temperature, which was not set by state_set. */
+void um_thermal_system_store_at(struct um_thermal_system *system);
+
 /* Loads at t [s from `from`] into system->now. */
 void um_thermal_system_loads_at(struct um_thermal_system *system, double t);
 
@@ -234,7 +308,7 @@ double um_thermal_system_node_heat(const struct um_thermal_system *system, size_
 void um_thermal_system_rate(const struct um_thermal_system *system, double *rate);
 /* Values [nnonzero] of the Jacobian [1/s] at system->cube (of the state, or a mean over time). */
 bool um_thermal_system_jacobian(struct um_thermal_system *system, double *value);
-/* Heat content sum C T over unknowns [J]. */
+/* Heat content over unknowns [J], from 0 K. */
 double um_thermal_system_content(const struct um_thermal_system *system, const double *y);
 
 /* --- system_exchange.c; all but build and destroy want system->exchange ---------------------- */

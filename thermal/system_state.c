@@ -23,7 +23,14 @@ static bool clusters_settle(struct um_thermal_system *system)
 bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y)
 {
   um_thermal_system_loads_at(system, t);
-  for (size_t k = 0; k < system->nunknown; k++) system->temperature[system->node[k]] = y[k];
+  for (size_t k = 0; k < system->nunknown; k++) {
+    size_t i = system->node[k];
+    if (system->store == NULL)
+      system->temperature[i] = y[k];
+    else
+      system->temperature[i] =
+          um_thermal_system_temperature_of(system, i, y[k], &system->warming[i]);
+  }
   um_thermal_system_powers(system);
   if (system->made != NULL) um_thermal_system_heat_make(system, t);
   if (system->exchange == NULL) return um_thermal_system_clusters_solve(system);

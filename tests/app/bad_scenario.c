@@ -134,6 +134,31 @@ static const struct bad_case cases[] = {
                  "did you mean", "aluminium_bare"},
     },
     {
+        .name = "a blanket without its number",
+        .scenario = {"lumped: true", "lumped: true\n    mli: {areal_heat_capacity_J_m2_K: 60}", 0},
+        .line_of = "mli:",
+        .says = {"parts.bus.mli.effective_emittance: ", "is missing; law: constant needs it"},
+    },
+    {
+        .name = "a blanket with another law's number",
+        .scenario = {"lumped: true",
+                     "lumped: true\n    mli: {law: doenecke, layers: 20, "
+                     "areal_heat_capacity_J_m2_K: 60}",
+                     0},
+        .line_of = "mli:",
+        .says = {"parts.bus.mli.layers: ", "is not of law: doenecke"},
+    },
+    {
+        .name = "seams without a length",
+        .scenario = {"lumped: true",
+                     "lumped: true\n    mli: {law: doenecke, areal_heat_capacity_J_m2_K: 60, "
+                     "seam_conductance_W_m_K: 0.1}",
+                     0},
+        .line_of = "mli:",
+        .says = {"parts.bus.mli.seam_conductance_W_m_K: ",
+                 "accepted: seam_length_m and seam_conductance_W_m_K"},
+    },
+    {
         .name = "heat that cannot get out",
         .scenario = {"lumped: true", "lumped: true\n    interior: {capacity_J_K: 1000, power_W: 5}",
                      0},

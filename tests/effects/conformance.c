@@ -33,13 +33,17 @@ static const struct entry cases[] = {
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
+    {"bulk_temperature", NULL, 0.0, "bus", "a switch"},
     {"mutual_radiation", NULL, 0.0, "bus", "a switch"},
     {"solar_multiple_reflection", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},
     {"mli_emittance", "box", 0.1, "panel", NULL},
+    {"mli_temperature_law", "box", 0.3, "panel", NULL},
+    {"mli_seams", "box", 0.02, "panel", "seams do not insulate"},
     {"heat_capacity", "panel", 0.1, "vis", NULL},
+    {"specific_heat_law", "panel", 2e-4, "vis", NULL},
     {"interior_capacity", "bus", 500.0, "panel", NULL},
     {"solar_absorptance", "grey_panel", 0.02, "vis", NULL},
     {"contamination", "grey_panel", 10.0, "vis", NULL},
@@ -79,7 +83,7 @@ static const struct entry cases[] = {
   "    box: {size_m: [0.5, 0.5, 0.5]}\n"                                                           \
   "    pose: {position_m: [0, -2, 0]}\n"                                                           \
   "    outside: mli_kapton\n"                                                                      \
-  "    shell: {areal_heat_capacity_J_m2_K: 3000}\n"                                                \
+  "    shell: {material: aluminium_bare, thickness_mm: 1.2}\n"                                     \
   "    mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 50}\n"                         \
   "    lumped: true\n"                                                                             \
   "  - name: wing\n"                                                                               \

@@ -99,6 +99,34 @@ static void mli_emittance_scales_the_leak(void **state)
   assert_true(interior[1] < interior[2] && interior[2] < interior[0]);
 }
 
+/* The same leak where e* goes with the mean temperature, (T_m / 300 K)^n, and with seams u: sum of
+ * e* sigma A (T_wall^4 - T_skin^4) (T_m/300)^n + u A (T_wall - T_skin) over faces of 1 m2. */
+static void blankets_have_laws_and_seams(void **state)
+{
+  (void)state;
+  static const char *const groups[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  static const double exponent[] = {-2.0, 0.0, 1.0}, seams[] = {0.0, 0.2, 0.1};
+  for (size_t i = 0; i < 3; i++) {
+    char law[64], leaky[64];
+    snprintf(law, sizeof law, "mli_temperature_law:bus,exponent=%g", exponent[i]);
+    snprintf(leaky, sizeof leaky, "mli_seams:bus,conductance_W_m2_K=%g", seams[i]);
+    struct heat_run run = heat_compute(NONE, LIST(law, leaky), NONE);
+    struct heat_budget skin = heat_budget(&run, "bus", false);
+    double leak = 0.0;
+    for (size_t g = 0; g < 6; g++) {
+      char outer[32], wall[32];
+      snprintf(outer, sizeof outer, "bus.%s", groups[g]);
+      snprintf(wall, sizeof wall, "bus.%s.wall", groups[g]);
+      double w = heat_temperature(&run, wall, 0), s = heat_temperature(&run, outer, 0);
+      leak += 0.02 * pow(0.5 * (w + s) / 300.0, exponent[i]) * UM_STEFAN_BOLTZMANN *
+                  (pow(w, 4.0) - pow(s, 4.0)) +
+              seams[i] * (w - s);
+    }
+    heat_close(law, leak, skin.emitted - skin.absorbed, 1e-5);
+    heat_release(&run);
+  }
+}
+
 /* A body that exchanges with nothing else obeys f C dT/dt = q(T): with f = 2 it is at 120 s where
  * it was at 60 s with f = 1. To the integrator's 1e-9 per step. */
 static void heat_capacity_stretches_time(void **state)
@@ -284,6 +312,7 @@ int main(void)
       cmocka_unit_test(internal_power_ends_at_nothing),
       cmocka_unit_test(stored_heat_dies_away),
       cmocka_unit_test(mli_emittance_scales_the_leak),
+      cmocka_unit_test(blankets_have_laws_and_seams),
       cmocka_unit_test(heat_capacity_stretches_time),
       cmocka_unit_test(heat_capacity_acts_on_its_target),
       cmocka_unit_test(interior_capacity_slows_the_interior),

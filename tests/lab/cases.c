@@ -18,7 +18,10 @@ static const struct entry entries[] = {
     {"internal_power", "bus", "bus", 0, -30.0, 40.0},
     {"stored_heat", "bus", "bus", 0, -20.0, 20.0},
     {"mli_emittance", "bus", "bus", 0, 0.25, 3.0},
+    {"mli_temperature_law", "bus", "bus", 0, -2.0, 2.0},
+    {"mli_seams", "bus", "bus", 0, NAN, 0.2},
     {"heat_capacity", "array", "array", 0, 0.8, 1.3},
+    {"specific_heat_law", "array", "array", 0, -0.002, 0.002},
     {"solar_absorptance", "white", "mli", 0, -0.06, 0.08},
     {"emittance", "cell", "cell", 0, 0.92, 1.08},
     {"panel_extraction", "array", "array", 0, NAN, 0.18},
@@ -78,6 +81,7 @@ static const struct {
                 {"oblateness", true, true},
                 {"absorptance_angle", true, false},
                 {"emittance_temperature", true, false},
+                {"bulk_temperature", true, false},
                 {"earth_map", true, true},
                 {"mutual_radiation", true, true},
                 {"solar_multiple_reflection", true, true}};

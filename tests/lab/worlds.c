@@ -46,6 +46,13 @@ static const struct lab_world worlds[] = {
     SPECTRAL("absorptance_angle"),
     SPECTRAL("emittance_temperature"),
 
+    /* Only records with tables store by temperature: an array of sheet aluminium. */
+    {.name = "dusk-bulk_temperature",
+     DUSK,
+     .without = "bulk_temperature",
+     .set = {"parts.array.shell={material: aluminium_bare, thickness_mm: 1.6, "
+             "through_conductance_W_m2_K: 60}"}},
+
     /* The truth has Knocke's Earth, the analyst a uniform one. */
     {.name = "dusk-earth_map", DUSK, .set = {"environment.earth=knocke"}, .without = "earth_map"},
     {.name = "dawn-earth_map",

@@ -207,6 +207,41 @@ static void grey_record(void **state)
   assert_true(isnan(um_materials_catalogue(r).emittance));
 }
 
+#define BULK HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8}\n"
+
+/* Ratios over 300 K, linear between rows, constant beyond; without a table 1. */
+static void bulk_by_temperature(void **state)
+{
+  (void)state;
+  assert_int_equal(read_text(BULK
+                             "thermal: {specific_heat_J_kg_K: 900, by_temperature: {temperature_K: "
+                             "[100, 200, 400], specific_heat_J_kg_K: [400, 800, 1000]}}\n"),
+                   UM_OK);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  assert_non_null(r);
+  assert_true(um_materials_bulk_varies(r, UM_BULK_SPECIFIC_HEAT));
+  assert_false(um_materials_bulk_varies(r, UM_BULK_CONDUCTIVITY));
+  static const double at[][2] = {{0, 400}, {100, 400}, {150, 600}, {300, 900}, {500, 1000}};
+  for (size_t k = 0; k < 5; k++)
+    check_near("ratio", um_materials_bulk_ratio(r, UM_BULK_SPECIFIC_HEAT, at[k][0]),
+               at[k][1] / 900.0, 1e-15);
+  check_near("conductivity", um_materials_bulk_ratio(r, UM_BULK_CONDUCTIVITY, 100.0), 1.0, 0.0);
+}
+
+static void bulk_tables_refused(void **state)
+{
+  (void)state;
+#define TABLES BULK "thermal: {by_temperature: "
+  refused(TABLES "{temperature_K: [100], specific_heat_J_kg_K: [1]}}\n", "5", "1 values",
+          "accepted: at least 2");
+  refused(TABLES "{temperature_K: [100, 100], specific_heat_J_kg_K: [1, 2]}}\n", "5",
+          "100 follows 100", "ascending");
+  refused(TABLES "{temperature_K: [100, 200], specific_heat_J_kg_K: [1, 2, 3]}}\n", "5",
+          "specific_heat_J_kg_K has 3 values", "accepted: 2");
+  refused(TABLES "{temperature_K: [100, 200]}}\n", "5", "says nothing of the temperatures",
+          "accepted: specific_heat_J_kg_K, conductivity_W_m_K");
+}
+
 /* A reflectance table is what it says at its nodes and between them, constant outside. */
 static void table_record(void **state)
 {
@@ -334,6 +369,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(absorptance_and_reflectance, setup, teardown),
       cmocka_unit_test_setup_teardown(missing_file_and_folder, setup, teardown),
       cmocka_unit_test_setup_teardown(grey_record, setup, teardown),
+      cmocka_unit_test_setup_teardown(bulk_by_temperature, setup, teardown),
+      cmocka_unit_test_setup_teardown(bulk_tables_refused, setup, teardown),
       cmocka_unit_test_setup_teardown(table_record, setup, teardown),
       cmocka_unit_test_setup_teardown(overrides_and_replacement, setup, teardown),
       cmocka_unit_test_setup_teardown(catalogue_warning, setup, teardown),

@@ -1,0 +1,60 @@
+/* Seams, edges and feed-throughs of MLI: heat conducted past the blanket,
+ *
+ *   q = e* sigma (T_inside^4 - T_skin^4) + u (T_inside - T_skin),
+ *
+ * u the conductance of all seams over the blanket's area: length of seam per area times conductance
+ * per length of seam. */
+#include "effects/list_impl.h"
+#include "thermal/body.h"
+
+static enum um_status add(struct um_context *context, const struct um_effect_use *use,
+                          const char *part, const char *group, struct um_thermal_group_spec *spec,
+                          struct um_thermal_shell *wall, struct um_thermal_mli *mli)
+{
+  (void)spec;
+  (void)wall;
+  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
+  if (mli != NULL) {
+    mli->seam_conductance += use->value[0];
+    return UM_OK;
+  }
+  if (use->target == NULL || strcmp(use->target, part) == 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_seams': '%s.%s' has no MLI", part, group);
+}
+
+/* A part that is named has MLI somewhere. */
+static enum um_status check(struct um_context *context, const struct um_effect_use *use,
+                            const char *part, struct um_thermal_part_spec *spec)
+{
+  if (use->target == NULL || strcmp(use->target, part) != 0) return UM_OK;
+  for (size_t g = 0; g < spec->ngroup; g++)
+    if (spec->groups[g].mli != NULL) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_seams': the part '%s' has no MLI", part);
+}
+
+static const struct um_effect_parameter parameters[] = {
+    {.name = "conductance_W_m2_K",
+     .unit = "W/m^2/K",
+     .help = "added to that of the seams, over the blanket's area",
+     .null_value = 0.0,
+     .default_value = 0.05,
+     .minimum = 0.0,
+     .maximum = 5.0,
+     .prior_sigma = 0.1,
+     .prior = "large blankets 0.005, small ones 0.03 of e*: 0.15 at 300 K for what edges add"},
+};
+
+const struct um_effect um_effects_mli_seams = {
+    UM_EFFECT_ABI,
+    .name = "mli_seams",
+    .summary = "Seams and edges of MLI conduct heat past the blanket",
+    .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 5",
+    .validity = "parts or groups with MLI; conduction alone: seams that radiate are "
+                "mli_emittance's",
+    .separated_by = "mli_emittance: radiation through the blanket goes with T^3, conduction past "
+                    "it does not; a blanket that is seen sunlit and in the umbra tells them apart",
+    .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
+    .parameters = parameters,
+    .nparameter = 1,
+    .hooks = {.group = add, .part = check},
+};
