@@ -141,6 +141,7 @@ enum um_status um_app_check_target(struct um_context *context, const char *out, 
 
 int um_app_run(struct um_context *context, const struct um_app_options *options);
 int um_app_cases(struct um_context *context, const struct um_app_options *options);
+int um_app_exchange(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
 int um_app_materials(struct um_context *context, const struct um_app_options *options);

@@ -21,6 +21,13 @@ static const struct um_app_verb verbs[] = {
               "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
               "picture. Exit status 1 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases},
+    {"exchange", "SCENARIO", "view factors and radiative couplings of its surfaces, as tables",
+     .accepts = "out " CHANGES " force json",
+     .about = "outside.csv and inside-PART.csv, which thermal.view_factors takes in again, and "
+              "couplings.csv, total exchange areas for other programs. The environment variable "
+              "UMBRA_CACHE names a folder where view factors are kept between runs.",
+     .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
+     .run = um_app_exchange},
     {"check", "SCENARIO", "read a scenario and report what was understood",
      .accepts = CHANGES " json",
      .about = "Parts, areas, watertightness, materials and nodes; nothing is computed or written.",

@@ -2,7 +2,10 @@
  * satellite: the same facets with their corners in the other order, so that fronts look inward. */
 #include "geometry/inside.h"
 
+#include <stdio.h>
 #include <string.h>
+
+#include "geometry/view_factor_file.h"
 
 #define PATCHES 128 /* a room of fewer has the rays of so many */
 
@@ -16,6 +19,7 @@ struct room_maker {
   struct um_geometry_visibility *visibility;
   struct um_geometry_patches *patches;
   struct um_geometry_view_factors *factors;
+  struct um_geometry_view_factor_key key;
 };
 
 static enum um_status allocate(struct room_maker *m, uint32_t part)
@@ -119,10 +123,55 @@ static enum um_status append(struct room_maker *m, struct um_geometry_view_facto
     all->begin[before + p + 1] = members + own->begin[p + 1];
   }
   all->npatch = before + n;
-  table->room[table->nroom++] = (struct um_geometry_room){
-      .part = own->npatch > 0 ? m->inner.facet_part[0] : 0, .first = before, .factors = m->factors};
+  table->room[table->nroom++] =
+      (struct um_geometry_room){.part = own->npatch > 0 ? m->inner.facet_part[0] : 0,
+                                .first = before,
+                                .key = m->key,
+                                .factors = m->factors};
   m->factors = NULL;
   return UM_OK;
+}
+
+static enum um_status trace(struct room_maker *m, size_t limit,
+                            struct um_geometry_view_factor_options options)
+{
+  UM_TRY(um_geometry_visibility_create(m->context, &m->inner, &m->turned, &m->visibility));
+  UM_TRY(gather(m, limit));
+  if (m->patches->npatch < PATCHES) options.rays = options.rays * PATCHES / m->patches->npatch;
+  return um_geometry_view_factors_create(m->context, &m->inner, &m->turned, m->visibility,
+                                         m->patches, &options, &m->factors);
+}
+
+/* What was read has no way out either. */
+static enum um_status check_closed(const struct room_maker *m, const char *name)
+{
+  for (size_t p = 0; p < m->factors->npatch; p++)
+    if (m->factors->space[p] > 0.0)
+      return um_core_fail(m->context, UM_ERR_INPUT,
+                          "%s.csv: patch %zu sends %g m2 to space; accepted: 0, it is inside", name,
+                          p, m->factors->space[p]);
+  return UM_OK;
+}
+
+/* From a file, inside-PART.csv, or by rays. */
+static enum um_status fill(struct room_maker *m, const struct um_geometry *geometry, uint32_t part,
+                           size_t limit, const struct um_geometry_view_factor_options *options)
+{
+  char name[512];
+  bool found = false;
+  struct um_geometry_view_factor_set set = {
+      .geometry = geometry, .mesh = &m->inner, .npose = 1, .pose = &m->factors};
+  snprintf(name, sizeof name, "inside-%s", um_geometry_part_name(geometry, part));
+  um_geometry_view_factor_key_begin(&m->inner, &m->turned, limit, options, &set.key);
+  m->key = set.key;
+  UM_TRY(um_geometry_view_factor_find(m->context, name, options, &set, &found));
+  if (found) {
+    m->patches = set.patches;
+    return check_closed(m, name);
+  }
+  UM_TRY(trace(m, limit, *options));
+  set.patches = m->patches;
+  return um_geometry_view_factor_keep(m->context, name, options, &set);
 }
 
 static void maker_free(struct room_maker *m)
@@ -158,14 +207,53 @@ enum um_status um_geometry_inside_add(struct um_context *context,
   UM_CHECK(pose_rest(&m, geometry));
   UM_CHECK(allocate(&m, part));
   turn(&m, part);
-  UM_CHECK(um_geometry_visibility_create(context, &m.inner, &m.turned, &m.visibility));
-  UM_CHECK(gather(&m, limit));
   own.closed = true;
-  if (m.patches->npatch < PATCHES) own.rays = own.rays * PATCHES / m.patches->npatch;
-  UM_CHECK(um_geometry_view_factors_create(context, &m.inner, &m.turned, m.visibility, m.patches,
-                                           &own, &m.factors));
+  UM_CHECK(fill(&m, geometry, part, limit, &own));
   status = append(&m, table);
 done:
+  maker_free(&m);
+  return status;
+}
+
+/* Facets of a part in their order number its inner surfaces. */
+static void number_facets(const struct room_maker *m, uint32_t *local)
+{
+  for (size_t i = 0; i < m->inner.nfacet; i++) local[m->facet[i]] = (uint32_t)i;
+}
+
+enum um_status um_geometry_inside_write(struct um_context *context,
+                                        const struct um_geometry *geometry,
+                                        const struct um_geometry_view_factor_table *table,
+                                        size_t room, FILE *file)
+{
+  enum um_status status;
+  struct room_maker m = {.context = context, .mesh = um_geometry_mesh(geometry)};
+  const struct um_geometry_room *own = &table->room[room];
+  const size_t *begin = table->patches->begin + own->first;
+  struct um_geometry_view_factors *pose[1] = {own->factors};
+  struct um_geometry_patches patches = {.npatch = own->factors->npatch};
+  uint32_t *local = NULL;
+  UM_CHECK(pose_rest(&m, geometry));
+  UM_CHECK(allocate(&m, own->part));
+  turn(&m, own->part);
+  UM_CHECK(um_core_allocate(context, m.mesh->nfacet, sizeof *local, &local));
+  number_facets(&m, local);
+  UM_CHECK(um_core_allocate(context, m.inner.nfacet, sizeof(uint32_t), &patches.surface));
+  UM_CHECK(um_core_allocate(context, patches.npatch + 1, sizeof(size_t), &patches.begin));
+  for (size_t p = 0; p <= patches.npatch; p++) patches.begin[p] = begin[p] - begin[0];
+  for (size_t i = 0; i < m.inner.nfacet; i++)
+    patches.surface[i] = local[table->patches->surface[begin[0] + i] - m.mesh->nsurface];
+  const struct um_geometry_view_factor_set set = {.geometry = geometry,
+                                                  .mesh = &m.inner,
+                                                  .key = own->key,
+                                                  .npose = 1,
+                                                  .patches = &patches,
+                                                  .pose = pose};
+  um_geometry_view_factor_file_write(&set, file);
+done:
+  um_core_free(context, local);
+  um_core_free(context, patches.surface);
+  um_core_free(context, patches.begin);
   maker_free(&m);
   return status;
 }

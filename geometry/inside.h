@@ -21,4 +21,11 @@ enum um_status um_geometry_inside_add(struct um_context *context,
                                       const struct um_geometry_view_factor_options *options,
                                       struct um_geometry_view_factor_table *table);
 
+/* Those of a room as a file (view_factor_file.h), which numbers the facets of its part from 0;
+ * errors of writing are the stream's. UM_ERR_MEMORY. */
+enum um_status um_geometry_inside_write(struct um_context *context,
+                                        const struct um_geometry *geometry,
+                                        const struct um_geometry_view_factor_table *table,
+                                        size_t room, FILE *file);
+
 #endif

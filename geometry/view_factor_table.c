@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "geometry/view_factor_file.h"
 
 #define FINEST   24   /* poses in a turn of a joint: 15 deg */
 #define MOST     64   /* poses */
@@ -116,15 +117,21 @@ static void scene_destroy(struct lattice *l, struct scene *scene)
   um_geometry_pose_destroy(l->context, &scene->pose);
 }
 
+/* Joints of a pose of the lattice, [njoint] [rad]. */
+static void pose_angles(const struct lattice *l, size_t pose, double *angles)
+{
+  if (l->njoint > 0) memcpy(angles, l->angles, l->njoint * sizeof *angles);
+  for (size_t m = 0; m < l->nmoving; m++)
+    angles[l->moving[m]] = 2.0 * UM_PI * l->place[pose * MOVING + m] / l->turn;
+}
+
 static enum um_status scene_create(struct lattice *l, size_t pose, struct scene *scene)
 {
   enum um_status status;
   double *angles = NULL;
   *scene = (struct scene){0};
   UM_CHECK(um_core_allocate(l->context, l->njoint, sizeof *angles, &angles));
-  if (l->njoint > 0) memcpy(angles, l->angles, l->njoint * sizeof *angles);
-  for (size_t m = 0; m < l->nmoving; m++)
-    angles[l->moving[m]] = 2.0 * UM_PI * l->place[pose * MOVING + m] / l->turn;
+  pose_angles(l, pose, angles);
   UM_CHECK(um_geometry_pose_create(l->context, l->geometry, l->njoint > 0 ? angles : NULL,
                                    &scene->pose));
   UM_CHECK(um_geometry_visibility_create(l->context, um_geometry_mesh(l->geometry), scene->pose,
@@ -218,6 +225,57 @@ static enum um_status judge(struct lattice *l)
   return UM_OK;
 }
 
+/* What all of it is made of. */
+static enum um_status key_make(struct lattice *l, size_t limit,
+                               const struct um_geometry_view_factor_options *options,
+                               struct um_geometry_view_factor_key *key)
+{
+  enum um_status status;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(l->geometry);
+  struct um_geometry_pose *pose = NULL;
+  double *angles = NULL;
+  UM_CHECK(um_core_allocate(l->context, l->njoint, sizeof *angles, &angles));
+  UM_CHECK(um_geometry_pose_create(l->context, l->geometry, l->njoint > 0 ? angles : NULL, &pose));
+  um_geometry_view_factor_key_begin(mesh, pose, limit, options, key);
+  for (size_t k = 0; k < l->npose; k++) {
+    um_geometry_pose_destroy(l->context, &pose);
+    pose_angles(l, k, angles);
+    UM_CHECK(
+        um_geometry_pose_create(l->context, l->geometry, l->njoint > 0 ? angles : NULL, &pose));
+    um_geometry_view_factor_key_pose(mesh, pose, key);
+  }
+done:
+  um_geometry_pose_destroy(l->context, &pose);
+  um_core_free(l->context, angles);
+  return status;
+}
+
+/* From a file, or by rays. */
+static enum um_status fill(struct lattice *l, size_t limit,
+                           const struct um_geometry_view_factor_options *options)
+{
+  struct um_geometry_view_factor_table *table = l->table;
+  struct um_geometry_view_factor_set set = {.geometry = l->geometry,
+                                            .mesh = um_geometry_mesh(l->geometry),
+                                            .npose = l->npose,
+                                            .pose = table->pose};
+  bool found = false;
+  UM_TRY(key_make(l, limit, options, &set.key));
+  table->key = set.key;
+  UM_TRY(um_geometry_view_factor_find(l->context, "outside", options, &set, &found));
+  if (found) {
+    table->patches = set.patches;
+    table->interpolation = set.interpolation;
+    return UM_OK;
+  }
+  UM_TRY(gather(l, limit));
+  UM_TRY(trace(l, options));
+  UM_TRY(judge(l));
+  set.patches = table->patches;
+  set.interpolation = table->interpolation;
+  return um_geometry_view_factor_keep(l->context, "outside", options, &set);
+}
+
 enum um_status
 um_geometry_view_factor_table_create(struct um_context *context, const struct um_geometry *geometry,
                                      const double *angles, size_t ntime, size_t limit,
@@ -234,17 +292,31 @@ um_geometry_view_factor_table_create(struct um_context *context, const struct um
   UM_CHECK(um_core_allocate(context, 1, sizeof *l.table, &l.table));
   UM_CHECK(find_moving(&l));
   UM_CHECK(place_all(&l));
-  UM_CHECK(gather(&l, limit));
+  UM_CHECK(fill(&l, limit, options));
   l.table->nsurface = l.table->patches->nsurface;
   l.table->noutside = l.table->patches->npatch;
-  UM_CHECK(trace(&l, options));
-  UM_CHECK(judge(&l));
   *out = l.table;
   l.table = NULL;
 done:
   um_core_free(context, l.place);
   um_geometry_view_factor_table_destroy(context, &l.table);
   return status;
+}
+
+void um_geometry_view_factor_table_write(const struct um_geometry *geometry,
+                                         const struct um_geometry_view_factor_table *table,
+                                         FILE *file)
+{
+  struct um_geometry_patches outside = *table->patches;
+  outside.npatch = table->noutside;
+  const struct um_geometry_view_factor_set set = {.geometry = geometry,
+                                                  .mesh = um_geometry_mesh(geometry),
+                                                  .key = table->key,
+                                                  .npose = table->npose,
+                                                  .patches = &outside,
+                                                  .pose = table->pose,
+                                                  .interpolation = table->interpolation};
+  um_geometry_view_factor_file_write(&set, file);
 }
 
 void um_geometry_view_factor_table_destroy(struct um_context *context,

@@ -2,12 +2,15 @@
 #ifndef UMBRA_GEOMETRY_VIEW_FACTOR_TABLE_H
 #define UMBRA_GEOMETRY_VIEW_FACTOR_TABLE_H
 
+#include <stdio.h>
+
 #include "geometry/view_factors.h"
 
 /* The inside of a closed part, the same in every pose. */
 struct um_geometry_room {
   uint32_t part;
-  size_t first;                             /* of its patches in the table */
+  size_t first; /* of its patches in the table */
+  struct um_geometry_view_factor_key key;
   struct um_geometry_view_factors *factors; /* which count them from 0 */
 };
 
@@ -20,9 +23,10 @@ struct um_geometry_view_factor_table {
   size_t npose;
   struct um_geometry_view_factors **pose; /* [npose] */
   size_t ntime, ncorner;
-  uint32_t *corner;     /* [ntime][ncorner] pose */
-  double *weight;       /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used */
-  double step;          /* between poses [rad]; 0: nothing moves */
+  uint32_t *corner; /* [ntime][ncorner] pose */
+  double *weight;   /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used */
+  double step;      /* between poses [rad]; 0: nothing moves */
+  struct um_geometry_view_factor_key key;
   double interpolation; /* estimate of the largest error of a view factor between poses [1] */
 };
 
@@ -38,6 +42,10 @@ um_geometry_view_factor_table_create(struct um_context *context, const struct um
                                      const double *angles, size_t ntime, size_t limit,
                                      const struct um_geometry_view_factor_options *options,
                                      struct um_geometry_view_factor_table **out);
+/* Those of the outside as a file (view_factor_file.h); errors of writing are the stream's. */
+void um_geometry_view_factor_table_write(const struct um_geometry *geometry,
+                                         const struct um_geometry_view_factor_table *table,
+                                         FILE *file);
 void um_geometry_view_factor_table_destroy(struct um_context *context,
                                            struct um_geometry_view_factor_table **table);
 

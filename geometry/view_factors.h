@@ -13,13 +13,20 @@
 #include "geometry/visibility.h"
 
 struct um_geometry_view_factor_options {
-  size_t rays;   /* from each patch, shared among its surfaces by area */
-  double cutoff; /* pairs with both view factors below are left out [1] */
-  bool open;     /* leave out closure: exchange areas as sampled, for tests */
-  bool closed;   /* nothing has a way out: a ray that slips through an edge comes back */
+  size_t rays;        /* from each patch, shared among its surfaces by area */
+  double cutoff;      /* pairs with both view factors below are left out [1] */
+  bool open;          /* leave out closure: exchange areas as sampled, for tests */
+  bool closed;        /* nothing has a way out: a ray that slips through an edge comes back */
+  const char *cache;  /* folder of those made before (view_factor_file.h); NULL: none */
+  const char *import; /* folder of those to take instead; NULL: none */
 };
 /* rays 4096, cutoff 1e-5. */
 void um_geometry_view_factor_defaults(struct um_geometry_view_factor_options *options);
+
+/* Hashes of what view factors are made of. */
+struct um_geometry_view_factor_key {
+  uint64_t surfaces, positions, angles, sampling;
+};
 
 /* Rows in order of patches, columns ascending. */
 struct um_geometry_view_factors {

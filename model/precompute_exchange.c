@@ -3,9 +3,12 @@
 #include "model/precompute_exchange_impl.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/constants.h"
+#include "core/file.h"
 #include "geometry/inside.h"
+#include "model/words_impl.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
 static enum um_status angles_make(struct um_context *context, const struct um_model *model,
@@ -97,28 +100,36 @@ static void say(struct um_context *context, const struct um_model *model,
   say_leaks(context, model, table);
 }
 
+/* By the keys of the scenario; view factors of earlier runs stand in the folder that the
+ * environment variable UMBRA_CACHE names, if it does. */
+static struct um_geometry_view_factor_options options_of(const struct um_model *model)
+{
+  struct um_geometry_view_factor_options options;
+  const char *cache = getenv("UMBRA_CACHE");
+  um_geometry_view_factor_defaults(&options);
+  options.rays = (size_t)model->scenario->thermal->view_factor_rays;
+  if (cache != NULL && cache[0] != '\0') options.cache = cache;
+  return options;
+}
+
 enum um_status um_model_view_factors(struct um_context *context, const struct um_model *model,
                                      const double *angles, size_t ntime,
                                      struct um_geometry_view_factor_table **out)
 {
-  const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  struct um_geometry_view_factor_options options;
-  um_geometry_view_factor_defaults(&options);
-  options.rays = (size_t)thermal->view_factor_rays;
+  struct um_geometry_view_factor_options options = options_of(model);
   return um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
-                                              (size_t)thermal->exchange_patches, &options, out);
+                                              (size_t)model->scenario->thermal->exchange_patches,
+                                              &options, out);
 }
 
 /* Parts whose network has inner surfaces. */
 static enum um_status add_rooms(struct um_context *context, const struct um_model *model,
+                                const struct um_geometry_view_factor_options *options,
                                 struct um_geometry_view_factor_table *table)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
   const struct um_scenario_part *part = model->scenario->parts.items;
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  struct um_geometry_view_factor_options options;
-  um_geometry_view_factor_defaults(&options);
-  options.rays = (size_t)thermal->view_factor_rays;
   for (uint32_t p = 0; p < model->scenario->parts.count; p++) {
     size_t f = 0;
     while (f < mesh->nfacet && mesh->facet_part[f] != p) f++;
@@ -126,9 +137,30 @@ static enum um_status add_rooms(struct um_context *context, const struct um_mode
                                                         um_geometry_inner_surface(mesh, f)) == NULL)
       continue;
     size_t limit = part[p].lumped ? 0 : (size_t)thermal->exchange_patches;
-    UM_TRY(um_geometry_inside_add(context, model->geometry, p, limit, &options, table));
+    UM_TRY(um_geometry_inside_add(context, model->geometry, p, limit, options, table));
   }
   return UM_OK;
+}
+
+/* The outside at joint angles, and the rooms. */
+static enum um_status make_table(struct um_context *context, const struct um_model *model,
+                                 const double *angles, size_t ntime,
+                                 struct um_geometry_view_factor_table **out)
+{
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  struct um_geometry_view_factor_options options = options_of(model);
+  char *import = NULL;
+  enum um_status status = UM_OK;
+  if (thermal->view_factors != NULL)
+    UM_TRY(um_core_path_resolve(context, thermal->at.file, thermal->view_factors, &import));
+  options.import = import;
+  UM_CHECK(um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
+                                                (size_t)thermal->exchange_patches, &options, out));
+  if (model->environment.mutual_radiation_on) UM_CHECK(add_rooms(context, model, &options, *out));
+done:
+  um_core_free(context, import);
+  if (status == UM_OK || thermal->view_factors == NULL) return status;
+  return um_model_blame(context, &thermal->at, "view_factors", status);
 }
 
 enum um_status um_model_precompute_view_factors(struct um_context *context,
@@ -140,9 +172,7 @@ enum um_status um_model_precompute_view_factors(struct um_context *context,
   size_t ntime = um_geometry_joint_moves(model->geometry) ? n : 1;
   double *angles = NULL;
   UM_CHECK(angles_make(context, model, samples, ntime, &angles));
-  UM_CHECK(um_model_view_factors(context, model, angles, ntime, &precomputed->view_factors));
-  if (model->environment.mutual_radiation_on)
-    UM_CHECK(add_rooms(context, model, precomputed->view_factors));
+  UM_CHECK(make_table(context, model, angles, ntime, &precomputed->view_factors));
   say(context, model, precomputed->view_factors);
 done:
   um_core_free(context, angles);

@@ -276,6 +276,7 @@ struct um_scenario_thermal {
   double start_temperature_K, facet_size_m, step_s, relative_tolerance, absolute_tolerance_K;
   int samples;
   int exchange_patches, view_factor_rays;
+  const char *view_factors; /* folder, or NULL */
   double space_temperature_K;
   int temperature_in_optics; /* 0 facet, 1 material_mean */
 };

@@ -48,6 +48,9 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("between which surfaces exchange radiation; more surfaces are gathered into these")),
     F(view_factor_rays, "view_factor_rays", UM_SCHEMA_INTEGER, DEFAULT(4096), BETWEEN(16, 1048576),
       HELP("from each patch, for view factors")),
+    F(view_factors, "view_factors", UM_SCHEMA_TEXT, NAMES_FILE,
+      HELP("folder that umbra exchange has written, to be taken in place of rays; refused where the "
+           "satellite or its joints are others")),
     F(space_temperature_K, "space_temperature_K", UM_SCHEMA_NUMBER, DEFAULT(2.7), BETWEEN(0, 100),
       HELP("of deep space")),
     F(temperature_in_optics, "temperature_in_optics", UM_SCHEMA_CHOICE, DEFAULT(0),

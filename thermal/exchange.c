@@ -365,6 +365,16 @@ double um_thermal_exchange_area(const struct um_thermal_exchange *exchange, size
   return 0.0;
 }
 
+struct um_thermal_exchange_row um_thermal_exchange_row(const struct um_thermal_exchange *exchange,
+                                                       size_t pose, size_t p)
+{
+  const struct um_thermal_between *between =
+      &exchange->between[p >= exchange->noutside ? exchange->npose : pose];
+  size_t begin = between->begin[p];
+  return (struct um_thermal_exchange_row){between->begin[p + 1] - begin, between->other + begin,
+                                          between->area + begin};
+}
+
 static void mix_add(const struct um_thermal_exchange *x, size_t row, double weight,
                     struct um_thermal_mix *mix)
 {

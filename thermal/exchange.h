@@ -46,4 +46,14 @@ void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_e
 double um_thermal_exchange_area(const struct um_thermal_exchange *exchange, size_t pose, size_t p,
                                 size_t q);
 
+/* The same of patch p with all others: n of them, ascending, itself among them; borrowed. Infrared
+ * is on. */
+struct um_thermal_exchange_row {
+  size_t n;
+  const uint32_t *other; /* [n] */
+  const double *area;    /* [n] [m^2] */
+};
+struct um_thermal_exchange_row um_thermal_exchange_row(const struct um_thermal_exchange *exchange,
+                                                       size_t pose, size_t p);
+
 #endif

@@ -55,6 +55,8 @@ static void test_json(void **state)
       {{"schema", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
+      {{"exchange", "box.yaml", "--set", "parts.bus.inside_emittance=0.8", "--json"},
+       "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
   };
   command_copy_data("box.yaml");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
@@ -266,9 +268,38 @@ static void test_cases(void **state)
   command_release(&c);
 }
 
+/* Exchange: what is written is taken in again, and refused by another satellite. */
+static void test_exchange(void **state)
+{
+  (void)state;
+  static const char *const inside = "parts.bus.inside_emittance=0.8";
+  static const char *const taken = "thermal.view_factors=factors";
+  command_copy_data("box.yaml");
+  command_expect(0, "exchange", "box.yaml", "--out", "factors", "--set", inside, NULL);
+  assert_true(command_exists("factors/outside.csv") && command_exists("factors/inside-bus.csv"));
+  char *table = command_read("factors/couplings.csv");
+  assert_non_null(strstr(table, "\n0,0,1,"));
+  assert_non_null(strstr(table, ",bus.+x.inside,bus.-x.inside\n"));
+  free(table);
+  command_expect(0, "run", "box.yaml", "--no-plots", "--out", "rays", "--set", inside, NULL);
+  command_expect(0, "run", "box.yaml", "--no-plots", "--out", "file", "--set", inside, "--set",
+                 taken, NULL);
+  char *rays = command_read("rays/temperatures.csv"), *file = command_read("file/temperatures.csv");
+  assert_string_equal(rays, file);
+  free(rays);
+  free(file);
+  struct command c = command_run("run", "box.yaml", "--no-plots", "--set", inside, "--set", taken,
+                                 "--set", "parts.bus.box.size_m=[1, 1, 1.5]", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "thermal.view_factors: "));
+  assert_non_null(strstr(c.err, "made of another satellite: shapes or places differ"));
+  command_release(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_exchange, command_enter, command_leave),
       cmocka_unit_test(test_json_checker),
       cmocka_unit_test_setup_teardown(test_json, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_json_escapes, command_enter, command_leave),

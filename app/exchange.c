@@ -1,0 +1,67 @@
+/* umbra exchange: view factors and radiative couplings of a scenario as tables. */
+#include <stdio.h>
+
+#include "app/app.h"
+#include "app/terminal.h"
+#include "core/file.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/precomputed.h"
+#include "output/exchange.h"
+
+static void print(const struct um_app_options *options,
+                  const struct um_geometry_view_factor_table *table, const char *folder)
+{
+  if (options->json) {
+    printf("{\"folder\": ");
+    um_core_json_string(stdout, folder);
+    printf(", \"patches_outside\": %zu, \"patches_inside\": %zu, \"rooms\": %zu, \"poses\": %zu}\n",
+           table->noutside, table->patches->npatch - table->noutside, table->nroom, table->npose);
+    return;
+  }
+  printf("%zu patches outside in %zu pose%s, %zu inside of %zu part%s\nresults in %s\n",
+         table->noutside, table->npose, table->npose == 1 ? "" : "s",
+         table->patches->npatch - table->noutside, table->nroom, table->nroom == 1 ? "" : "s",
+         folder);
+}
+
+int um_app_exchange(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  struct um_model_precomputed *precomputed = NULL;
+  struct um_thermal_exchange *exchange = NULL;
+  struct um_core_folder *folder = NULL;
+  struct um_model_options changes = um_app_model_options(options);
+  const struct um_thermal_exchange_options infrared = {.infrared = true};
+  char *out = NULL, *name = NULL;
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(um_core_asprintf(context, &name, "%s-exchange", model->scenario->name));
+  UM_CHECK(um_app_out_folder(context, options, name, &out));
+  UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
+  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  if (precomputed->view_factors == NULL) {
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: heat is not followed, so nothing is exchanged; accepted: an orbit "
+                          "other than points",
+                          options->positional[0]);
+    goto done;
+  }
+  const struct um_geometry_view_factor_table *table = precomputed->view_factors;
+  if (model->environment.mutual_radiation_on)
+    UM_CHECK(um_thermal_exchange_create(context, model->body->network,
+                                        table->ntime == 1 ? NULL : precomputed->loads, table,
+                                        &infrared, &exchange));
+  UM_CHECK(um_output_write_exchange(context, model, table, exchange, folder));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+  um_app_terminal_clear();
+  print(options, table, out);
+done:
+  um_core_folder_abort(&folder);
+  um_thermal_exchange_destroy(context, &exchange);
+  um_model_precomputed_destroy(context, &precomputed);
+  um_model_destroy(context, &model);
+  um_core_free(context, out);
+  um_core_free(context, name);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
