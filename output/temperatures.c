@@ -30,8 +30,8 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   return UM_OK;
 }
 
-/* Whole parts (what radiates), walls under MLI and interiors own their nodes alone, so their heats
- * add up to the satellite's. */
+/* Whole parts (what radiates), walls under MLI, inner layers that radiate inside and interiors own
+ * their nodes alone, so their heats add up to the satellite's. */
 static bool owns_its_nodes(const struct um_output_run *run, size_t place)
 {
   const struct um_thermal_body *body = run->model->body;

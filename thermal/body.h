@@ -117,9 +117,9 @@ struct um_thermal_contact {
 enum um_thermal_place_kind {
   UM_PLACE_PART,       /* all surfaces of a part */
   UM_PLACE_SIDE,       /* its fronts or backs */
-  UM_PLACE_WALL,       /* all walls under MLI */
+  UM_PLACE_WALL,       /* all walls under MLI, or all inner layers that radiate inside */
   UM_PLACE_GROUP,      /* surfaces of one group and side */
-  UM_PLACE_GROUP_WALL, /* its wall under MLI */
+  UM_PLACE_GROUP_WALL, /* its wall under MLI, or its inner layer */
   UM_PLACE_INTERIOR
 };
 struct um_thermal_place {

@@ -8,16 +8,15 @@
 #define TEXT    65536
 #define COLUMNS 8
 
-static void rows_add_up_to_the_satellite(void **state)
+static void rows_add_up(const char *const *set, const char *const *with, size_t nnode)
 {
-  (void)state;
-  static const char *const node[] = {"panel", "bus", "bus.wall", "bus.interior"};
-  struct heat_run run = heat_compute(LIST("parts.bus.interior.power_W=20"), NONE, NONE);
+  static const char *const node[] = {"panel", "bus", "bus.wall", "bus.interior", "bus.inside"};
+  struct heat_run run = heat_compute(set, with, NONE);
   const struct um_output_run out = {
       .model = run.model, .precomputed = run.precomputed, .result = run.result};
   char *text = calloc(TEXT, 1), *rest;
   double sum[COLUMNS] = {0}, gross[COLUMNS] = {0};
-  bool seen[4] = {false};
+  bool seen[5] = {false};
   FILE *file = tmpfile();
   assert_non_null(text);
   assert_non_null(file);
@@ -33,8 +32,8 @@ static void rows_add_up_to_the_satellite(void **state)
     if (first[0] == '\0') snprintf(first, sizeof first, "%.*s", (int)(at - line), line);
     if (strncmp(line, first, strlen(first)) != 0) break; /* of the first observation */
     *end = '\0';
-    while (known < 4 && strcmp(at + 1, node[known]) != 0) known++;
-    if (known == 4) fail_msg("a row of '%s'", at + 1);
+    while (known < nnode && strcmp(at + 1, node[known]) != 0) known++;
+    if (known == nnode) fail_msg("a row of '%s'", at + 1);
     assert_false(seen[known]);
     seen[known] = true;
     for (size_t c = 0; c < COLUMNS; c++) {
@@ -43,7 +42,7 @@ static void rows_add_up_to_the_satellite(void **state)
       gross[c] += fabs(value);
     }
   }
-  for (size_t i = 0; i < 4; i++)
+  for (size_t i = 0; i < nnode; i++)
     if (!seen[i]) fail_msg("no row of '%s'", node[i]);
   /* solar, albedo, planet, internal, conducted, radiated, exchanged, stored; nine digits each */
   assert_true(fabs(sum[3] - 20.0) <= 1e-7);
@@ -51,6 +50,21 @@ static void rows_add_up_to_the_satellite(void **state)
   assert_true(gross[6] > 1.0 && fabs(sum[6]) <= 1e-8 * gross[6]);
   free(text);
   heat_release(&run);
+}
+
+static void rows_add_up_to_the_satellite(void **state)
+{
+  (void)state;
+  rows_add_up(LIST("parts.bus.interior.power_W=20"), NONE, 4);
+}
+
+/* Inner layers have a row of their own. */
+static void rows_of_an_inside(void **state)
+{
+  (void)state;
+  rows_add_up(LIST("parts.bus.interior.power_W=20", "parts.bus.inside_emittance=0.8",
+                   "parts.bus.shell.through_conductance_W_m2_K=30"),
+              LIST("mutual_radiation"), 5);
 }
 
 static int setup(void **state)
@@ -66,6 +80,7 @@ static int teardown(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(rows_add_up_to_the_satellite)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(rows_add_up_to_the_satellite),
+                                     cmocka_unit_test(rows_of_an_inside)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }
