@@ -118,12 +118,11 @@ enum um_status um_thermal_sensitivity_run_create(const struct um_thermal_sensiti
   struct um_context *context = of->context;
   *r = (struct um_thermal_sensitivity_run){
       .context = context, .parameter = variant, .forced = true, .tolerance = TOLERANCE};
-  if (of->options->exchange != NULL)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "sensitivities of a satellite whose surfaces exchange radiation; accepted: "
-                        "without mutual_radiation and solar_multiple_reflection");
+  UM_TRY(um_thermal_sensitivity_exchange_check(of, variant, nvariant));
   UM_TRY(systems_create(r, of, variant, nvariant, kind, duration));
   UM_TRY(um_thermal_linear_create(r->system, &r->linear));
+  if (r->system->exchange != NULL)
+    UM_TRY(um_thermal_exchange_solver_create(r->system, &r->exchange));
   r->n = r->system->nunknown;
   UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->jacobian));
   UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->matrix));
@@ -143,6 +142,7 @@ void um_thermal_sensitivity_run_free(struct um_thermal_sensitivity_run *r)
                    r->stage[1], r->stage[2], r->stage[3], r->largest};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++) um_core_free(r->context, block[k]);
   um_thermal_linear_destroy(&r->linear);
+  um_thermal_exchange_solver_destroy(&r->exchange);
   for (size_t c = 0; c < r->ncolumn; c++) um_thermal_system_destroy(&r->variant[c]);
   um_core_free(r->context, r->variant);
   um_thermal_system_destroy(&r->system);
@@ -270,6 +270,7 @@ enum um_status um_thermal_sensitivity_nodes(struct um_thermal_sensitivity_run *r
   bool lost = !um_thermal_system_state_set(system, t, r->y);
   for (size_t g = 0; g < system->ncluster && !lost; g++)
     lost = !um_thermal_system_cluster_linearize(system, &system->cluster[g]);
+  if (r->exchange != NULL) um_thermal_system_exchange_hold(system, false);
   for (size_t c = 0; c < r->ncolumn && !lost; c++) {
     struct um_thermal_system *variant = r->variant[c];
     double *s = out + c * system->n, inverse = 1.0 / r->parameter[c].step;
@@ -278,6 +279,14 @@ enum um_status um_thermal_sensitivity_nodes(struct um_thermal_sensitivity_run *r
       s[i] = (variant->temperature[i] - system->temperature[i]) * inverse;
     for (size_t k = 0; k < r->n; k++)
       s[system->node[k]] = answer_of(r, c, system->node[k], r->y[k], columns[c * r->n + k]);
+    if (r->exchange != NULL && system->ncluster > 0) {
+      um_thermal_system_exchange_tangent(system, 0.0, columns + c * r->n, r->moved);
+      for (size_t g = 0; g < system->ncluster; g++)
+        for (size_t a = 0; a < system->cluster[g].m; a++)
+          s[system->cluster[g].node[a]] +=
+              um_thermal_system_exchange_followed(system, system->cluster[g].node[a]);
+      continue;
+    }
     for (size_t g = 0; g < system->ncluster; g++) {
       const struct um_thermal_cluster *cluster = &system->cluster[g];
       for (size_t a = 0; a < cluster->m; a++)

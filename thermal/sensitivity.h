@@ -13,9 +13,10 @@
 
 /* One parameter moved by `step` [its unit], not 0. Same nodes of the same kinds in the same order,
  * as many thermostats and power histories, and loads with the same times and edges: what moves an
- * edge in time has no derivative there. Start temperatures may differ. A step of 1e-6 to 1e-4 of
- * the parameter's size serves: it need only stay clear of rounding and, being one-sided, of
- * curvature.
+ * edge in time has no derivative there. Where surfaces exchange radiation, a parameter of their
+ * optics brings options with the exchange of the variant's network. Start temperatures may differ.
+ * A step of 1e-6 to 1e-4 of the parameter's size serves: it need only stay clear of rounding and,
+ * being one-sided, of curvature.
  */
 struct um_thermal_variant {
   const struct um_thermal_network *network;       /* borrowed */

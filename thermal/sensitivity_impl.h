@@ -2,6 +2,7 @@
 #ifndef UMBRA_THERMAL_SENSITIVITY_IMPL_H
 #define UMBRA_THERMAL_SENSITIVITY_IMPL_H
 
+#include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
 #include "thermal/sensitivity.h"
@@ -48,11 +49,13 @@ struct um_thermal_sensitivity_run {
   size_t ncolumn, n; /* n: unknowns */
   bool forced;       /* with the forcing; else what a start leaves alone */
   struct um_thermal_linear *linear;
-  double *jacobian, *matrix;        /* [nnonzero] */
-  double *y, *rate, *moved;         /* [n] */
-  double *s, *next, *known, *error; /* [ncolumn][n] */
-  double *stage[4];                 /* [ncolumn][n] dS/dt */
-  double *largest;                  /* [ncolumn] |S| so far */
+  struct um_thermal_exchange_solver *exchange; /* NULL: none between surfaces */
+  double share;                                /* of a right side that the next solution leaves */
+  double *jacobian, *matrix;                   /* [nnonzero] */
+  double *y, *rate, *moved;                    /* [n] */
+  double *s, *next, *known, *error;            /* [ncolumn][n] */
+  double *stage[4];                            /* [ncolumn][n] dS/dt */
+  double *largest;                             /* [ncolumn] |S| so far */
   double tolerance;
   double t, h;                    /* [s] where s is; the step to try */
   bool continued;                 /* stage[3] is the rate where the next step begins */
@@ -90,6 +93,17 @@ enum um_status um_thermal_sensitivity_follow(struct um_thermal_sensitivity_run *
  * r->y. */
 enum um_status um_thermal_sensitivity_nodes(struct um_thermal_sensitivity_run *r, double t,
                                             const double *columns, double *out);
+
+/* --- sensitivity_exchange.c ----------------------------------------------------------------- */
+
+/* Variants of surfaces that exchange radiation bring the exchange that their optics make. */
+enum um_status
+um_thermal_sensitivity_exchange_check(const struct um_thermal_sensitivity_subject *of,
+                                      const struct um_thermal_variant *variant, size_t nvariant);
+/* x[ncolumn][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last; `share` of
+ * each right side may be left. UM_ERR_NUMERIC with or without a message. */
+enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
+                                            double share, double *x);
 
 /* --- sensitivity_step.c --------------------------------------------------------------------- */
 

@@ -31,9 +31,8 @@ static enum um_status shifted_solve(struct periodic *p, double shift)
   for (size_t k = 0; k < r->n; k++) r->matrix[r->system->diagonal[k]] += shift;
   memcpy(p->part, p->left, r->ncolumn * r->n * sizeof *p->part);
   enum um_status status = um_thermal_linear_factor(r->linear, r->matrix);
-  if (status == UM_OK)
-    status = um_thermal_linear_solve(r->linear, r->ncolumn, LINEAR_SHARE, p->part);
-  if (status != UM_ERR_NUMERIC) return status;
+  if (status == UM_OK) status = um_thermal_sensitivity_solve(r, p->period, LINEAR_SHARE, p->part);
+  if (status != UM_ERR_NUMERIC || um_core_message(r->context)[0] != '\0') return status;
   return um_core_fail(r->context, UM_ERR_NUMERIC, "periodic heat sensitivities: %s",
                       um_thermal_linear_fault(r->linear, fault, sizeof fault));
 }
@@ -48,6 +47,7 @@ static enum um_status correct(struct periodic *p)
   if (!um_thermal_system_jacobian(r->system, r->jacobian))
     return um_core_fail(r->context, UM_ERR_NUMERIC,
                         "an arithmetic node finds no balance in the orbit mean");
+  if (r->exchange != NULL) um_thermal_system_exchange_hold(r->system, false);
   UM_TRY(shifted_solve(p, SLOWEST));
   for (size_t k = 0; k < count; k++) p->taken[k] = p->left[k] + p->part[k];
   UM_TRY(shifted_solve(p, 6.0));

@@ -18,11 +18,12 @@
 #define STAGES       4
 #define POLE         (1767732205903.0 / 4055673282236.0)
 #define SAFETY       0.8
-#define FASTEST      2.5  /* growth of a step */
-#define SLOWEST      0.2  /* and its shrinking */
-#define LINEAR_SHARE 1e-6 /* of a right side that iterated linear solutions leave */
-#define SHORTEST     1e-7 /* [s] */
-#define LONGEST      16.0 /* steps of the base that one may pass */
+#define FASTEST      2.5   /* growth of a step */
+#define SLOWEST      0.2   /* and its shrinking */
+#define LINEAR_SHARE 1e-6  /* of a right side that iterated linear solutions leave */
+#define SHORTEST     1e-7  /* [s] */
+#define ROUNDING     3e-10 /* [K] over a parameter's step: answers below are not looked at */
+#define LONGEST      16.0  /* steps of the base that one may pass */
 
 static const double weight[STAGES][STAGES] = {
     {0.0, 0.0, 0.0, 0.0},
@@ -50,6 +51,7 @@ static enum um_status linearize(struct um_thermal_sensitivity_run *r, double t)
   if (!um_thermal_system_state_set(r->system, t, r->y)) return balance_lost(r);
   um_thermal_system_rate(r->system, r->rate);
   if (!um_thermal_system_jacobian(r->system, r->jacobian)) return balance_lost(r);
+  if (r->exchange != NULL) um_thermal_system_exchange_hold(r->system, false);
   return UM_OK;
 }
 
@@ -82,8 +84,8 @@ static enum um_status factor(struct um_thermal_sensitivity_run *r)
 
 static enum um_status solve(struct um_thermal_sensitivity_run *r, double *x)
 {
-  enum um_status status = um_thermal_linear_solve(r->linear, r->ncolumn, LINEAR_SHARE, x);
-  if (status != UM_ERR_NUMERIC) return status;
+  enum um_status status = um_thermal_sensitivity_solve(r, POLE * r->h, LINEAR_SHARE, x);
+  if (status != UM_ERR_NUMERIC || um_core_message(r->context)[0] != '\0') return status;
   return um_core_fail(r->context, UM_ERR_NUMERIC,
                       "heat sensitivities %.3f s after the start: no solution", r->t);
 }
@@ -101,6 +103,7 @@ static enum um_status first_rate(struct um_thermal_sensitivity_run *r)
     for (size_t k = 0; k < r->n; k++)
       for (int64_t e = system->column[k]; e < system->column[k + 1]; e++)
         out[system->row[e]] += r->jacobian[e] * s[k];
+    if (r->exchange != NULL) um_thermal_system_exchange_tangent(r->system, 1.0, s, out);
   }
   return UM_OK;
 }
@@ -151,7 +154,7 @@ static enum um_status error_find(struct um_thermal_sensitivity_run *r, double *o
   UM_TRY(solve(r, r->error));
   *out = 0.0;
   for (size_t c = 0; c < r->ncolumn; c++) {
-    double largest = r->largest[c], worst = 0.0;
+    double largest = fmax(r->largest[c], ROUNDING / fabs(r->parameter[c].step)), worst = 0.0;
     for (size_t k = c * r->n; k < (c + 1) * r->n; k++) {
       largest = fmax(largest, fabs(r->next[k]));
       worst = fmax(worst, fabs(r->error[k]));

@@ -326,6 +326,13 @@ void um_thermal_system_exchange_hold(struct um_thermal_system *system, bool stro
 void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double factor,
                                         const double *x, double *out);
 
+/* Change of an eliminated node by the last product [K]. */
+static inline double um_thermal_system_exchange_followed(const struct um_thermal_system *system,
+                                                         size_t node)
+{
+  return system->exchange->change[node] + system->exchange->follow[node];
+}
+
 /* Solve the balance of all clusters, temperatures of the unknowns given. */
 bool um_thermal_system_clusters_solve(struct um_thermal_system *system);
 /* Factor at system->cube and compute response. */
