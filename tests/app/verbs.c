@@ -286,8 +286,18 @@ static void test_exchange(void **state)
                  taken, NULL);
   char *rays = command_read("rays/temperatures.csv"), *file = command_read("file/temperatures.csv");
   assert_string_equal(rays, file);
-  free(rays);
   free(file);
+  /* kept by a first run, taken by a second */
+  assert_int_equal(setenv("UMBRA_CACHE", "cache", 1), 0);
+  for (int k = 0; k < 2; k++) {
+    command_expect(0, "run", "box.yaml", "--no-plots", "--out", "kept", "--set", inside, NULL);
+    file = command_read("kept/temperatures.csv");
+    assert_string_equal(rays, file);
+    free(file);
+  }
+  assert_int_equal(unsetenv("UMBRA_CACHE"), 0);
+  assert_true(command_exists("cache"));
+  free(rays);
   struct command c = command_run("run", "box.yaml", "--no-plots", "--set", inside, "--set", taken,
                                  "--set", "parts.bus.box.size_m=[1, 1, 1.5]", NULL);
   assert_int_equal(c.code, 1);
