@@ -52,10 +52,12 @@ void um_environment_sun_shares(const struct um_environment *environment,
   const double first = 0.1195e-6, last = 1e-3; /* where E490 begins and ends [m] */
   const double step = log(last / first) / UM_MATERIALS_SUN;
   double total = 0.0;
+  struct um_environment sun = *environment; /* shares of its energy, which may be none */
+  if (!(sun.solar_irradiance > 0.0)) sun.solar_irradiance = 1.0;
   for (size_t i = 0; i < UM_MATERIALS_SUN; i++) {
     double from = first * exp(step * (double)i), to = first * exp(step * (double)(i + 1));
     out->wavelength[i] = sqrt(from * to);
-    out->share[i] = um_environment_solar_band(environment, from, to);
+    out->share[i] = um_environment_solar_band(&sun, from, to);
     total += out->share[i];
   }
   for (size_t i = 0; i < UM_MATERIALS_SUN; i++) out->share[i] /= total;
