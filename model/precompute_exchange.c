@@ -156,7 +156,8 @@ static enum um_status make_table(struct um_context *context, const struct um_mod
   options.import = import;
   UM_CHECK(um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
                                                 (size_t)thermal->exchange_patches, &options, out));
-  if (model->environment.mutual_radiation_on) UM_CHECK(add_rooms(context, model, &options, *out));
+  /* whether mutual radiation is on or not: a variant of the model may switch it */
+  UM_CHECK(add_rooms(context, model, &options, *out));
 done:
   um_core_free(context, import);
   if (status == UM_OK || thermal->view_factors == NULL) return status;

@@ -4,6 +4,10 @@
  * elimination, Runge-Kutta of the fourth order in steps of 1 s (0.5 s differ by less than 1e-6 K).
  * It takes the loads of the scenario, linear between their times, and nothing else. What is left is
  * the view factors by rays: 5e-4 of up to 200 W/m2 over 10 W/m2/K. */
+#include <string.h>
+
+#include "model/build.h"
+#include "model/run.h"
 #include "tests/scenarios/support.h"
 #include "tests/support/view_factor_forms.h"
 #include "thermal/body.h"
@@ -174,6 +178,34 @@ static void two_layers(void **state)
   follow(set, 1, 12.0);
 }
 
+/* What was traced while mutual radiation is off serves a model that has it on, as a diagnosis asks.
+ */
+static void switched_on(void **state)
+{
+  (void)state;
+  static const char *const without[] = {"effects.+={effect: mutual_radiation, off: true}"};
+  struct support_run off, on;
+  struct um_model *model = NULL;
+  struct um_model_result *result = NULL;
+  support_compute(SCENARIO, without, 1, &off);
+  support_compute(SCENARIO, NULL, 0, &on);
+  if (um_model_create(off.context, SCENARIO, NULL, &model) != UM_OK ||
+      um_model_run(off.context, model, off.precomputed, &result) != UM_OK)
+    fail_msg("%s", um_core_message(off.context));
+  um_model_result_destroy(off.context, &off.result);
+  off.result = result;
+  for (int i = 0; i < WALLS; i++)
+    for (size_t k = 0; k < on.result->nobs; k++) {
+      char place[32];
+      snprintf(place, sizeof place, "box.%s", wall[i]);
+      support_close(place, support_temperature(&off, place)[k], support_temperature(&on, place)[k],
+                    0.0);
+    }
+  um_model_destroy(off.context, &model);
+  support_release(&off);
+  support_release(&on);
+}
+
 /* Whoever withholds mutual radiation withholds the inside. */
 static void withheld(void **state)
 {
@@ -199,6 +231,6 @@ static void withheld(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(one_layer), cmocka_unit_test(two_layers),
-                                     cmocka_unit_test(withheld)};
+                                     cmocka_unit_test(withheld), cmocka_unit_test(switched_on)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
