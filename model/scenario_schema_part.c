@@ -179,7 +179,8 @@ static const struct um_schema_field part_fields[] = {
       HELP("share of direct sunlight on the front that leaves as electricity")),
     F(inside_emittance, "inside_emittance", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1),
       HELP("of the inner faces of a closed part, which then heat each other; a wall with "
-           "through_conductance_W_m2_K then has an inner layer; 0: they do not radiate")),
+           "through_conductance_W_m2_K then has an inner layer; what stands inside takes part by "
+           "radiative contacts; 0: they do not radiate")),
 };
 #undef F
 SHARED_OBJECT(um_model_part_schema, struct um_scenario_part, "part", "One piece of the satellite.",
