@@ -16,6 +16,7 @@
 #include "tests/scenarios/support.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"
+#define MAGNETIC SCENARIO "/magnetic.yaml"
 #define MEASURED SCENARIO "/measured.csv"
 
 #define ACCEPTED_RMS 2.0  /* [K] */
@@ -38,8 +39,8 @@ static void need(struct um_context *context, enum um_status status)
 }
 
 /* Residual of the panel mean, all rows. */
-static struct um_compare_metrics compute(const char *const *overrides, const char *const *with,
-                                         const char *const *without)
+static struct um_compare_metrics compute_of(const char *scenario, const char *const *overrides,
+                                            const char *const *with, const char *const *without)
 {
   struct um_context *context = NULL;
   struct um_compare_measurements *measured = NULL;
@@ -54,7 +55,7 @@ static struct um_compare_metrics compute(const char *const *overrides, const cha
                                            .nwithout = length(without)};
   need(NULL, um_core_context_create(NULL, &context));
   need(context, um_compare_measurements_read(context, MEASURED, &measured));
-  need(context, um_model_create(context, SCENARIO, &options, &run.model));
+  need(context, um_model_create(context, scenario, &options, &run.model));
   need(context, um_compare_plan_create(context, run.model, measured, &plan));
   need(context, um_compare_plan_trace(context, run.model, plan, &run.precomputed));
   need(context, um_model_run(context, run.model, run.precomputed, &run.result));
@@ -70,6 +71,12 @@ static struct um_compare_metrics compute(const char *const *overrides, const cha
   um_compare_measurements_destroy(context, &measured);
   um_core_context_destroy(&context);
   return metrics;
+}
+
+static struct um_compare_metrics compute(const char *const *overrides, const char *const *with,
+                                         const char *const *without)
+{
+  return compute_of(SCENARIO, overrides, with, without);
 }
 
 static double complete_rms = NAN; /* [K], NaN until the complete model was computed */
@@ -144,10 +151,47 @@ static void each_effect_is_missed_and_comes_back(void **state)
   }
 }
 
+/* What each piece of physics brings, as README.md prints it: to half of its last digit, and the
+ * integrator's tolerance of 1 mK. */
+static void steps_are_as_stated(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *scenario, *set;
+    const char *with[5];
+    double bias, rms; /* [K] as printed */
+  } steps[] = {{SCENARIO, NULL, {NULL}, 0.49, 1.17},
+               {SCENARIO, "environment.earth=knocke", {NULL}, 0.79, 1.54},
+               {SCENARIO,
+                "attitude=[{magnetic: {axis_body: [0, 0, 1], period_s: 205}}]",
+                {NULL},
+                2.36,
+                2.66},
+               {MAGNETIC, NULL, {NULL}, 1.62, 2.00},
+               {MAGNETIC, "environment.earth=knocke", {NULL}, 1.93, 2.40},
+               {MAGNETIC,
+                NULL,
+                {"solar_absorptance:panel_side,absorptance_shift=0.008",
+                 "solar_absorptance:panel_end,absorptance_shift=0.008",
+                 "emittance:panel_side,emittance_factor=0.98869",
+                 "emittance:panel_end,emittance_factor=0.98869", NULL},
+                0.42,
+                1.25}};
+  for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+    struct um_compare_metrics found =
+        compute_of(steps[i].scenario, LIST(steps[i].set), steps[i].with, NONE);
+    print_message("%-60s bias %+.2f rms %.2f K\n",
+                  steps[i].set == NULL ? steps[i].scenario : steps[i].set, found.bias, found.rms);
+    support_close("bias [K]", found.bias, steps[i].bias, 0.006);
+    support_close("rms [K]", found.rms, steps[i].rms, 0.006);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(measurements_are_the_telemetry),
                                      cmocka_unit_test(catalogue_properties_meet_the_panels),
-                                     cmocka_unit_test(each_effect_is_missed_and_comes_back)};
+                                     cmocka_unit_test(each_effect_is_missed_and_comes_back),
+                                     cmocka_unit_test(steps_are_as_stated)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
