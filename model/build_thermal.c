@@ -9,6 +9,7 @@
 #include "model/aging_impl.h"
 #include "model/build_interiors_impl.h"
 #include "model/build_mli_impl.h"
+#include "model/build_network_impl.h"
 #include "model/build_power_impl.h"
 #include "model/build_wall_impl.h"
 #include "model/effects_impl.h"
@@ -76,7 +77,7 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
   const struct um_scenario_shell *wall =
       own != NULL && own->shell != NULL ? own->shell : part->shell;
   struct um_thermal_shell *shell = NULL;
-  if (part->solid == NULL) {
+  if (part->solid == NULL && part->network == NULL) {
     UM_TRY(um_core_arena_allocate(a->context, &a->model->memory, 1, sizeof *shell, &shell));
     if (wall != NULL)
       UM_TRY(um_model_build_shell(a->context, a->model, wall, shell));
@@ -151,6 +152,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
                               ? a->model->scenario->thermal->start_temperature_K
                               : part->start_temperature_K;
   UM_TRY(um_model_build_interiors(a->context, a->model, part, index, to));
+  if (part->network != NULL) UM_TRY(um_model_build_network(a->context, a->model, part, index, to));
   /* the groups of a part stand together */
   uint32_t first = 0, all = (uint32_t)um_geometry_group_count(geometry), own = 0;
   while (first < all && um_geometry_group(geometry, first)->part != index) first++;
@@ -247,6 +249,7 @@ enum um_status um_model_build_thermal(struct um_context *context, struct um_mode
   if (status == UM_OK) status = um_model_build_start_offset(context, model, parts, n);
   if (status != UM_OK) status = blame_body(context, model, status);
 done:
+  for (size_t i = 0; parts != NULL && i < n; i++) um_thermal_network_destroy(&parts[i].network);
   um_core_free(context, parts);
   return status;
 }

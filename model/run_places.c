@@ -94,8 +94,33 @@ static enum um_status material_history(struct um_context *context, const struct 
   return UM_OK;
 }
 
-/* Heat of all nodes of a place; meaningful for whole parts and interiors, whose nodes are theirs
- * alone. Mean over the exposure. */
+/* The share that a place has of each of its nodes, in the order of places and their nodes. Parts,
+ * walls and interiors have theirs alone; a node between groups belongs to them by area, so that
+ * groups add up to their part. The caller frees. */
+static enum um_status shares_of(struct um_context *context, const struct um_thermal_body *body,
+                                double **out)
+{
+  size_t n = um_thermal_network_nodes(body->network), all = 0, at = 0;
+  double *area = NULL; /* [node] of groups, then of their walls */
+  for (size_t p = 0; p < body->nplace; p++) all += body->place[p].nnode;
+  UM_TRY(um_core_allocate(context, all, sizeof **out, out));
+  UM_TRY(um_core_allocate(context, 2 * n, sizeof *area, &area));
+  for (int pass = 0; pass < 2; pass++)
+    for (size_t p = 0; p < body->nplace; p++) {
+      const struct um_thermal_place *place = &body->place[p];
+      bool wall = place->kind == UM_PLACE_GROUP_WALL, group = place->kind == UM_PLACE_GROUP;
+      bool side = place->kind == UM_PLACE_SIDE;
+      for (size_t j = 0; j < place->nnode; j++) {
+        double *sum = &area[place->node[j] + (wall ? n : 0)], own = place->weight[j] * place->area;
+        if (pass == 0 && (wall || group)) *sum += own;
+        if (pass == 1) (*out)[at++] = wall || group || side ? own / *sum : 1.0;
+      }
+    }
+  um_core_free(context, area);
+  return UM_OK;
+}
+
+/* Heat of all nodes of a place by its shares of them. Mean over the exposure. */
 static enum um_status heat_of_places(struct um_context *context, const struct um_model *model,
                                      const struct um_model_precomputed *precomputed,
                                      const struct um_model_thermal_solution *heat,
@@ -106,7 +131,9 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
   const struct um_thermal_history *h = run->history;
   const struct um_thermal_body *body = model->body;
   struct um_thermal_heat *node = NULL;
-  UM_TRY(um_core_allocate(context, h->nnode, sizeof *node, &node));
+  double *share = NULL;
+  UM_CHECK(um_core_allocate(context, h->nnode, sizeof *node, &node));
+  UM_CHECK(shares_of(context, body, &share));
   UM_CHECK(um_core_allocate(context, precomputed->nobs * result->nplace, sizeof *result->heat,
                             &result->heat));
   for (size_t i = 0; i < instants(precomputed); i++) {
@@ -118,10 +145,10 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(
           body->network, h->heating + (i + (run->before ? 1 : 0)) * h->nthermostat, node);
-    for (size_t p = 0; p < body->nplace; p++) {
+    for (size_t p = 0, s = 0; p < body->nplace; p++) {
       struct um_thermal_heat *to = &result->heat[i / precomputed->nsub * result->nplace + p];
-      double w = 1.0 / (double)precomputed->nsub;
-      for (size_t j = 0; j < body->place[p].nnode; j++) {
+      for (size_t j = 0; j < body->place[p].nnode; j++, s++) {
+        double w = share[s] / (double)precomputed->nsub;
         const struct um_thermal_heat *from = &node[body->place[p].node[j]];
         to->solar += w * from->solar;
         to->albedo += w * from->albedo;
@@ -135,6 +162,7 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
     }
   }
 done:
+  um_core_free(context, share);
   um_core_free(context, node);
   return status;
 }

@@ -232,6 +232,10 @@ struct um_scenario_group {
   const char *power_file;
   double inside_emittance; /* NaN: the part's */
 };
+struct um_scenario_network { /* nodes and conductors in place of walls */
+  struct um_mark at;
+  const char *nodes, *conductors;
+};
 struct um_scenario_part {
   struct um_mark at;
   const char *name, *parent;
@@ -249,6 +253,7 @@ struct um_scenario_part {
   struct um_scenario_interior *interior;
   struct um_schema_list interiors; /* of struct um_scenario_interior */
   struct um_scenario_solid *solid;
+  struct um_scenario_network *network;
   bool lumped;
   double facet_size_m, start_temperature_K;
   double electrical_extraction; /* of direct sunlight on the front [1] */

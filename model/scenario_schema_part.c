@@ -112,6 +112,22 @@ OBJECT(solid_object, struct um_scenario_solid, "solid",
        "The part is solid: tetrahedra, three-dimensional conduction.", FIELDS(solid_fields),
        .scalar_key = "material");
 #define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_network, member, key, type, __VA_ARGS__)
+static const struct um_schema_field network_fields[] = {
+    F(nodes, "nodes", UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED,
+      HELP(
+          "CSV name,kind,capacity_J_K,T0_K,power_W; kind diffusive, arithmetic or boundary. A node "
+          "of the name of each group, and GROUP.back, carries its surfaces; all others are "
+          "inside")),
+    F(conductors, "conductors", UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED,
+      HELP("CSV kind,a,b,value; kind GL [W/K] or GR [m2], GR also to space")),
+};
+#undef F
+OBJECT(network_object, struct um_scenario_network, "network",
+       "Nodes and conductors in place of walls and interiors; shape and materials stay for light "
+       "and radiation.",
+       FIELDS(network_fields));
+#define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_inner_conductance, member, key, type, __VA_ARGS__)
 static const struct um_schema_field inner_conductance_fields[] = {
     F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 1e6),
@@ -170,6 +186,7 @@ static const struct um_schema_field part_fields[] = {
     F(interiors, "interiors", UM_SCHEMA_DICT, MOST(1000), .object = &interiors_object,
       HELP("several nodes inside the part by name, beside interior; places PART.NAME")),
     F(solid, "solid", UM_SCHEMA_MAP, .object = &solid_object),
+    F(network, "network", UM_SCHEMA_MAP, .object = &network_object),
     F(lumped, "lumped", UM_SCHEMA_BOOL, DEFAULT(0), HELP("one isothermal node per group and side")),
     F(facet_size_m, "facet_size_m", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
       HELP("longest facet edge; default thermal.facet_size_m")),

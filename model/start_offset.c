@@ -20,7 +20,10 @@ enum um_status um_model_build_start_offset(struct um_context *context, struct um
         UM_TRY(um_core_allocate(context, um_thermal_network_nodes(network), sizeof(double),
                                 &model->start_offset));
       snprintf(name, sizeof name, "%s.%s", part, interior->name);
-      model->start_offset[um_thermal_network_find(network, name)] = interior->offset;
+      const struct um_thermal_place *place =
+          &model->body->place[um_thermal_body_place_find(model->body, name)];
+      for (size_t j = 0; j < place->nnode; j++)
+        model->start_offset[place->node[j]] = interior->offset;
     }
   }
   return UM_OK;

@@ -8,6 +8,7 @@
 #include "thermal/body_check_impl.h"
 #include "thermal/bulk_law_impl.h"
 #include "thermal/contact_impl.h"
+#include "thermal/graft_impl.h"
 #include "thermal/heater_impl.h"
 #include "thermal/interior_impl.h"
 #include "thermal/lump_impl.h"
@@ -87,6 +88,7 @@ static void builder_free(struct um_thermal_builder *b)
   um_core_free(context, b->skin);
   um_core_free(context, b->first_interior);
   um_core_free(context, b->interior);
+  um_core_free(context, b->behind);
   for (int layer = 0; layer < 2; layer++) {
     um_core_free(context, b->vertex_node[layer]);
     um_core_free(context, b->vertex_capacity[layer]);
@@ -161,8 +163,12 @@ static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
   case UM_THERMAL_LUMPED:
     UM_TRY(um_thermal_lump_assemble(b, part));
     break;
+  case UM_THERMAL_NODES:
+    UM_TRY(um_thermal_graft_assemble(b, part));
+    break;
   }
   UM_TRY(um_thermal_interiors_add(b, part));
+  UM_TRY(um_thermal_graft_links(b, part));
   UM_TRY(um_thermal_mli_assemble(b, part));
   UM_TRY(um_thermal_interiors_couple(b, part));
   return um_thermal_heat_assemble(b, part);

@@ -48,8 +48,11 @@ struct um_thermal_interior_spec {
   double capacity;                                /* [J/K] */
   double power;                                   /* [W] */
   const struct um_thermal_power_history *history; /* added to it; NULL: none */
-  double held;   /* [K] given and kept, whatever flows (a boundary node); 0: it is computed */
-  double offset; /* [K] of its start over the state a run begins with; not for the body */
+  double start;     /* [K] of an isothermal run; 0: that of the part */
+  double held;      /* [K] given and kept, whatever flows (a boundary node); 0: it is computed */
+  double offset;    /* [K] of its start over the state a run begins with; not for the body */
+  double lag;       /* [s] by which a share of capacity and power follows the rest; 0: one node */
+  double lag_share; /* [1] of capacity and power */
 };
 /* A thermostat heater on the wall of a place, spread and sensed by area, or in an interior: see
  * um_thermal_network_thermostat_add. */
@@ -73,9 +76,10 @@ struct um_thermal_group_spec {
   double inside_emittance; /* of the inner face of a part that radiates inside [1] */
 };
 enum um_thermal_part_kind {
-  UM_THERMAL_SHELL, /* FE shell, vertices shared within the part */
-  UM_THERMAL_SOLID, /* TetGen tetrahedra */
-  UM_THERMAL_LUMPED /* one isothermal node per group and side */
+  UM_THERMAL_SHELL,  /* FE shell, vertices shared within the part */
+  UM_THERMAL_SOLID,  /* TetGen tetrahedra */
+  UM_THERMAL_LUMPED, /* one isothermal node per group and side */
+  UM_THERMAL_NODES   /* the nodes and conductors of a network of its own */
 };
 /* Where a closed part radiates inside, every facet has an inner surface (geometry/inside.h), on its
  * inner layer. It comes blocked, all that it emits comes back: who makes the exchange of the room
@@ -89,7 +93,11 @@ struct um_thermal_part_spec {
   double density, specific_heat, conductivity; /* SOLID */
   struct um_thermal_bulk_law law;              /* SOLID */
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
-  struct um_thermal_interior_spec *interior;   /* [ninterior] nodes inside; names differ */
+  /* NODES: a node of the name of each group carries its surfaces ("front" and "back" where the part
+   * has one group), one of "GROUP.back" those of its back; all others are interiors of that name,
+   * which `interior` lists in the order of the network with what they hold. */
+  struct um_thermal_network *network;
+  struct um_thermal_interior_spec *interior; /* [ninterior] nodes inside; names differ */
   size_t ninterior;
   struct um_thermal_heater heater[UM_THERMAL_HEATERS_MAX];
   size_t nheater;
@@ -128,6 +136,7 @@ struct um_thermal_place {
   uint32_t *node; /* [nnode] */
   double *weight; /* [nnode], sum 1: area (surface places) or capacity (interior) */
   size_t nnode;
+  double area; /* [m^2] of a surface place or its wall; 0: an interior */
 };
 struct um_thermal_body {
   struct um_thermal_network *network;
@@ -135,6 +144,12 @@ struct um_thermal_body {
   size_t nplace;
   size_t ntetrahedron;
 };
+/* Name of the node of a network that carries a side of a group: "GROUP", "GROUP.back", for the only
+ * group of its part also "front", "back". (size_t)-1: there is none; a back without one lies on the
+ * node of the front. */
+size_t um_thermal_body_group_node(const struct um_geometry *geometry,
+                                  const struct um_thermal_network *network, uint32_t group,
+                                  bool back);
 /* UM_ERR_INPUT: a part or group without spec or with two, a value out of range, MLI or conductance
  * to an interior that is not there, interiors of one name, heat in a wall that is not there, an
  * inside without walls all around, an unknown place in a contact; and what TetGen's wrapper

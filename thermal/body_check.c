@@ -81,6 +81,11 @@ static enum um_status check_group(const struct um_thermal_builder *b,
       {"seam conductance of the MLI", "W/m2/K", g->mli->seam_conductance, 0.0, huge}};
   UM_TRY(check_ranges(b->context, part, group->name, m, COUNT(m)));
   const char *why = NULL;
+  if (spec->kind == UM_THERMAL_NODES)
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "part %s, group %s: MLI on a part that is stated as nodes; accepted: nodes "
+                        "of the MLI in its network",
+                        part, group->name);
   if (g->mli->wraps_interior && g->mli->interior >= spec->ninterior)
     why = "the part has no such interior";
   else if (g->mli->wraps_interior && group->back_material != UM_GEOMETRY_NONE)
@@ -114,6 +119,8 @@ static enum um_status check_part(struct um_thermal_builder *b,
                                  const struct um_thermal_part_spec *spec)
 {
   const char *part = um_thermal_builder_part_name(b, spec->part);
+  if (spec->kind == UM_THERMAL_NODES && spec->network == NULL)
+    return um_core_fail(b->context, UM_ERR_INPUT, "part %s: no network of nodes", part);
   if (spec->kind == UM_THERMAL_SOLID) {
     struct range r[] = {{"density", "kg/m3", spec->density, 1e-6, huge},
                         {"specific heat", "J/kg/K", spec->specific_heat, 1e-6, huge},

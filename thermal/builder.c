@@ -25,6 +25,8 @@ bool um_thermal_builder_radiates_inside(const struct um_thermal_builder *b, size
 
 bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet)
 {
+  if (b->part[b->mesh->facet_part[facet]]->kind == UM_THERMAL_NODES)
+    return b->front[facet][0] != b->back[facet][0];
   return b->mesh->surface_of_front[facet] != UM_GEOMETRY_NONE &&
          (b->mesh->surface_of_back[facet] != UM_GEOMETRY_NONE ||
           um_thermal_builder_radiates_inside(b, facet)) &&

@@ -26,6 +26,7 @@ struct um_thermal_builder {
   uint32_t *skin;         /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
   size_t *first_interior; /* [npart + 1] where a part's interiors begin */
   uint32_t *interior;     /* [first_interior[npart]] their nodes; UM_THERMAL_SPACE: not yet */
+  uint32_t *behind;       /* as many: what lags behind them; UM_THERMAL_SPACE: nothing */
   /* Scratch per mesh vertex (vertices belong to one part): node and capacity of the layers. */
   uint32_t *vertex_node[2]; /* [nvertex] */
   double *vertex_capacity[2];

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "thermal/heater_impl.h"
+#include "thermal/interior_impl.h"
 #include "thermal/place_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
@@ -169,8 +170,9 @@ enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t par
   for (size_t g = 0; g < spec->ngroup; g++) UM_TRY(group_heat(b, part, &spec->groups[g]));
   for (size_t h = 0; h < spec->nheater; h++) UM_TRY(heater_add(b, part, &spec->heater[h]));
   for (size_t i = 0; i < spec->ninterior; i++) {
-    double weight = 1.0;
-    const struct share share = {&b->interior[b->first_interior[part] + i], &weight, 1};
+    uint32_t node[2];
+    double weight[2];
+    const struct share share = {node, weight, um_thermal_interior_nodes(b, part, i, node, weight)};
     if (spec->interior[i].history != NULL)
       UM_TRY(history_add(b, &share, spec->interior[i].history));
   }

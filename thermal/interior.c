@@ -4,7 +4,11 @@
  *
  *   C_i dT_i/dt = P_i + sum_g G_ig (T_g - T_i) + contacts + blankets that wrap it.
  *
- * C = 0 makes it an arithmetic node, a given temperature a boundary node. */
+ * C = 0 makes it an arithmetic node, a given temperature a boundary node. Where a share s of it
+ * lags by l, that share is a node of its own behind the rest, which alone meets walls, blankets and
+ * contacts:
+ *
+ *   s C dT'/dt = s P + (s C / l) (T - T'). */
 #include "thermal/interior_impl.h"
 
 #include <stdio.h>
@@ -51,6 +55,13 @@ enum um_status um_thermal_interiors_check(const struct um_thermal_builder *b,
       return um_core_fail(b->context, UM_ERR_INPUT,
                           "part %s, %s: held at %g K; accepted: 0 to 1e5 K", part, s->name,
                           s->held);
+    bool lags = s->lag > 0.0 && isfinite(s->lag) && s->lag_share > 0.0 && s->lag_share < 1.0;
+    if (s->lag != 0.0 && !lags)
+      return um_core_fail(
+          b->context, UM_ERR_INPUT,
+          "part %s, %s: %g of it lag by %g s; accepted: a share above 0 and below 1, "
+          "0 s or more",
+          part, s->name, s->lag_share, s->lag);
   }
   return UM_OK;
 }
@@ -62,8 +73,39 @@ enum um_status um_thermal_interiors_allocate(struct um_thermal_builder *b)
     b->first_interior[p + 1] = b->first_interior[p] + b->part[p]->ninterior;
   size_t n = b->first_interior[b->npart];
   UM_TRY(um_core_allocate(b->context, n, sizeof *b->interior, &b->interior));
-  for (size_t i = 0; i < n; i++) b->interior[i] = UM_THERMAL_SPACE;
+  UM_TRY(um_core_allocate(b->context, n, sizeof *b->behind, &b->behind));
+  for (size_t i = 0; i < n; i++) b->interior[i] = b->behind[i] = UM_THERMAL_SPACE;
   return UM_OK;
+}
+
+/* Of an interior that stores heat; a given temperature has nothing behind it. */
+static double behind(const struct um_thermal_interior_spec *s)
+{
+  return s->lag > 0.0 && s->capacity > 0.0 && !(s->held > 0.0) ? s->lag_share : 0.0;
+}
+
+size_t um_thermal_interior_nodes(const struct um_thermal_builder *b, size_t part, size_t i,
+                                 uint32_t node[2], double share[2])
+{
+  size_t at = b->first_interior[part] + i;
+  share[1] = behind(&b->part[part]->interior[i]);
+  share[0] = 1.0 - share[1];
+  node[0] = b->interior[at];
+  node[1] = b->behind[at];
+  return node[1] == UM_THERMAL_SPACE ? 1 : 2;
+}
+
+/* What lags, and what holds it to the rest. */
+static enum um_status add_behind(struct um_thermal_builder *b, size_t part, size_t i)
+{
+  const struct um_thermal_interior_spec *s = &b->part[part]->interior[i];
+  size_t at = b->first_interior[part] + i;
+  double share = behind(s);
+  if (!(share > 0.0)) return UM_OK;
+  UM_TRY(um_thermal_builder_node(b, NULL, share * s->capacity, b->part[part]->start_temperature,
+                                 share * s->power, &b->behind[at]));
+  return um_thermal_network_conductor_add(b->network, b->interior[at], b->behind[at],
+                                          share * s->capacity / s->lag);
 }
 
 enum um_status um_thermal_interiors_add(struct um_thermal_builder *b, size_t part)
@@ -73,13 +115,16 @@ enum um_status um_thermal_interiors_add(struct um_thermal_builder *b, size_t par
     const struct um_thermal_interior_spec *s = &spec->interior[i];
     uint32_t *node = &b->interior[b->first_interior[part] + i];
     char name[512];
+    double front = 1.0 - behind(s);
     snprintf(name, sizeof name, "%s.%s", um_thermal_builder_part_name(b, part), s->name);
     if (s->held > 0.0)
       UM_TRY(um_thermal_network_node_add(b->network, name, UM_NODE_BOUNDARY, s->capacity, s->held,
                                          s->power, node));
     else
-      UM_TRY(
-          um_thermal_builder_node(b, name, s->capacity, spec->start_temperature, s->power, node));
+      UM_TRY(um_thermal_builder_node(b, name, front * s->capacity,
+                                     s->start > 0.0 ? s->start : spec->start_temperature,
+                                     front * s->power, node));
+    UM_TRY(add_behind(b, part, i));
   }
   return UM_OK;
 }

@@ -5,6 +5,7 @@
  *   part.wall, part.group.wall    the wall under MLI, where there is one
  *   part.inside, part.group.inside  the inner layer of a wall that radiates inside and has one
  *   part.NAME                     the interior of that name */
+#include "thermal/interior_impl.h"
 #include "thermal/place_impl.h"
 
 #include <string.h>
@@ -133,6 +134,7 @@ static enum um_status place_add(const struct um_thermal_builder *b, struct um_th
   if (n == 0) return UM_OK;
   struct um_thermal_place *place;
   UM_TRY(place_new(b->context, body, kind, n, &place));
+  place->area = sum;
   n = 0;
   for (size_t i = reach.low; i < reach.high; i++) {
     if (area[i] > 0.0) {
@@ -160,9 +162,12 @@ static enum um_status places_of_interiors(const struct um_thermal_builder *b,
 {
   for (size_t i = 0; i < b->part[part]->ninterior; i++) {
     struct um_thermal_place *place;
-    UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, 1, &place));
-    place->node[0] = um_thermal_builder_interiors(b, part)[i];
-    place->weight[0] = 1.0;
+    uint32_t node[2];
+    double share[2];
+    size_t n = um_thermal_interior_nodes(b, part, i, node, share);
+    UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, n, &place));
+    memcpy(place->node, node, n * sizeof *node);
+    memcpy(place->weight, share, n * sizeof *share);
     UM_TRY(um_core_asprintf(b->context, &place->name, "%s.%s",
                             um_thermal_builder_part_name(b, part),
                             b->part[part]->interior[i].name));

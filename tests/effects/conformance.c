@@ -45,6 +45,7 @@ static const struct entry cases[] = {
     {"heat_capacity", "panel", 0.1, "vis", NULL},
     {"specific_heat_law", "panel", 2e-4, "vis", NULL},
     {"interior_capacity", "bus", 500.0, "panel", NULL},
+    {"interior_gradient", "bus", 200.0, "vis", "nothing follows early"},
     {"solar_absorptance", "grey_panel", 0.02, "vis", NULL},
     {"contamination", "grey_panel", 10.0, "vis", NULL},
     {"emittance", "grey_panel", 0.05, "vis", NULL},

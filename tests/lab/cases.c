@@ -17,6 +17,7 @@ struct entry {
 static const struct entry entries[] = {
     {"internal_power", "bus", "bus", 0, -30.0, 40.0},
     {"stored_heat", "bus", "bus", 0, -20.0, 20.0},
+    {"interior_gradient", NULL, "bus", 0, NAN, 2000.0},
     {"mli_emittance", "bus", "bus", 0, 0.25, 3.0},
     {"mli_temperature_law", "bus", "bus", 0, -2.0, 2.0},
     {"mli_seams", "bus", "bus", 0, NAN, 0.2},

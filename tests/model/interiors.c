@@ -152,6 +152,46 @@ static void effects_reach_them_by_name(void **state)
   heat_release(&c);
 }
 
+/* A gradient inside is two interiors and a contact of s C / l between them: the same walls, from a
+ * state that is not steady, to the integrator's 1e-9 a step; without lag the same bits. */
+static void gradient_is_two_interiors(void **state)
+{
+  (void)state;
+  const char *const start[] = {"thermal.start=isothermal", "thermal.orbits_before=0",
+                               "orbit={fixed: {position_gcrs_km: [-7000, 0, 0]}}",
+                               "time.stop_utc=2020-03-20T12:30:00Z", "time.step_s=600"};
+#define ONE BUS("interior: {capacity_J_K: 2e4, power_W: 20, conductance_W_K: 6}")
+#define APART                                                                                      \
+  BUS("interiors: {fore: {capacity_J_K: 1.4e4, power_W: 14, conductance_W_K: 6}, behind: "         \
+      "{capacity_J_K: 6e3, power_W: 6}}")
+  struct heat_run one = heat_compute(
+      LIST(ONE, "contacts=[]", start[0], start[1], start[2], start[3], start[4]), NONE, NONE);
+  struct heat_run null =
+      heat_compute(LIST(ONE, "contacts=[]", start[0], start[1], start[2], start[3], start[4]),
+                   LIST("interior_gradient:bus,lag_s=0,share=0.3"), NONE);
+  struct heat_run lags =
+      heat_compute(LIST(ONE, "contacts=[]", start[0], start[1], start[2], start[3], start[4]),
+                   LIST("interior_gradient:bus,lag_s=800,share=0.3"), NONE);
+  struct heat_run apart =
+      heat_compute(LIST(APART, "contacts=[{a: bus.fore, b: bus.behind, conductance_W_K: 7.5}]",
+                        start[0], start[1], start[2], start[3], start[4]),
+                   NONE, NONE);
+  assert_true(heat_same_temperatures(&one, &null));
+  for (size_t k = 1; k < lags.result->nobs; k++) {
+    heat_close("wall", heat_temperature(&lags, "bus.+x.wall", k),
+               heat_temperature(&apart, "bus.+x.wall", k), 1e-7);
+    heat_close("inside", heat_temperature(&lags, "bus.interior", k),
+               0.7 * heat_temperature(&apart, "bus.fore", k) +
+                   0.3 * heat_temperature(&apart, "bus.behind", k),
+               1e-7);
+  }
+  size_t last = lags.result->nobs - 1;
+  assert_true(fabs(heat_temperature(&lags, "bus.+x.wall", last) -
+                   heat_temperature(&one, "bus.+x.wall", last)) > 0.01);
+  struct heat_run *all[] = {&one, &null, &lags, &apart};
+  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) heat_release(all[i]);
+}
+
 static void what_is_refused(void **state)
 {
   (void)state;
@@ -245,9 +285,11 @@ static int teardown(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(one_of_a_name_is_the_interior),
-      cmocka_unit_test(conductances_reach_their_groups), cmocka_unit_test(held_and_massless),
-      cmocka_unit_test(effects_reach_them_by_name), cmocka_unit_test(what_is_refused)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(one_of_a_name_is_the_interior),
+                                     cmocka_unit_test(conductances_reach_their_groups),
+                                     cmocka_unit_test(held_and_massless),
+                                     cmocka_unit_test(effects_reach_them_by_name),
+                                     cmocka_unit_test(gradient_is_two_interiors),
+                                     cmocka_unit_test(what_is_refused)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -207,6 +207,36 @@ static void two_masses_share(void **state)
   help_end(&s);
 }
 
+/* A share s that lags by l, alone with the rest: their difference dies away with
+ * (s C / l) (1/(s C) + 1/((1 - s) C)) = 1 / (l (1 - s)). Power, which both get by capacity, keeps
+ * them not apart. The place is their mean. */
+static void share_lags(void **state)
+{
+  (void)state;
+  const double c = 300.0, share = 0.4, lag = 250.0, power = 2.0;
+  struct help_satellite s = {0};
+  size_t p = help_part(&s, "bus", UM_SHAPE_BOX, NULL);
+  struct um_thermal_interior_spec *boards = help_interior(&s, p, "boards", c, 0.0);
+  boards->power = power;
+  boards->lag = lag;
+  boards->lag_share = share;
+  help_build(&s, NULL, 0);
+  const struct um_thermal_place *place = help_place(&s, "bus.boards");
+  assert_int_equal(place->nnode, 2);
+  NEAR("weight of what lags", place->weight[1], share, 1e-15);
+  uint32_t front = place->node[0], behind = place->node[1];
+  s.body->network->node[front].temperature = 300.0;
+  s.body->network->node[behind].temperature = 280.0;
+  for (int k = 1; k <= 2; k++) {
+    double t = 150.0 * k, mean = 300.0 - share * 20.0 + power * t / c;
+    double apart = 20.0 * exp(-t / (lag * (1.0 - share)));
+    NEAR("front", help_temperature_at(s.body->network, 0.0, front, t), mean + share * apart, 3e-6);
+    NEAR("behind", help_temperature_at(s.body->network, 0.0, behind, t),
+         mean - (1.0 - share) * apart, 3e-6);
+  }
+  help_end(&s);
+}
+
 /* 6.5 kW in the battery, by the frame to a radiator of 50, 100, 150 m2, eps 0.8, 0 K around: its
  * temperature is printed (PHYSICS C.4), each step inside is P / G. */
 static void battery_frame_radiator(void **state)
@@ -310,6 +340,9 @@ static void bad_interiors_are_refused(void **state)
   second->held = -3.0;
   refused(&s, "part bus, boards: held at -3 K");
   second->held = 0.0;
+  second->lag = 10.0;
+  refused(&s, "part bus, boards: 0 of it lag by 10 s; accepted: a share above 0 and below 1");
+  second->lag = 0.0;
   s.conductance[p][1] = -2.0;
   refused(&s, "conductance to the inside -2 W/K");
   help_end(&s);
@@ -323,6 +356,7 @@ int main(void)
                                      cmocka_unit_test(heat_in_boards_answers),
                                      cmocka_unit_test(sensitivities_agree),
                                      cmocka_unit_test(two_masses_share),
+                                     cmocka_unit_test(share_lags),
                                      cmocka_unit_test(battery_frame_radiator),
                                      cmocka_unit_test(blanket_wraps_the_second),
                                      cmocka_unit_test(bad_interiors_are_refused)};
