@@ -198,6 +198,10 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
       const struct um_thermal_scene *scene = t->moves ? &own[slot] : &t->fixed;
       trace_sun(t, from + slot, scene, &t->fraction[slot * t->mesh->nsurface]);
       trace_earth(t, from + slot, scene, slot);
+      if (t->loads->gas != NULL)
+        um_irradiation_gas_trace(t->environment, &t->samples[from + slot], t->mesh, scene,
+                                 t->nsample, &t->fraction[slot * t->mesh->nsurface],
+                                 &t->loads->gas[(from + slot) * t->mesh->nsurface]);
     }
   }
   for (size_t i = 0; i < n; i++) scene_destroy(t, &own[i]);
@@ -269,6 +273,8 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
   if (um_environment_earth_varies(environment))
     UM_CHECK(
         um_core_allocate(context, ntime * t.mesh->nsurface, sizeof(float), &t.loads->brightness));
+  if (environment->gas_density_factor > 0.0)
+    UM_CHECK(um_core_allocate(context, ntime * t.mesh->nsurface, sizeof(float), &t.loads->gas));
   if (nedge > 0) memcpy(t.loads->edge, edges, nedge * sizeof *edges);
   UM_CHECK(tracer_prepare(&t));
   for (size_t k = 0; k < ntime; k += BATCH) {

@@ -19,7 +19,9 @@ struct um_irradiation_loads {
   float *view_factor; /* [ntime][nsurface] free view factor to the Earth [1] */
   float *brightness;  /* [ntime][nsurface] brightness temperature in 8-12 um of the Earth before the
                          surface [K]; NULL: the environment's, everywhere and always */
-  double *edge;       /* [nedge] times at which the integrator must stop: eclipse edges */
+  float *gas; /* [ntime][nsurface] energy of the atmosphere that a surface takes [W/m^2]; NULL: none
+               */
+  double *edge; /* [nedge] times at which the integrator must stop: eclipse edges */
   size_t nedge;
 };
 

@@ -58,4 +58,12 @@ void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
                                struct um_vec3 normal, const struct um_thermal_cap *cap,
                                const struct um_thermal_half *half, struct um_thermal_shares *out);
 
+/* loads_gas.c: what the atmosphere brings before each surface at one time, gas[nsurface], which
+ * starts zeroed; fraction [nsurface] is scratch. */
+void um_irradiation_gas_trace(const struct um_environment *environment,
+                              const struct um_environment_sample *sample,
+                              const struct um_geometry_mesh *mesh,
+                              const struct um_thermal_scene *scene, int nsample, double *fraction,
+                              float *gas);
+
 #endif

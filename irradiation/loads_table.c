@@ -47,6 +47,7 @@ void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiat
   um_core_free(context, l->planet);
   um_core_free(context, l->view_factor);
   um_core_free(context, l->brightness);
+  um_core_free(context, l->gas);
   um_core_free(context, l->edge);
   um_core_free(context, l);
   *loads = NULL;

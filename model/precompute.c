@@ -14,6 +14,7 @@
 
 #include "core/constants.h"
 #include "core/sort.h"
+#include "environment/atmosphere.h"
 #include "model/bounds_impl.h"
 #include "model/effects_impl.h"
 #include "model/line_of_sight_impl.h"
@@ -27,6 +28,7 @@
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
 #define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
+#define GAS_THAT_SHOWS   0.5  /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
 
 struct grid_time {
   double t;
@@ -220,6 +222,21 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
   return status;
 }
 
+/* Heat of the atmosphere that a scenario leaves out though it would show. */
+static void warn_of_gas(struct um_context *context, const struct um_model *model,
+                        const struct um_environment_sample *samples, size_t n)
+{
+  double most = 0.0;
+  struct um_vec3 from;
+  for (size_t i = 0; i < n && model->environment.gas_density_factor == 0.0; i++)
+    most = fmax(most, um_environment_atmosphere_flow(&samples[i], &from));
+  if (most > GAS_THAT_SHOWS)
+    um_core_log(context, UM_LOG_INFO,
+                "the air before the satellite brings up to %.2g W/m2 at mean solar activity, which "
+                "is left out; accepted: the effect free_molecular_heating",
+                most);
+}
+
 static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
                                   struct um_model_precomputed *precomputed,
                                   const struct grid_time *grid, size_t n)
@@ -235,6 +252,7 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
     UM_CHECK(um_core_progress_step(context, 1));
   }
   um_core_progress_end(context);
+  warn_of_gas(context, model, samples, n);
   for (size_t i = 0; i < precomputed->nevent; i++)
     edge[i] = event_time(model, &precomputed->event[i]).t;
   UM_CHECK(um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n,

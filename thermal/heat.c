@@ -39,8 +39,8 @@ static enum um_status surfaces_add(struct um_context *context,
   double *memory = NULL;
   const struct um_thermal_aging *aging = loads == NULL ? NULL : options->aging;
   struct um_thermal_load_interval at = {0, 0, 0.0};
-  UM_TRY(um_core_allocate(context, 3 * n, sizeof *memory, &memory));
-  double *sun = memory, *albedo = sun + n, *planet = albedo + n;
+  UM_TRY(um_core_allocate(context, 4 * n, sizeof *memory, &memory));
+  double *sun = memory, *albedo = sun + n, *planet = albedo + n, *gas = planet + n;
   if (loads != NULL) at = um_thermal_load_interval_find(loads, t);
   for (int k = 0; k < 2; k++) {
     size_t row = k == 0 ? at.low : at.high;
@@ -50,11 +50,13 @@ static enum um_status surfaces_add(struct um_context *context,
     double irradiance =
         (1.0 - at.u) * loads->irradiance[at.low] + at.u * loads->irradiance[at.high];
     double sunlit = (1.0 - at.u) * loads->sunlit[at.low] + at.u * loads->sunlit[at.high];
-    um_thermal_load_row_sum(network, loads, aging, options->exchange, row, sun, albedo, planet);
+    um_thermal_load_row_sum(network, loads, aging, options->exchange, row, sun, albedo, planet,
+                            loads->gas == NULL ? NULL : gas);
     for (size_t i = 0; i < n; i++) {
       out[i].solar += u * irradiance * sunlit * sun[i];
       if (options->albedo_on) out[i].albedo += u * albedo[i];
       if (options->planet_on) out[i].planet += u * planet[i];
+      if (loads->gas != NULL) out[i].planet += u * gas[i];
     }
   }
   um_core_free(context, memory);

@@ -23,12 +23,13 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
                              const struct um_thermal_aging *aging,
                              const struct um_thermal_exchange *exchange, size_t row, double *sun,
-                             double *albedo, double *planet)
+                             double *albedo, double *planet, double *gas)
 {
   size_t n = network->nnode, at = row * loads->nsurface;
   memset(sun, 0, n * sizeof *sun);
   memset(albedo, 0, n * sizeof *albedo);
   memset(planet, 0, n * sizeof *planet);
+  if (gas != NULL) memset(gas, 0, n * sizeof *gas);
   for (size_t s = 0; s < network->noutside; s++) {
     const struct um_thermal_surface *surface = &network->surface[s];
     if (!network->attached[s]) continue;
@@ -56,6 +57,7 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
       sun[node] += area * of_sun;
       albedo[node] += area * of_albedo;
       planet[node] += area * of_planet;
+      if (loads->gas != NULL) gas[node] += area * (double)loads->gas[at + s];
     }
   }
 }

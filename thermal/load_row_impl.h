@@ -12,6 +12,7 @@
  *   sun_i    = sum_s w_is A_s (alpha_s - x_s) k_s(theta) sun_s   per unit of irradiance [m^2]
  *   albedo_i = sum_s w_is A_s alpha_s k_s,albedo albedo_s        [W]
  *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W]
+ *   gas_i    = sum_s w_is A_s gas_s   (NULL where loads have none) [W]
  *
  * with x the extraction, k the surface's law (surface_law.h), theta the angle of incidence, and
  * alpha, eps those of the row where surfaces age (aging NULL: they do not). What other surfaces
@@ -21,7 +22,7 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
                              const struct um_thermal_aging *aging,
                              const struct um_thermal_exchange *exchange, size_t row, double *sun,
-                             double *albedo, double *planet);
+                             double *albedo, double *planet, double *gas);
 /* Emission to space of share k of a surface at that row without its law [W/K^4]: sigma w A eps
  * (1 - blocked). */
 double um_thermal_load_row_emission(const struct um_thermal_network *network,

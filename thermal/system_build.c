@@ -141,6 +141,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
                          s->grid,
                          s->now.q,
                          s->planet,
+                         s->gas,
                          s->space_slope,
                          s->emission,
                          s->emission_start,

@@ -157,6 +157,7 @@ struct um_thermal_system {
   size_t smooth_low, smooth_high, smooth_rows; /* last answer of smooth; rows 0: none */
   struct um_thermal_load_row load_row[2];
   double *planet; /* [n] workspace of a row [W] */
+  double *gas;    /* [n] the same; NULL: none */
   struct um_thermal_load_now now;
 
   /* heat made inside (system_heat.c) */

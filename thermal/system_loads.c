@@ -2,9 +2,9 @@
  *
  *   Q_i(t) = S(t) nu(t) sun_i(t) + albedo_i(t) + planet_i(t)
  *
- * S irradiance, nu sunlit fraction, the sums over surfaces those of load_row_impl.h. They are
- * linear in the table, so they are made once per grid row and interpolated as sums. Where surfaces
- * age, so is what they emit to space. */
+ * and what the atmosphere brings, with planet_i. S irradiance, nu sunlit fraction, the sums over
+ * surfaces those of load_row_impl.h. They are linear in the table, so they are made once per grid
+ * row and interpolated as sums. Where surfaces age, so is what they emit to space. */
 #include "thermal/system_impl.h"
 
 #include <math.h>
@@ -89,6 +89,7 @@ enum um_status um_thermal_system_loads_check(struct um_context *context,
   UM_TRY(table_check(context, "sun", loads, loads->sun));
   UM_TRY(table_check(context, "albedo", loads, loads->albedo));
   UM_TRY(table_check(context, "planet", loads, loads->planet));
+  if (loads->gas != NULL) UM_TRY(table_check(context, "gas", loads, loads->gas));
   return aging_check(context, network, loads, aging);
 }
 
@@ -99,6 +100,8 @@ enum um_status um_thermal_system_loads_build(struct um_thermal_system *system)
   system->now.t = NAN;
   if (system->loads == NULL) return UM_OK;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->planet));
+  if (system->loads->gas != NULL)
+    UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->gas));
   UM_TRY(um_core_allocate(context, system->loads->ntime, sizeof(double), &system->grid));
   for (size_t k = 0; k < system->loads->ntime; k++)
     system->grid[k] = system->loads->t[k] - system->from;
@@ -122,10 +125,12 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
   double albedo_on = system->options.albedo_on ? 1.0 : 0.0;
   double planet_on = system->options.planet_on ? 1.0 : 0.0;
   um_thermal_load_row_sum(system->network, system->loads, system->options.aging,
-                          system->options.exchange, row, r->sun, r->earth, system->planet);
+                          system->options.exchange, row, r->sun, r->earth, system->planet,
+                          system->gas);
   r->sun_total = r->albedo_total = r->planet_total = 0.0;
   for (size_t i = 0; i < system->n; i++) {
     double albedo = albedo_on * r->earth[i], planet = planet_on * system->planet[i];
+    if (system->gas != NULL) planet += system->gas[i];
     r->earth[i] = albedo + planet;
     if (system->fixed[i]) continue;
     r->sun_total += r->sun[i];

@@ -57,6 +57,7 @@ static const struct entry cases[] = {
     {"earth_brightness", NULL, 5.0, "bus", NULL},
     {"local_albedo", NULL, 0.2, "bus", NULL},
     {"local_earth_ir", NULL, 0.1, "bus", NULL},
+    {"free_molecular_heating", NULL, 30.0, "bus", "no density is below 0"},
     {"solar_irradiance", NULL, 0.02, "bus", NULL},
     {"shadow_radius", NULL, 10.0, "bus", NULL},
     {"band_emissivity", "grey_panel", 0.05, "vis", NULL},

@@ -61,6 +61,7 @@ static const struct {
 } specials[] = {
     {"dusk-hollow", "dawn-hollow", {"interior_capacity", "bus", "bus", 0, -2000.0, 3000.0}},
     {"dusk-cells", "dawn-cells", {"panel_extraction", "array", "array", 0, -0.08, 0.08}},
+    {"dusk-low", NULL, {"free_molecular_heating", "", NULL, 0, NAN, 6.0}},
     {"days", NULL, {"contamination", "white", NULL, 0, -0.015, 0.02}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
 };

@@ -82,6 +82,12 @@ static const struct lab_world worlds[] = {
      .kelvin = 0.3,
      .place = {"bus.interior", "bus.-x"}},
 
+    /* Where there is air. */
+    {.name = "dusk-low",
+     DUSK,
+     .set = {"orbit={circular: {altitude_km: 300}}",
+             "observer={direction: {unit_gcrs: [0.6, 0.8, 0], range_km: 1000}}"}},
+
     /* What grows from day to day, seen six times a day from one direction. */
     {.name = "days",
      DUSK,
