@@ -140,6 +140,17 @@ static enum um_status check_material(struct um_context *context, const struct um
   return um_model_fail(context, at, key, "no material is called '%s'; %s", name, near);
 }
 
+static enum um_status check_shell(struct um_context *context, const struct um_model *model,
+                                  const struct um_scenario_shell *shell)
+{
+  if (shell == NULL) return UM_OK;
+  UM_TRY(check_material(context, model, &shell->at, "material", shell->material));
+  if (shell->honeycomb == NULL) return UM_OK;
+  const struct um_scenario_honeycomb *panel = shell->honeycomb;
+  UM_TRY(check_material(context, model, &panel->at, "material", panel->material));
+  return check_material(context, model, &panel->at, "core_material", panel->core_material);
+}
+
 /* Every name in a scenario is checked with its line before the geometry is built. */
 static enum um_status check_materials(struct um_context *context, const struct um_model *model,
                                       const struct um_scenario_part *part)
@@ -153,14 +164,11 @@ static enum um_status check_materials(struct um_context *context, const struct u
     UM_TRY(check_material(context, model, &skin[i].at, NULL, skin[i].front));
     UM_TRY(check_material(context, model, &skin[i].at, "back", skin[i].back));
   }
-  if (part->shell != NULL)
-    UM_TRY(check_material(context, model, &part->shell->at, "material", part->shell->material));
+  UM_TRY(check_shell(context, model, part->shell));
   if (part->solid != NULL)
     UM_TRY(check_material(context, model, &part->solid->at, "material", part->solid->material));
   for (size_t i = 0; i < part->groups.count; i++)
-    if (group[i].shell != NULL)
-      UM_TRY(check_material(context, model, &group[i].shell->at, "material",
-                            group[i].shell->material));
+    UM_TRY(check_shell(context, model, group[i].shell));
   return UM_OK;
 }
 

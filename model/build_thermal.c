@@ -87,6 +87,10 @@ static enum um_status group_of(const struct assembly *a, const struct um_scenari
   }
 
   UM_TRY(um_model_build_conductances(a->context, a->model, part, own, to));
+  if (own != NULL && own->heat_pipe != NULL) {
+    to->heat_pipe_conductance = own->heat_pipe->conductance_W_K;
+    to->heat_pipe_capacity = own->heat_pipe->capacity_J_K;
+  }
   if (own != NULL) {
     to->power = own->power_W;
     UM_TRY(um_model_power_history(a->context, a->model, &own->at, own->power_file, &to->history));

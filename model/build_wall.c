@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/build_honeycomb_impl.h"
 #include "model/bulk_law_impl.h"
 #include "model/words_impl.h"
 
@@ -26,6 +27,7 @@ enum um_status um_model_build_shell(struct um_context *context, struct um_model 
   to->conductance = from->conductance_W_K;
   to->through_conductance =
       isnan(from->through_conductance_W_m2_K) ? INFINITY : from->through_conductance_W_m2_K;
+  if (from->honeycomb != NULL) UM_TRY(um_model_build_honeycomb(context, model, from, to));
   if (from->material != NULL) {
     const struct um_materials_record *record =
         um_materials_library_find(model->library, from->material);

@@ -190,11 +190,17 @@ struct um_scenario_skin { /* group -> material, or {front, back} */
   const char *name;
   const char *front, *back;
 };
+struct um_scenario_honeycomb {
+  struct um_mark at;
+  const char *material, *core_material;
+  double face_mm, core_mm, core_density_kg_m3;
+};
 struct um_scenario_shell {
   struct um_mark at;
   double areal_heat_capacity_J_m2_K, conductance_W_K, through_conductance_W_m2_K, front_share;
   const char *material;
   double thickness_mm;
+  struct um_scenario_honeycomb *honeycomb;
 };
 struct um_scenario_mli {
   struct um_mark at;
@@ -221,11 +227,16 @@ struct um_scenario_inner_conductance { /* of a group to an interior */
   const char *name;
   double conductance_W_K;
 };
+struct um_scenario_heat_pipe {
+  struct um_mark at;
+  double conductance_W_K, capacity_J_K;
+};
 struct um_scenario_group {
   struct um_mark at;
   const char *name;
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
+  struct um_scenario_heat_pipe *heat_pipe;
   bool bare; /* no MLI here although the part has one */
   double interior_conductance_W_K, power_W;
   struct um_schema_list conductances; /* of struct um_scenario_inner_conductance */

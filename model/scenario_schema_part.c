@@ -13,6 +13,21 @@ static const struct um_schema_field skin_fields[] = {
 OBJECT(skin_object, struct um_scenario_skin, "materials of a group", "What a group is made of.",
        FIELDS(skin_fields), .scalar_key = "front");
 
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_honeycomb, member, key, type, __VA_ARGS__)
+static const struct um_schema_field honeycomb_fields[] = {
+    F(material, "material", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("record of the faces")),
+    F(face_mm, "face_mm", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e3), HELP("thickness of one face")),
+    F(core_mm, "core_mm", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("height of the core")),
+    F(core_density_kg_m3, "core_density_kg_m3", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4),
+      HELP("of the core as a block; its share of foil is this over the foil's")),
+    F(core_material, "core_material", UM_SCHEMA_TEXT, NAME,
+      HELP("record of the core's foil; default that of the faces")),
+};
+#undef F
+OBJECT(honeycomb_object, struct um_scenario_honeycomb, "honeycomb",
+       "A panel of two faces and a core of cells.", FIELDS(honeycomb_fields));
+
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_shell, member, key, type, __VA_ARGS__)
 static const struct um_schema_field shell_fields[] = {
     F(areal_heat_capacity_J_m2_K, "areal_heat_capacity_J_m2_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
@@ -27,6 +42,7 @@ static const struct um_schema_field shell_fields[] = {
       HELP("record whose thermal properties fill the wall")),
     F(thickness_mm, "thickness_mm", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
       HELP("of the wall, with material")),
+    F(honeycomb, "honeycomb", UM_SCHEMA_MAP, .object = &honeycomb_object),
 };
 #undef F
 OBJECT(shell_object, struct um_scenario_shell, "shell", "The wall of a part as a thin sheet.",
@@ -137,10 +153,23 @@ static const struct um_schema_field inner_conductance_fields[] = {
 OBJECT(inner_conductance_object, struct um_scenario_inner_conductance, "conductance to an interior",
        "How a group holds one of the interiors.", FIELDS(inner_conductance_fields),
        .scalar_key = "conductance_W_K");
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_heat_pipe, member, key, type, __VA_ARGS__)
+static const struct um_schema_field heat_pipe_fields[] = {
+    F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e9),
+      HELP("of all evaporators and condensers, between wall and vapour, by area")),
+    F(capacity_J_K, "capacity_J_K", UM_SCHEMA_NUMBER, DEFAULT(50.0), POSITIVE(1e9),
+      HELP("of the fluid: some 10 g of ammonia")),
+};
+#undef F
+OBJECT(heat_pipe_object, struct um_scenario_heat_pipe, "heat pipe",
+       "Heat pipes in the wall of a group: their vapour is one temperature.",
+       FIELDS(heat_pipe_fields), .scalar_key = "conductance_W_K");
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_group, member, key, type, __VA_ARGS__)
 static const struct um_schema_field group_fields[] = {
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
+    F(heat_pipe, "heat_pipe", UM_SCHEMA_MAP, .object = &heat_pipe_object),
     F(bare, "bare", UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
     F(interior_conductance_W_K, "interior_conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
       BETWEEN(0, 1e6), HELP("of the whole group to the interior")),

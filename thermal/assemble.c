@@ -9,6 +9,7 @@
 #include "thermal/bulk_law_impl.h"
 #include "thermal/contact_impl.h"
 #include "thermal/graft_impl.h"
+#include "thermal/heat_pipe_impl.h"
 #include "thermal/heater_impl.h"
 #include "thermal/interior_impl.h"
 #include "thermal/lump_impl.h"
@@ -171,6 +172,7 @@ static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
   UM_TRY(um_thermal_graft_links(b, part));
   UM_TRY(um_thermal_mli_assemble(b, part));
   UM_TRY(um_thermal_interiors_couple(b, part));
+  UM_TRY(um_thermal_heat_pipes_assemble(b, part));
   return um_thermal_heat_assemble(b, part);
 }
 

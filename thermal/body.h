@@ -68,8 +68,9 @@ struct um_thermal_group_spec {
   const struct um_thermal_shell *shell; /* NULL: the part's */
   const struct um_thermal_mli *mli;     /* NULL: none (front side only) */
   double *interior_conductance; /* [ninterior] [W/K] of the group to each interior; NULL: none */
-  double power;                 /* released in the wall [W] */
-  const struct um_thermal_power_history *history;              /* added to it; NULL: none */
+  double heat_pipe_conductance, heat_pipe_capacity; /* [W/K] wall to vapour, 0: none; [J/K] */
+  double power;                                     /* released in the wall [W] */
+  const struct um_thermal_power_history *history;   /* added to it; NULL: none */
   double absorptance_front, emittance_front, extraction_front; /* from the material records */
   double absorptance_back, emittance_back, extraction_back;
   const struct um_thermal_surface_law *law_front, *law_back; /* outlive the body; NULL: constant */

@@ -72,6 +72,10 @@ static enum um_status check_group(const struct um_thermal_builder *b,
                         "part %s, group %s: conductance to an interior, but the part has no "
                         "interior",
                         part, group->name);
+  struct range pipe[] = {
+      {"conductance of the heat pipe", "W/K", g->heat_pipe_conductance, 0.0, huge},
+      {"heat capacity of the heat pipe", "J/K", g->heat_pipe_capacity, 1e-6, huge}};
+  UM_TRY(check_ranges(b->context, part, group->name, pipe, g->heat_pipe_conductance > 0.0 ? 2 : 1));
   if (g->mli == NULL) return UM_OK;
   struct range m[] = {
       {"effective emittance of the MLI", "", g->mli->effective_emittance, 0.0, 1.0},

@@ -95,9 +95,50 @@ static void blankets_are_followed(void **state)
       }
 }
 
+/* Pipes of 12 W/K in a plate of two layers without any other way, sides at 320 and 280 K: half of
+ * it on each, the vapour is at 300 K and carries 6 x 20 W. The same for finite elements, whose
+ * corners share it by area, and for lumps. */
+static void pipes_carry(void **state)
+{
+  (void)state;
+  for (int lumped = 0; lumped < 2; lumped++) {
+    struct help_satellite s = {0};
+    size_t p = help_part(&s, "panel", UM_SHAPE_PLATE, "paint");
+    s.shape[p].facet_size = 0.3;
+    s.spec[p].kind = lumped ? UM_THERMAL_LUMPED : UM_THERMAL_SHELL;
+    s.spec[p].shell.through_conductance = 0.0;
+    s.spec[p].shell.conductance = 0.0;
+    s.group[p].emittance_front = s.group[p].emittance_back = 0.0;
+    s.group[p].heat_pipe_conductance = 12.0;
+    s.group[p].heat_pipe_capacity = 50.0;
+    help_build(&s, NULL, 0);
+    help_hold(&s, "panel.front", 320.0);
+    help_hold(&s, "panel.back", 280.0);
+    const struct um_thermal_network *network = s.body->network;
+    char name[64];
+    snprintf(name, sizeof name, "panel.%s.heat_pipe", um_geometry_group(s.geometry, 0)->name);
+    size_t vapour = um_thermal_network_find(network, name);
+    assert_true(vapour != (size_t)-1);
+    double *t = help_steady(&s, NULL, 0.0), carried = 0.0, total = 0.0;
+    for (size_t k = 0; k < network->nconductor; k++) {
+      const struct um_thermal_link *link = &network->conductor[k];
+      if (link->a != vapour && link->b != vapour) continue;
+      double of_wall = t[link->a == vapour ? link->b : link->a];
+      total += link->value;
+      carried += link->value * fmax(0.0, of_wall - t[vapour]);
+    }
+    NEAR("conductance", total, 12.0, 1e-12 * 12.0);
+    NEAR("vapour", t[vapour], 300.0, 1e-9);
+    NEAR("carried", carried, 120.0, 1e-8);
+    free(t);
+    help_end(&s);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_followed),
-                                     cmocka_unit_test(blankets_are_followed)};
+                                     cmocka_unit_test(blankets_are_followed),
+                                     cmocka_unit_test(pipes_carry)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }

@@ -1,0 +1,137 @@
+/* Panels and blankets of a scenario: the wall that their keys make is the one that the numbers
+ * make, on the small satellite of tests/effects/heat_help.h. By hand, faces 0.3 mm of bare
+ * aluminium (2700 kg/m3, 896 J/kg/K, 167 W/m/K), core 20 mm of the same at 32 kg/m3:
+ *
+ *   C = 2 x 0.0003 x 2700 x 896 + 32 x 896 x 0.02         = 2024.96 J/m2/K
+ *   k t = 2 x 0.0003 x 167 + 15/32 x 32/2700 x 167 x 0.02  = 0.118755556 W/K
+ *   U = 32/2700 x 167 / 0.02                               = 98.962963 W/m2/K */
+#include "tests/effects/heat_help.h"
+
+#define PANEL "material: aluminium_bare, face_mm: 0.3, core_mm: 20, core_density_kg_m3: 32"
+#define OFTEN "thermal.start=isothermal", "thermal.orbits_before=0", "parts.panel.lumped=false"
+
+static void panel_is_its_wall(void **state)
+{
+  (void)state;
+  struct heat_run a = heat_compute(LIST(OFTEN, "parts.panel.shell={honeycomb: {" PANEL "}}"), NONE,
+                                   LIST("bulk_temperature"));
+  struct heat_run b = heat_compute(
+      LIST(OFTEN, "parts.panel.shell={areal_heat_capacity_J_m2_K: 2024.96, conductance_W_K: "
+                  "0.118755555556, through_conductance_W_m2_K: 98.962962963}"),
+      NONE, NONE);
+  for (size_t k = 0; k < a.result->nobs; k++) {
+    heat_close("front", heat_temperature(&a, "panel.front", k),
+               heat_temperature(&b, "panel.front", k), 1e-8);
+    heat_close("back", heat_temperature(&a, "panel.back", k), heat_temperature(&b, "panel.back", k),
+               1e-8);
+  }
+  heat_release(&a);
+  heat_release(&b);
+}
+
+/* Steady, the front's heat that the core carries is what the back gives: U A (T_front - T_back) =
+ * emission of the back less what it absorbs and what goes to the bus by 2 W/K. Lumped, 2 m2. */
+static void core_conducts(void **state)
+{
+  (void)state;
+  struct heat_run run =
+      heat_compute(LIST("parts.panel.shell={honeycomb: {" PANEL "}}"), NONE, NONE);
+  double front = heat_temperature(&run, "panel.front", 0);
+  double back = heat_temperature(&run, "panel.back", 0);
+  struct heat_budget side = heat_budget(&run, "panel", true);
+  double to_bus = 2.0 * (back - heat_temperature(&run, "bus.+x.wall", 0));
+  heat_close("core", 98.962962963 * 2.0 * (front - back), side.emitted - side.absorbed + to_bus,
+             1e-5);
+  heat_release(&run);
+}
+
+/* Seams of 9 m at 0.02 W/m/K around a cube of 6 faces of 1 m2, of which one has its own blanket:
+ * what five let through more than without is 0.18 W/K / 5 m2 on each. Doenecke's e* as
+ * docs/physics.md C.3 prints it, at the mean temperature of wall and skin. */
+static void blanket_has_seams(void **state)
+{
+  (void)state;
+#define DOENECKE "law: doenecke, areal_heat_capacity_J_m2_K: 60"
+  struct heat_run run = heat_compute(
+      LIST("parts.bus.mli={" DOENECKE ", seam_length_m: 9, seam_conductance_W_m_K: 0.02}",
+           "parts.bus.groups={-x: {mli: {" DOENECKE ", factor: 2}}}"),
+      NONE, NONE);
+  static const char *const groups[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  struct heat_budget skin = heat_budget(&run, "bus", false);
+  double leak = 0.0;
+  for (size_t g = 0; g < 6; g++) {
+    char outer[32], wall[32];
+    snprintf(outer, sizeof outer, "bus.%s", groups[g]);
+    snprintf(wall, sizeof wall, "bus.%s.wall", groups[g]);
+    double w = heat_temperature(&run, wall, 0), s = heat_temperature(&run, outer, 0);
+    double m = 0.5 * (w + s), own = strcmp(groups[g], "-x") == 0 ? 2.0 : 1.0;
+    double e = 0.000136 / (4.0 * UM_STEFAN_BOLTZMANN * m * m) + 0.000121 * pow(m, 0.667);
+    leak += own * e * UM_STEFAN_BOLTZMANN * (pow(w, 4) - pow(s, 4));
+    if (own == 1.0) leak += 0.18 / 5.0 * (w - s);
+  }
+  heat_close("leak", leak, skin.emitted - skin.absorbed, 1e-5);
+  heat_release(&run);
+}
+
+static void refused(void **state)
+{
+  (void)state;
+  static const char *const bad[][2] = {
+      {"parts.panel.shell={honeycomb: {material: aluminium_bar, face_mm: 0.3, core_mm: 20, "
+       "core_density_kg_m3: 32}}",
+       "no material is called 'aluminium_bar'"},
+      {"parts.panel.shell={honeycomb: {material: black, face_mm: 0.3, core_mm: 20, "
+       "core_density_kg_m3: 32}}",
+       "accepted: a material that has them"},
+      {"parts.panel.shell={honeycomb: {material: aluminium_bare, face_mm: 0.3, core_mm: 20, "
+       "core_density_kg_m3: 3200}}",
+       "3200 is not below that of the foil, 2700"},
+      {"parts.panel.shell={thickness_mm: 1, honeycomb: {" PANEL "}}", "excludes honeycomb"}};
+  for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
+    char message[512];
+    heat_refused(LIST(bad[k][0]), NONE, message, sizeof message);
+    if (strstr(message, bad[k][1]) == NULL) fail_msg("'%s' lacks '%s'", message, bad[k][1]);
+  }
+}
+
+/* A wall of 1 m2 faces in two layers holds one temperature the better, the better its pipes. */
+static void pipes_even_out(void **state)
+{
+  (void)state;
+  double before = 1e9;
+  static const char *const pipe[] = {"parts.panel.shell.front_share=0.5",
+                                     "parts.panel.groups={plate: {heat_pipe: 50}}",
+                                     "parts.panel.groups={plate: {heat_pipe: 1e6}}"};
+  for (int k = 0; k < 3; k++) {
+    struct heat_run run = heat_compute(LIST(pipe[k]), NONE, NONE);
+    double difference =
+        heat_temperature(&run, "panel.front", 0) - heat_temperature(&run, "panel.back", 0);
+    print_message("%g K between the sides\n", difference);
+    assert_true(difference < before);
+    before = difference;
+    heat_release(&run);
+  }
+  assert_true(before > 0.0 && before < 0.01);
+}
+
+static int setup(void **state)
+{
+  (void)state;
+  return heat_setup("model_panels.yaml");
+}
+
+static int teardown(void **state)
+{
+  (void)state;
+  return heat_teardown();
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(panel_is_its_wall), cmocka_unit_test(core_conducts),
+      cmocka_unit_test(blanket_has_seams), cmocka_unit_test(refused),
+      cmocka_unit_test(pipes_even_out),
+  };
+  return cmocka_run_group_tests(tests, setup, teardown);
+}
