@@ -67,7 +67,7 @@ enum um_status um_materials_bulk_read(struct um_context *context,
                                       struct um_materials_record *record)
 {
   struct um_materials_bulk *out = &record->bulk;
-  *out = (struct um_materials_bulk){NAN, NAN, NAN, NAN, NAN};
+  *out = (struct um_materials_bulk){NAN, NAN, NAN, NAN, NAN, NAN, NAN};
   if (in == NULL) return UM_OK;
   out->density = in->density;
   out->specific_heat = in->specific_heat;
@@ -76,6 +76,15 @@ enum um_status um_materials_bulk_read(struct um_context *context,
   out->areal_heat_capacity = !isnan(in->areal_heat_capacity)
                                  ? in->areal_heat_capacity
                                  : in->density * in->specific_heat * out->thickness;
+  const double *range = in->range.items;
+  if (in->range.count != 0 && (in->range.count != 2 || !(range[0] < range[1])))
+    return um_document_mark_fail(context, &in->at,
+                                 "temperature_range_K has not two ascending values; accepted: "
+                                 "[coldest, hottest]");
+  if (in->range.count == 2) {
+    out->coldest = range[0];
+    out->hottest = range[1];
+  }
   return in->by_temperature == NULL ? UM_OK : tables_read(context, in->by_temperature, record);
 }
 

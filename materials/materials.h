@@ -145,6 +145,7 @@ struct um_materials_bulk {
   double conductivity;        /* [W/m/K] */
   double thickness;           /* [m] of the sheet, film or cell as built, where it has one */
   double areal_heat_capacity; /* [J/m^2/K], explicit or density * specific_heat * thickness */
+  double coldest, hottest;    /* [K] between which the record holds */
 };
 struct um_materials_bulk um_materials_bulk(const struct um_materials_record *record);
 /* What goes with temperature: ratio to the value at 300 K [1], at a temperature [K]; 1 where the

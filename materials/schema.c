@@ -151,6 +151,11 @@ static const struct um_schema_field thermal_fields[] = {
     THERMAL(thickness_mm, "thickness_mm", "Thickness as built, for sheets and cells."),
     THERMAL(areal_heat_capacity, "areal_heat_capacity_J_m2_K",
             "Heat capacity per area; default density * specific heat * thickness."),
+    UM_FIELD(struct um_materials_thermal_input, range, "temperature_range_K", UM_SCHEMA_NUMBERS,
+             .minimum = 0.0, .maximum = 1e5,
+             .help =
+                 "[coldest, hottest] between which the record holds; a run that leaves it warns, "
+                 "or fails where the scenario says so."),
     UM_FIELD(struct um_materials_thermal_input, by_temperature, "by_temperature", UM_SCHEMA_MAP,
              .object = &by_temperature_object,
              .help = "Specific heat and conductivity at other temperatures than 300 K."),

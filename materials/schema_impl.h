@@ -48,6 +48,7 @@ struct um_materials_thermal_input {
   double thickness_mm;        /* [mm] */
   double areal_heat_capacity; /* [J/m^2/K] */
   struct um_materials_by_temperature_input *by_temperature;
+  struct um_schema_list range; /* of double [K] */
 };
 
 struct um_materials_catalogue_input {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/record_range_impl.h"
 #include "model/run_optics_impl.h"
 #include "model/run_places_impl.h"
 #include "model/thermal_solution.h"
@@ -39,6 +40,8 @@ enum um_status um_model_run(struct um_context *context, const struct um_model *m
   *out = NULL;
   UM_TRY(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
   enum um_status status = um_model_run_with(context, model, precomputed, heat, out);
+  if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
+    status = um_model_check_record_ranges(context, model, precomputed, *out);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }
@@ -61,6 +64,8 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
   result->rhs_evaluations = run->history->rhs_evaluations;
   result->jacobians = run->history->jacobians;
   UM_CHECK(keep_temperatures(context, model, precomputed, run, result));
+  if (model->scenario->thermal->outside_range == UM_RANGE_ERROR)
+    UM_CHECK(um_model_check_record_ranges(context, model, precomputed, result));
   UM_CHECK(um_model_run_places(context, model, precomputed, heat, result));
   UM_CHECK(um_model_run_optics(context, model, precomputed, run, result));
 done:

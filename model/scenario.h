@@ -284,6 +284,7 @@ static inline double um_scenario_exchange_area(const struct um_scenario_contact 
   return stated == stated ? stated : contact->area_m2 * contact->exchange_factor;
 }
 
+enum um_scenario_outside_range { UM_RANGE_WARNING, UM_RANGE_ERROR };
 enum um_scenario_start { UM_START_PERIODIC, UM_START_ISOTHERMAL };
 struct um_scenario_thermal {
   struct um_mark at;
@@ -295,6 +296,7 @@ struct um_scenario_thermal {
   const char *view_factors; /* folder, or NULL */
   double space_temperature_K;
   int temperature_in_optics; /* 0 facet, 1 material_mean */
+  int outside_range;         /* enum um_scenario_outside_range */
 };
 
 struct um_scenario_band {

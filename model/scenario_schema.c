@@ -24,6 +24,7 @@ OBJECT(time_object, struct um_scenario_time, "time", "When the satellite is obse
 
 /* --- thermal, bands, optics, effects -------------------------------------------------------- */
 static const char *const start_choices[] = {"periodic", "isothermal", NULL};
+static const char *const range_choices[] = {"warning", "error", NULL};
 static const char *const temperature_choices[] = {"facet", "material_mean", NULL};
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_thermal, member, key, type, __VA_ARGS__)
@@ -55,6 +56,9 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("of deep space")),
     F(temperature_in_optics, "temperature_in_optics", UM_SCHEMA_CHOICE, DEFAULT(0),
       .choices = temperature_choices, HELP("what the renderer emits with")),
+    F(outside_range, "outside_range", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = range_choices,
+      HELP("what a surface does that leaves the temperatures for which its material's record "
+           "holds")),
 };
 #undef F
 OBJECT(thermal_object, struct um_scenario_thermal, "thermal", "How temperatures are computed.",

@@ -5,6 +5,9 @@
  *   C = 2 x 0.0003 x 2700 x 896 + 32 x 896 x 0.02         = 2024.96 J/m2/K
  *   k t = 2 x 0.0003 x 167 + 15/32 x 32/2700 x 167 x 0.02  = 0.118755556 W/K
  *   U = 32/2700 x 167 / 0.02                               = 98.962963 W/m2/K */
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
 #include "tests/effects/heat_help.h"
 
 #define PANEL "material: aluminium_bare, face_mm: 0.3, core_mm: 20, core_density_kg_m3: 32"
@@ -114,6 +117,62 @@ static void pipes_even_out(void **state)
   assert_true(before > 0.0 && before < 0.01);
 }
 
+/* A paint that is known from 100 to 300 K is warmer in the Sun: a warning with part, group, range
+ * and temperature, once for the material; an error where the scenario wants one. */
+static char said[512];
+static void hear(void *user, enum um_core_log_level level, const char *text)
+{
+  (void)user;
+  if (level == UM_LOG_WARNING) snprintf(said, sizeof said, "%s", text);
+}
+
+static enum um_status run_with_range(const char *range, const char *outside)
+{
+  struct um_context *context = NULL;
+  struct um_model *model = NULL;
+  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_result *result = NULL;
+  const char *overrides[] = {"material_files=[model_range.yaml]", "parts.panel.front=paint",
+                             outside};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 3};
+  FILE *f = fopen("model_range.yaml", "w");
+  assert_non_null(f);
+  fprintf(f,
+          "name: paint\nsummary: s\ncitation: c\n"
+          "grey: {solar_absorptance: 0.9, emittance: 0.8}\n"
+          "thermal: {temperature_range_K: %s}\n",
+          range);
+  fclose(f);
+  said[0] = '\0';
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  um_core_log_set_sink(context, hear, NULL);
+  enum um_status status = um_model_create(context, "model_panels.yaml", &options, &model);
+  if (status == UM_OK) status = um_model_precompute(context, model, &precomputed);
+  if (status == UM_OK) status = um_model_run(context, model, precomputed, &result);
+  if (status != UM_OK) snprintf(said, sizeof said, "%s", um_core_message(context));
+  um_model_result_destroy(context, &result);
+  um_model_precomputed_destroy(context, &precomputed);
+  um_model_destroy(context, &model);
+  um_core_context_destroy(&context);
+  remove("model_range.yaml");
+  return status;
+}
+
+static void records_hold_somewhere(void **state)
+{
+  (void)state;
+  assert_int_equal(run_with_range("[100, 600]", "thermal.outside_range=error"), UM_OK);
+  assert_int_equal(run_with_range("[100, 300]", "thermal.outside_range=warning"), UM_OK);
+  assert_non_null(strstr(said, "part panel, group plate is at 3"));
+  assert_non_null(strstr(said, "its material 'paint' is known from 100 to 300 K"));
+  assert_int_equal(run_with_range("[100, 300]", "thermal.outside_range=error"), UM_ERR_NUMERIC);
+  assert_non_null(strstr(said, "part panel, group plate is at 3"));
+  assert_non_null(strstr(said, "thermal.outside_range: warning"));
+  assert_int_equal(run_with_range("[400, 600]", "thermal.outside_range=error"), UM_ERR_NUMERIC);
+  assert_int_equal(run_with_range("[300, 100]", "thermal.outside_range=error"), UM_ERR_INPUT);
+  assert_non_null(strstr(said, "accepted: [coldest, hottest]"));
+}
+
 static int setup(void **state)
 {
   (void)state;
@@ -131,7 +190,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(panel_is_its_wall), cmocka_unit_test(core_conducts),
       cmocka_unit_test(blanket_has_seams), cmocka_unit_test(refused),
-      cmocka_unit_test(pipes_even_out),
+      cmocka_unit_test(pipes_even_out),    cmocka_unit_test(records_hold_somewhere),
   };
   return cmocka_run_group_tests(tests, setup, teardown);
 }
