@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "app/app.h"
+#include "app/space_error.h"
 #include "app/terminal.h"
 #include "core/constants.h"
 #include "model/build.h"
@@ -305,6 +306,30 @@ static enum um_status summarise(struct um_context *context, const struct um_outp
   return UM_OK;
 }
 
+/* What the error in space is, or how to know it. */
+static enum um_status estimate(struct um_context *context, const struct um_app_options *options,
+                               const struct um_model *model, const struct um_model_result *result)
+{
+  struct um_app_space_error e;
+  struct um_model_options changes = um_app_model_options(options);
+  char light[160] = "";
+  if (!model->scenario->thermal->error_estimate) {
+    um_core_log(context, UM_LOG_INFO,
+                "error in space: not estimated; thermal.error_estimate: true computes it");
+    return UM_OK;
+  }
+  UM_TRY(um_app_space_error(context, options->positional[0], &changes, model, result, &e));
+  if (e.band != NULL)
+    snprintf(light, sizeof light, "; %.32s by %.2g %% at most, %.2g %% in the mean", e.band,
+             100.0 * e.light, 100.0 * e.light_mean);
+  um_core_log(
+      context, UM_LOG_INFO,
+      "error in space: %zu surfaces in place of %zu change temperatures of places by %.2g K "
+      "at most (%s), %.2g K in the mean%s",
+      e.nsurface, result->nsurface, e.temperature, e.place, e.temperature_mean, light);
+  return UM_OK;
+}
+
 static double seconds(void)
 {
   struct timespec t;
@@ -329,6 +354,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_model_precompute(context, model, &precomputed));
   traced = seconds();
   UM_CHECK(um_model_run(context, model, precomputed, &result));
+  UM_CHECK(estimate(context, options, model, result));
   computed = seconds();
   run.context = context;
   run.model = model;

@@ -59,9 +59,12 @@ enum um_status um_model_build_interiors(struct um_context *context, struct um_mo
   to->ninterior = n;
   for (size_t i = 0; i < n; i++) {
     const struct um_scenario_interior *from = um_model_interior_at(part, i);
-    to->interior[i] = (struct um_thermal_interior_spec){.name = um_model_interior_name(from),
-                                                        .capacity = from->capacity_J_K,
-                                                        .power = from->power_W};
+    to->interior[i] =
+        (struct um_thermal_interior_spec){.name = um_model_interior_name(from),
+                                          .capacity = from->capacity_J_K,
+                                          .power = from->power_W,
+                                          .conductivity = from->conductivity_W_m_K,
+                                          .tetrahedron_size = from->tetrahedron_size_m};
     if (from->name != NULL) UM_TRY(build_named(context, model, from, index, &to->interior[i]));
     UM_TRY(um_model_power_history(context, model, &from->at, from->power_file,
                                   &to->interior[i].history));

@@ -9,6 +9,7 @@
 #include "core/words.h"
 #include "model/aging_impl.h"
 #include "model/effects_impl.h"
+#include "model/interior_names_impl.h"
 #include "model/words_impl.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
@@ -123,7 +124,7 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
   double size =
       isnan(from->facet_size_m) ? model->scenario->thermal->facet_size_m : from->facet_size_m;
   to->facet_size = isnan(size) ? 0.0 : size;
-  to->solid = from->solid != NULL;
+  to->solid = from->solid != NULL || um_model_interior_is_solid(from);
   struct um_effect_use use;
   for (size_t i = 0; um_model_effect_next(model, &i, &use);)
     if (use.effect->hooks.geometry != NULL) UM_TRY(use.effect->hooks.geometry(context, &use, to));

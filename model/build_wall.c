@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "model/build_honeycomb_impl.h"
+#include "model/build_power_impl.h"
 #include "model/bulk_law_impl.h"
 #include "model/words_impl.h"
 
@@ -91,6 +92,8 @@ enum um_status um_model_build_solid(struct um_context *context, struct um_model 
   to->specific_heat = from->specific_heat_J_kg_K;
   to->conductivity = from->conductivity_W_m_K;
   to->tetrahedron_size = from->tetrahedron_size_m;
+  to->volume_power = from->power_W;
+  UM_TRY(um_model_power_history(context, model, &from->at, from->power_file, &to->volume_history));
   if (from->material != NULL) {
     const struct um_materials_record *record =
         um_materials_library_find(model->library, from->material);

@@ -1,6 +1,7 @@
 /* How the heat of a model is solved. */
 #include "model/heat_setting_impl.h"
 
+#include "model/tolerances.h"
 #include "thermal/solve.h"
 
 struct um_thermal_solve_options um_model_heat_options(const struct um_model *model)
@@ -8,8 +9,7 @@ struct um_thermal_solve_options um_model_heat_options(const struct um_model *mod
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  options.relative_tolerance = thermal->relative_tolerance;
-  options.absolute_tolerance = thermal->absolute_tolerance_K;
+  um_model_tolerances(thermal, &options.relative_tolerance, &options.absolute_tolerance);
   options.space_temperature = thermal->space_temperature_K;
   options.albedo_on = model->environment.albedo_on;
   options.planet_on = model->environment.planet_on;

@@ -18,6 +18,13 @@ const struct um_scenario_interior *um_model_interior_at(const struct um_scenario
   return (const struct um_scenario_interior *)part->interiors.items + index;
 }
 
+bool um_model_interior_is_solid(const struct um_scenario_part *part)
+{
+  for (size_t i = 0; i < um_model_interior_count(part); i++)
+    if (um_model_interior_at(part, i)->conductivity_W_m_K > 0.0) return true;
+  return false;
+}
+
 const char *um_model_interior_name(const struct um_scenario_interior *interior)
 {
   return interior->name == NULL ? "interior" : interior->name;

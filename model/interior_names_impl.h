@@ -12,6 +12,8 @@
 size_t um_model_interior_count(const struct um_scenario_part *part);
 const struct um_scenario_interior *um_model_interior_at(const struct um_scenario_part *part,
                                                         size_t index);
+/* Does one of them fill the part with tetrahedra? */
+bool um_model_interior_is_solid(const struct um_scenario_part *part);
 /* "interior" or the scenario's own name. */
 const char *um_model_interior_name(const struct um_scenario_interior *interior);
 /* UM_MODEL_NO_INTERIOR when there is none of that name. */

@@ -215,12 +215,14 @@ struct um_scenario_interior {
   const char *name;                              /* NULL: `interior` */
   double capacity_J_K, power_W, conductance_W_K; /* capacity NaN: not stated */
   double temperature_K;                          /* of a boundary node; 0 or NaN: none */
+  double conductivity_W_m_K, tetrahedron_size_m; /* above 0: a solid that fills the part */
   const char *power_file;
 };
 struct um_scenario_solid {
   struct um_mark at;
   const char *material;
-  double density_kg_m3, specific_heat_J_kg_K, conductivity_W_m_K, tetrahedron_size_m;
+  double density_kg_m3, specific_heat_J_kg_K, conductivity_W_m_K, tetrahedron_size_m, power_W;
+  const char *power_file;
 };
 struct um_scenario_inner_conductance { /* of a group to an interior */
   struct um_mark at;
@@ -290,10 +292,12 @@ struct um_scenario_thermal {
   struct um_mark at;
   double orbits_before;
   int start; /* enum um_scenario_start */
-  double start_temperature_K, facet_size_m, step_s, relative_tolerance, absolute_tolerance_K;
+  double start_temperature_K, facet_size_m, step_s, accuracy_K;
+  double relative_tolerance, absolute_tolerance_K; /* NaN: by the accuracy */
   int samples;
   int exchange_patches, view_factor_rays;
   const char *view_factors; /* folder, or NULL */
+  bool error_estimate;
   double space_temperature_K;
   int temperature_in_optics; /* 0 facet, 1 material_mean */
   int outside_range;         /* enum um_scenario_outside_range */

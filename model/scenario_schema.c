@@ -39,10 +39,16 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("longest facet edge; default: as coarse as the shapes allow")),
     F(step_s, "step_s", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
       HELP("grid of the loads; default: 4.6 deg of turn, at most 10 s")),
-    F(relative_tolerance, "relative_tolerance", UM_SCHEMA_NUMBER, DEFAULT(2e-7),
-      BETWEEN(1e-12, 1e-2), HELP("of the integrator")),
-    F(absolute_tolerance_K, "absolute_tolerance_K", UM_SCHEMA_NUMBER, DEFAULT(2e-5),
-      BETWEEN(1e-9, 1), HELP("of the integrator")),
+    F(accuracy_K, "accuracy_K", UM_SCHEMA_NUMBER, DEFAULT(0.01), BETWEEN(1e-6, 10),
+      HELP("what integration in time may leave in the temperature of a facet; makes both "
+           "tolerances")),
+    F(relative_tolerance, "relative_tolerance", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1e-12, 1e-2),
+      HELP("of the integrator; default: 1e-4 of accuracy_K")),
+    F(absolute_tolerance_K, "absolute_tolerance_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1e-9, 1),
+      HELP("of the integrator; default: 1e-2 of accuracy_K")),
+    F(error_estimate, "error_estimate", UM_SCHEMA_BOOL, DEFAULT(0),
+      HELP("umbra run: compute once more with facets and tetrahedra of half the size, and say what "
+           "that changes")),
     F(samples, "samples", UM_SCHEMA_INTEGER, DEFAULT(4), BETWEEN(1, 4096),
       HELP("points per facet for the shadow of the satellite on itself")),
     F(exchange_patches, "exchange_patches", UM_SCHEMA_INTEGER, DEFAULT(512), BETWEEN(1, 4096),
@@ -50,8 +56,9 @@ static const struct um_schema_field thermal_fields[] = {
     F(view_factor_rays, "view_factor_rays", UM_SCHEMA_INTEGER, DEFAULT(4096), BETWEEN(16, 1048576),
       HELP("from each patch, for view factors")),
     F(view_factors, "view_factors", UM_SCHEMA_TEXT, NAMES_FILE,
-      HELP("folder that umbra exchange has written, to be taken in place of rays; refused where the "
-           "satellite or its joints are others")),
+      HELP(
+          "folder that umbra exchange has written, to be taken in place of rays; refused where the "
+          "satellite or its joints are others")),
     F(space_temperature_K, "space_temperature_K", UM_SCHEMA_NUMBER, DEFAULT(2.7), BETWEEN(0, 100),
       HELP("of deep space")),
     F(temperature_in_optics, "temperature_in_optics", UM_SCHEMA_CHOICE, DEFAULT(0),

@@ -79,6 +79,9 @@ OBJECT(mli_object, struct um_scenario_mli, "mli", "Multi-layer insulation on the
 #define POWER_FILE                                                                                 \
   "CSV time_utc,power_W, added to power_W: linear between rows, a jump where two rows have one "   \
   "time, 0 before the first and after the last; satellite's own time"
+#define INSIDE_CONDUCTIVITY                                                                        \
+  "0: one node; above: tetrahedra that fill the part, which is closed, capacity and power spread " \
+  "by volume"
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_interior, member, key, type, __VA_ARGS__)
 static const struct um_schema_field interior_fields[] = {
@@ -89,10 +92,14 @@ static const struct um_schema_field interior_fields[] = {
     F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
     F(conductance_W_K, "conductance_W_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e6),
       HELP("to the walls, shared by area among groups that state none")),
+    F(conductivity_W_m_K, "conductivity_W_m_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e5),
+      HELP(INSIDE_CONDUCTIVITY)),
+    F(tetrahedron_size_m, "tetrahedron_size_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e3),
+      HELP("of that solid: longest edge wanted; 0: the facet size")),
 };
 #undef F
-OBJECT(interior_object, struct um_scenario_interior, "interior", "One node inside the part.",
-       FIELDS(interior_fields));
+OBJECT(interior_object, struct um_scenario_interior, "interior",
+       "What is inside the part: one node, or a solid that fills it.", FIELDS(interior_fields));
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_interior, member, key, type, __VA_ARGS__)
 static const struct um_schema_field interiors_fields[] = {
@@ -105,6 +112,10 @@ static const struct um_schema_field interiors_fields[] = {
       HELP("to the walls, shared by area among groups that state none for it")),
     F(temperature_K, "temperature_K", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(5000),
       HELP("given and kept, whatever flows (boundary node)")),
+    F(conductivity_W_m_K, "conductivity_W_m_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e5),
+      HELP(INSIDE_CONDUCTIVITY)),
+    F(tetrahedron_size_m, "tetrahedron_size_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e3),
+      HELP("of that solid: longest edge wanted; 0: the facet size")),
 };
 #undef F
 OBJECT(interiors_object, struct um_scenario_interior, "interiors",
@@ -122,6 +133,9 @@ static const struct um_schema_field solid_fields[] = {
       HELP("instead of the record's")),
     F(tetrahedron_size_m, "tetrahedron_size_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e3),
       HELP("longest edge wanted; 0: the facet size")),
+    F(power_W, "power_W", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),
+      HELP("dissipated inside, spread by volume")),
+    F(power_file, "power_file", UM_SCHEMA_TEXT, NAMES_FILE, HELP(POWER_FILE)),
 };
 #undef F
 OBJECT(solid_object, struct um_scenario_solid, "solid",

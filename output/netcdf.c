@@ -5,17 +5,27 @@
 #include <string.h>
 
 #include "output/netcdf_impl.h"
+#include "output/solids_impl.h"
 
 #define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
 #define AXES_MAX   4
 
-static const char *const dimension_names[UM_NC_COUNT] = {
-    [UM_NC_TIME] = "time",           [UM_NC_FACET] = "facet",
-    [UM_NC_VERTEX] = "vertex",       [UM_NC_NODE] = "node",
-    [UM_NC_PLACE] = "part",          [UM_NC_MATERIAL] = "material",
-    [UM_NC_BAND] = "band",           [UM_NC_WAVELENGTH] = "wavelength",
-    [UM_NC_MECHANISM] = "mechanism", [UM_NC_XYZ] = "xyz",
-    [UM_NC_CORNER] = "corner",       [UM_NC_QUATERNION] = "quaternion"};
+static const char *const dimension_names[UM_NC_COUNT] = {[UM_NC_TIME] = "time",
+                                                         [UM_NC_FACET] = "facet",
+                                                         [UM_NC_VERTEX] = "vertex",
+                                                         [UM_NC_NODE] = "node",
+                                                         [UM_NC_PLACE] = "part",
+                                                         [UM_NC_MATERIAL] = "material",
+                                                         [UM_NC_BAND] = "band",
+                                                         [UM_NC_WAVELENGTH] = "wavelength",
+                                                         [UM_NC_MECHANISM] = "mechanism",
+                                                         [UM_NC_XYZ] = "xyz",
+                                                         [UM_NC_CORNER] = "corner",
+                                                         [UM_NC_QUATERNION] = "quaternion",
+                                                         [UM_NC_SOLID_VERTEX] = "solid_vertex",
+                                                         [UM_NC_TETRAHEDRON] = "tetrahedron",
+                                                         [UM_NC_TETRAHEDRON_CORNER] =
+                                                             "tetrahedron_corner"};
 
 static enum um_status check(const struct um_output_netcdf *w, int code)
 {
@@ -83,19 +93,22 @@ static enum um_status define_dimensions(struct um_output_netcdf *w)
   const struct um_model *model = w->run->model;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
   const struct um_model_result *r = w->run->result;
-  const size_t length[UM_NC_COUNT] = {[UM_NC_TIME] = r->nobs,
-                                      [UM_NC_FACET] = mesh->nfacet,
-                                      [UM_NC_VERTEX] = mesh->nvertex,
-                                      [UM_NC_NODE] = r->nnode,
-                                      [UM_NC_PLACE] = r->nplace,
-                                      [UM_NC_MATERIAL] =
-                                          um_geometry_material_count(model->geometry),
-                                      [UM_NC_BAND] = r->nband,
-                                      [UM_NC_WAVELENGTH] = r->nbin,
-                                      [UM_NC_MECHANISM] = r->nband > 0 ? UM_MECHANISM_COUNT : 0,
-                                      [UM_NC_XYZ] = 3,
-                                      [UM_NC_CORNER] = 3,
-                                      [UM_NC_QUATERNION] = 4};
+  const size_t length[UM_NC_COUNT] = {
+      [UM_NC_TIME] = r->nobs,
+      [UM_NC_FACET] = mesh->nfacet,
+      [UM_NC_VERTEX] = mesh->nvertex,
+      [UM_NC_NODE] = r->nnode,
+      [UM_NC_PLACE] = r->nplace,
+      [UM_NC_MATERIAL] = um_geometry_material_count(model->geometry),
+      [UM_NC_BAND] = r->nband,
+      [UM_NC_WAVELENGTH] = r->nbin,
+      [UM_NC_MECHANISM] = r->nband > 0 ? UM_MECHANISM_COUNT : 0,
+      [UM_NC_XYZ] = 3,
+      [UM_NC_CORNER] = 3,
+      [UM_NC_QUATERNION] = 4,
+      [UM_NC_SOLID_VERTEX] = um_output_solid_vertices(model->body),
+      [UM_NC_TETRAHEDRON] = model->body->ntetrahedron,
+      [UM_NC_TETRAHEDRON_CORNER] = model->body->ntetrahedron > 0 ? 4 : 0};
   memcpy(w->length, length, sizeof length);
   for (int i = 0; i < UM_NC_COUNT; i++)
     if (length[i] > 0)

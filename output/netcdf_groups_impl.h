@@ -7,6 +7,7 @@
 enum um_status um_output_netcdf_times(const struct um_output_netcdf *w);
 enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w);
 enum um_status um_output_netcdf_heat(const struct um_output_netcdf *w);
+enum um_status um_output_netcdf_solids(const struct um_output_netcdf *w);
 enum um_status um_output_netcdf_light(const struct um_output_netcdf *w);
 
 #endif

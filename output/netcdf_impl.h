@@ -18,6 +18,9 @@ enum um_output_dimension {
   UM_NC_XYZ,
   UM_NC_CORNER,
   UM_NC_QUATERNION,
+  UM_NC_SOLID_VERTEX, /* vertices and tetrahedra of all solids, one solid after the other */
+  UM_NC_TETRAHEDRON,
+  UM_NC_TETRAHEDRON_CORNER,
   UM_NC_COUNT
 };
 

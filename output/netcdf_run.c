@@ -47,6 +47,7 @@ enum um_status um_output_write_netcdf(struct um_context *context, const struct u
   UM_CHECK(um_output_netcdf_times(&w));
   UM_CHECK(um_output_netcdf_geometry(&w));
   UM_CHECK(um_output_netcdf_heat(&w));
+  UM_CHECK(um_output_netcdf_solids(&w));
   UM_CHECK(um_output_netcdf_light(&w));
 done:;
   enum um_status closed = um_output_netcdf_close(&w, status == UM_OK ? file : NULL);

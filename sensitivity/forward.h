@@ -28,8 +28,8 @@ struct um_sensitivity_forward {
 };
 
 /* What `tolerance_factor` may well be: on the ENVISAT pass observations of 1 % move by 0.007 sigma
- * at most, an evaluation repeats to 0.004 sigma, and heat costs a third. */
-#define UM_SENSITIVITY_TOLERANCE_FACTOR 30.0
+ * at most, an evaluation repeats to 0.004 sigma, and heat costs half. */
+#define UM_SENSITIVITY_TOLERANCE_FACTOR 6.0
 /* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
  * compare does (um_compare_refine), in the model and so in every variant: all look at the body with
  * the same points, and differences between them are smooth. forward->model->scenario says what was

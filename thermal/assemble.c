@@ -17,6 +17,7 @@
 #include "thermal/place_impl.h"
 #include "thermal/shell_impl.h"
 #include "thermal/solid_impl.h"
+#include "thermal/tetgen.h"
 
 /* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
  * whose angle is the same for three Sun directions does not follow the Sun. */
@@ -95,6 +96,9 @@ static void builder_free(struct um_thermal_builder *b)
     um_core_free(context, b->vertex_capacity[layer]);
   }
   um_geometry_pose_destroy(context, &b->pose);
+  um_thermal_solids_destroy(context, &b->solid, b->nsolid);
+  for (size_t i = 0; i < b->nfilled; i++) um_core_free(context, b->filled[i].corner);
+  um_core_free(context, b->filled);
 }
 
 /* On one node, or on the three corners of a facet. */
@@ -196,7 +200,10 @@ static enum um_status assemble(struct um_thermal_builder *b, struct um_thermal_b
   UM_TRY(attach_inside(b));
   for (size_t c = 0; c < ncontact; c++) UM_TRY(um_thermal_contact_assemble(b, &contacts[c]));
   UM_TRY(um_thermal_places_build(b, body));
-  body->ntetrahedron = b->ntetrahedron;
+  for (size_t i = 0; i < b->nsolid; i++) body->ntetrahedron += b->solid[i].mesh->ntetrahedron;
+  body->solid = b->solid;
+  body->nsolid = b->nsolid;
+  b->solid = NULL;
   return UM_OK;
 }
 

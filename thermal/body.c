@@ -12,6 +12,7 @@ void um_thermal_body_destroy(struct um_context *context, struct um_thermal_body 
     um_core_free(context, (*body)->place[p].weight);
   }
   um_core_free(context, (*body)->place);
+  um_thermal_solids_destroy(context, &(*body)->solid, (*body)->nsolid);
   um_thermal_network_destroy(&(*body)->network);
   um_core_free(context, *body);
   *body = NULL;

@@ -6,6 +6,7 @@
 #include "geometry/geometry.h"
 #include "thermal/mli_law.h"
 #include "thermal/network.h"
+#include "thermal/solids.h"
 
 /* What a wall or solid is made of goes with temperature; the ratios outlive the body. */
 struct um_thermal_bulk_law {
@@ -41,8 +42,8 @@ struct um_thermal_power_history {
   double *t, *power; /* [nrow] t_tai [s], [W] */
   size_t nrow;
 };
-/* A node inside a part: frame, boards, battery. C dT/dt = P + sum G (T_j - T); with C = 0 it
- * balances at every instant (an arithmetic node). */
+/* What is inside a part: frame, boards, battery; one node. C dT/dt = P + sum G (T_j - T); with C =
+ * 0 it balances at every instant (an arithmetic node). */
 struct um_thermal_interior_spec {
   const char *name;                               /* of the place "part.NAME" */
   double capacity;                                /* [J/K] */
@@ -53,6 +54,10 @@ struct um_thermal_interior_spec {
   double offset;    /* [K] of its start over the state a run begins with; not for the body */
   double lag;       /* [s] by which a share of capacity and power follows the rest; 0: one node */
   double lag_share; /* [1] of capacity and power */
+  /* above 0: it is no node but a solid that fills the part (closed): capacity and power are spread
+   * by volume, walls, blankets and contacts meet it where they lie [W/m/K] */
+  double conductivity;
+  double tetrahedron_size; /* of that solid: longest edge wanted [m]; 0: facet size */
 };
 /* A thermostat heater on the wall of a place, spread and sensed by area, or in an interior: see
  * um_thermal_network_thermostat_add. */
@@ -94,6 +99,8 @@ struct um_thermal_part_spec {
   double density, specific_heat, conductivity; /* SOLID */
   struct um_thermal_bulk_law law;              /* SOLID */
   double tetrahedron_size;                     /* SOLID: longest edge wanted [m]; 0: facet size */
+  double volume_power;                         /* SOLID: heat made in it, by volume [W] */
+  const struct um_thermal_power_history *volume_history; /* added to it; NULL: none */
   /* NODES: a node of the name of each group carries its surfaces ("front" and "back" where the part
    * has one group), one of "GROUP.back" those of its back; all others are interiors of that name,
    * which `interior` lists in the order of the network with what they hold. */
@@ -143,7 +150,9 @@ struct um_thermal_body {
   struct um_thermal_network *network;
   struct um_thermal_place *place;
   size_t nplace;
-  size_t ntetrahedron;
+  struct um_thermal_solid *solid;
+  size_t nsolid;
+  size_t ntetrahedron; /* of all solids */
 };
 /* Name of the node of a network that carries a side of a group: "GROUP", "GROUP.back", for the only
  * group of its part also "front", "back". (size_t)-1: there is none; a back without one lies on the

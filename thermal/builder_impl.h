@@ -8,6 +8,12 @@
 struct um_thermal_bulk_index {
   uint32_t capacity, conduction;
 };
+/* An interior that is a solid. */
+struct um_thermal_filled {
+  uint32_t first;        /* its first node, which stands for it in `interior` */
+  size_t solid;          /* index of it */
+  uint32_t (*corner)[3]; /* [nfacet] its nodes at the corners of the part's facets */
+};
 
 struct um_thermal_builder {
   struct um_context *context;
@@ -25,12 +31,15 @@ struct um_thermal_builder {
   uint32_t (*front)[3], (*back)[3];
   uint32_t *skin;         /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
   size_t *first_interior; /* [npart + 1] where a part's interiors begin */
-  uint32_t *interior;     /* [first_interior[npart]] their nodes; UM_THERMAL_SPACE: not yet */
-  uint32_t *behind;       /* as many: what lags behind them; UM_THERMAL_SPACE: nothing */
+  uint32_t *interior; /* [first_interior[npart]] their nodes, of solids the first; UM_THERMAL_SPACE:
+                         not yet */
+  uint32_t *behind;   /* as many: what lags behind them; UM_THERMAL_SPACE: nothing */
   /* Scratch per mesh vertex (vertices belong to one part): node and capacity of the layers. */
   uint32_t *vertex_node[2]; /* [nvertex] */
   double *vertex_capacity[2];
-  size_t npart, ngroup, ntetrahedron;
+  struct um_thermal_solid *solid;   /* [nsolid] what the body takes over */
+  struct um_thermal_filled *filled; /* [nfilled] */
+  size_t npart, ngroup, nsolid, nfilled;
 };
 
 /* A diffusive node, or an arithmetic one where the capacity [J/K] is 0. */

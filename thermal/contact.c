@@ -10,8 +10,9 @@
  *
  * lambda_c the barycentric weights of the foot on the facet: linear, symmetric, conservative, sum
  * of all K exactly G. A lumped or interior node is one node wherever it is met; a place of an
- * interior is met everywhere, in shares of area. Structure is the wall under MLI, and the interior
- * where the wall is left out: a bracket goes through the blanket.
+ * interior is met everywhere, in shares of area, unless it is a solid, whose surface is met.
+ * Structure is the wall under MLI, and the interior where the wall is left out: a bracket goes
+ * through the blanket.
  *
  * A radiative contact carries sigma E (T_a^4 - T_b^4), E an exchange area [m^2]. It is shared in
  * the same way, but all of both places takes part, every node with the nearest point of the other.
@@ -19,6 +20,7 @@
 #include "core/sort.h"
 #include "thermal/contact_impl.h"
 #include "thermal/place_impl.h"
+#include "thermal/solid_impl.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,6 +52,12 @@ struct side {
   double edge; /* typical facet edge [m] */
 };
 
+/* An interior that is one node is met everywhere. */
+static bool is_node(const struct um_thermal_builder *b, const struct side *s)
+{
+  return s->at.interior != UM_THERMAL_SPACE && um_thermal_filled_find(b, s->at.interior) == NULL;
+}
+
 static bool resolve(const struct um_thermal_builder *b, struct side *s)
 {
   for (uint32_t p = 0; p < b->npart; p++) {
@@ -66,7 +74,8 @@ static void node_or_interior(const struct um_thermal_builder *b, size_t facet,
                              const uint32_t layer[3], uint32_t out[3])
 {
   uint32_t inside = um_thermal_builder_wrapped(b, b->mesh->facet_group[facet]);
-  for (int c = 0; c < 3; c++) out[c] = layer[c] == UM_THERMAL_SPACE ? inside : layer[c];
+  for (int c = 0; c < 3; c++)
+    out[c] = layer[c] != UM_THERMAL_SPACE ? layer[c] : um_thermal_interior_met(b, inside, facet, c);
 }
 
 static void patch_fill(const struct um_thermal_builder *b, size_t facet, const struct side *s,
@@ -82,6 +91,12 @@ static void patch_fill(const struct um_thermal_builder *b, size_t facet, const s
   for (int c = 0; c < 3; c++)
     p->radius = fmax(p->radius, um_vec3_norm(um_vec3_sub(p->corner[c], p->centre)));
   p->layers = 0;
+  if (s->at.interior != UM_THERMAL_SPACE) { /* a solid inside, at its surface */
+    for (int c = 0; c < 3; c++)
+      p->node[0][c] = um_thermal_interior_met(b, s->at.interior, facet, c);
+    p->layers = 1;
+    return;
+  }
   if (s->at.front || !um_thermal_builder_two_layers(b, facet))
     node_or_interior(b, facet, b->front[facet], p->node[p->layers++]);
   if (s->at.back && um_thermal_builder_two_layers(b, facet))
@@ -98,7 +113,7 @@ static int sample_order(const void *a, const void *b)
 /* Facets and nodes of a side; corners of neighbouring facets that are one node are merged. */
 static enum um_status collect(const struct um_thermal_builder *b, struct side *s)
 {
-  if (s->at.interior != UM_THERMAL_SPACE) return UM_OK;
+  if (is_node(b, s)) return UM_OK;
   size_t n = 0;
   UM_TRY(um_core_allocate(b->context, b->mesh->nfacet, sizeof *s->patch, &s->patch));
   UM_TRY(um_core_allocate(b->context, 6 * b->mesh->nfacet, sizeof *s->sample, &s->sample));
@@ -230,8 +245,7 @@ static enum um_status pair(struct um_thermal_builder *b, const struct side *from
 static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const struct side *over,
                              struct flow *flow)
 {
-  if (over->at.interior != UM_THERMAL_SPACE)
-    return join(b, node, over->at.interior, flow->size, flow);
+  if (is_node(b, over)) return join(b, node, over->at.interior, flow->size, flow);
   double area = 0.0;
   for (size_t i = 0; i < over->nsample; i++) area += over->sample[i].area;
   for (size_t i = 0; i < over->nsample; i++)
@@ -242,8 +256,8 @@ static enum um_status spread(struct um_thermal_builder *b, uint32_t node, const 
 static enum um_status connect(struct um_thermal_builder *b, struct side *x, struct side *y,
                               struct flow *flow)
 {
-  if (x->at.interior != UM_THERMAL_SPACE) return spread(b, x->at.interior, y, flow);
-  if (y->at.interior != UM_THERMAL_SPACE) return spread(b, y->at.interior, x, flow);
+  if (is_node(b, x)) return spread(b, x->at.interior, y, flow);
+  if (is_node(b, y)) return spread(b, y->at.interior, x, flow);
   double gap = fmin(find_feet(b->context, x, y), find_feet(b->context, y, x));
   UM_TRY(um_core_stop_check(b->context, "contacts were joined"));
   gap += flow->radiates ? INFINITY : 0.5 * fmin(x->edge, y->edge);

@@ -422,8 +422,10 @@ static double row_product(const struct um_thermal_between *between, size_t p, co
 
 void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
-                               const struct um_thermal_mix *mix, const double *x, double *heat)
+                               const struct um_thermal_mix *mix, int threads, const double *x,
+                               double *heat)
 {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (size_t p = 0; p < exchange->noutside; p++) {
     double sum = 0.0;
     for (size_t k = 0; k < mix->n; k++)

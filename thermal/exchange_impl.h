@@ -46,10 +46,11 @@ struct um_thermal_mix {
 void um_thermal_exchange_mix(const struct um_thermal_exchange *exchange, double t,
                              struct um_thermal_mix *mix);
 /* heat[npatch] = sum_q (eps B eps)_pq sigma x_q [W] for x[npatch] [K^4]; between: a member of the
- * exchange. */
+ * exchange. The same bits for any number of threads. */
 void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
-                               const struct um_thermal_mix *mix, const double *x, double *heat);
+                               const struct um_thermal_mix *mix, int threads, const double *x,
+                               double *heat);
 /* A reflected load on surface s at a row; 0 without. table: a member of `reflected`. */
 static inline double um_thermal_reflected_at(const struct um_thermal_exchange *exchange,
                                              const double *table, size_t row, size_t s)

@@ -114,7 +114,7 @@ static enum um_status exchange_add(struct um_context *context,
   double *power4 = work, *heat = work + n, *one = work + 2 * n, *sent = work + 3 * n;
   for (size_t p = 0; p < n; p++) one[p] = 1.0;
   um_thermal_exchange_mix(x, t, &mix);
-  um_thermal_exchange_apply(x, x->between, &mix, one, sent); /* [W/K^4] */
+  um_thermal_exchange_apply(x, x->between, &mix, 1, one, sent); /* [W/K^4] */
   for (int pass = 0; pass < 2; pass++) {
     for (size_t s = 0; s < network->nsurface; s++) {
       const struct um_thermal_surface *surface = &network->surface[s];
@@ -133,7 +133,7 @@ static enum um_status exchange_add(struct um_context *context,
         }
       }
     }
-    if (pass == 0) um_thermal_exchange_apply(x, x->between, &mix, power4, heat);
+    if (pass == 0) um_thermal_exchange_apply(x, x->between, &mix, 1, power4, heat);
   }
 done:
   um_core_free(context, work);

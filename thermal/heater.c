@@ -8,6 +8,7 @@
 #include "thermal/heater_impl.h"
 #include "thermal/interior_impl.h"
 #include "thermal/place_impl.h"
+#include "thermal/solid_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
 struct share {
@@ -69,7 +70,7 @@ static enum um_status share_of(const struct um_thermal_builder *b,
   size_t nnode = um_thermal_network_nodes(b->network);
   UM_TRY(um_core_allocate(b->context, nnode, sizeof *weight, &weight));
   bool inside = where->interior != UM_THERMAL_SPACE;
-  if (inside) weight[where->interior] = 1.0;
+  if (inside) um_thermal_interior_shares(b, where->interior, weight);
   for (size_t f = 0; f < b->mesh->nfacet && !inside; f++) {
     if (b->mesh->facet_part[f] != where->part) continue;
     if (where->group != UM_GEOMETRY_NONE && b->mesh->facet_group[f] != where->group) continue;
@@ -173,7 +174,7 @@ enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t par
     uint32_t node[2];
     double weight[2];
     const struct share share = {node, weight, um_thermal_interior_nodes(b, part, i, node, weight)};
-    if (spec->interior[i].history != NULL)
+    if (spec->interior[i].history != NULL && !(spec->interior[i].conductivity > 0.0)) /* solid.c */
       UM_TRY(history_add(b, &share, spec->interior[i].history));
   }
   return UM_OK;

@@ -8,8 +8,12 @@
  * lags by l, that share is a node of its own behind the rest, which alone meets walls, blankets and
  * contacts:
  *
- *   s C dT'/dt = s P + (s C / l) (T - T'). */
+ *   s C dT'/dt = s P + (s C / l) (T - T').
+ *
+ * With a conductivity it is a solid that fills the part (solid.c): each facet holds the nodes at
+ * its corners. */
 #include "thermal/interior_impl.h"
+#include "thermal/solid_impl.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -37,6 +41,33 @@ static enum um_status name_check(const struct um_thermal_builder *b,
                       part, name == NULL ? "" : name, why);
 }
 
+/* An interior that is a solid has a capacity of its own, and the part for itself. */
+static enum um_status solid_check(const struct um_thermal_builder *b,
+                                  const struct um_thermal_part_spec *spec, size_t i)
+{
+  const struct um_thermal_interior_spec *s = &spec->interior[i];
+  const char *part = um_thermal_builder_part_name(b, spec->part), *why = NULL;
+  if (!(s->conductivity >= 0.0) || !isfinite(s->conductivity) || !(s->tetrahedron_size >= 0.0) ||
+      !isfinite(s->tetrahedron_size))
+    return um_core_fail(b->context, UM_ERR_INPUT,
+                        "part %s, %s: conductivity %g W/m/K, tetrahedra of %g m; accepted: finite, "
+                        "0 or more",
+                        part, s->name, s->conductivity, s->tetrahedron_size);
+  if (s->conductivity == 0.0) return UM_OK;
+  if (!(s->capacity > 0.0)) why = "no heat capacity";
+  if (s->held > 0.0) why = "a temperature that is given";
+  if (s->lag != 0.0) why = "a share that lags";
+  if (spec->kind == UM_THERMAL_SOLID) why = "a part that is solid itself";
+  if (spec->inside) why = "a part that radiates inside, which is empty";
+  for (size_t k = 0; k < i; k++)
+    if (spec->interior[k].conductivity > 0.0) why = "another that fills the part";
+  if (why == NULL) return UM_OK;
+  return um_core_fail(b->context, UM_ERR_INPUT,
+                      "part %s, %s: conductivity %g W/m/K with %s; accepted: 0, which makes it one "
+                      "node, or one solid with a heat capacity inside a shell or lumped part",
+                      part, s->name, s->conductivity, why);
+}
+
 enum um_status um_thermal_interiors_check(const struct um_thermal_builder *b,
                                           const struct um_thermal_part_spec *spec)
 {
@@ -62,6 +93,7 @@ enum um_status um_thermal_interiors_check(const struct um_thermal_builder *b,
           "part %s, %s: %g of it lag by %g s; accepted: a share above 0 and below 1, "
           "0 s or more",
           part, s->name, s->lag_share, s->lag);
+    UM_TRY(solid_check(b, spec, i));
   }
   return UM_OK;
 }
@@ -117,7 +149,9 @@ enum um_status um_thermal_interiors_add(struct um_thermal_builder *b, size_t par
     char name[512];
     double front = 1.0 - behind(s);
     snprintf(name, sizeof name, "%s.%s", um_thermal_builder_part_name(b, part), s->name);
-    if (s->held > 0.0)
+    if (s->conductivity > 0.0)
+      UM_TRY(um_thermal_solid_interior(b, part, s, node));
+    else if (s->held > 0.0)
       UM_TRY(um_thermal_network_node_add(b->network, name, UM_NODE_BOUNDARY, s->capacity, s->held,
                                          s->power, node));
     else
@@ -142,7 +176,8 @@ static enum um_status couple(struct um_thermal_builder *b, size_t part, size_t i
     double share = total * b->mesh->area[f] / b->group_area[group];
     for (int c = 0; c < 3; c++) {
       uint32_t node = b->back[f][c] == UM_THERMAL_SPACE ? b->skin[f] : b->back[f][c];
-      UM_TRY(um_thermal_network_conductor_add(b->network, inside, node, share / 3.0));
+      UM_TRY(um_thermal_network_conductor_add(b->network, um_thermal_interior_met(b, inside, f, c),
+                                              node, share / 3.0));
     }
   }
   return UM_OK;

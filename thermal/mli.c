@@ -10,6 +10,7 @@
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
  * is the wall (e* A / 3 to each corner) or, where the wall is left out, an interior. */
 #include "thermal/mli_impl.h"
+#include "thermal/solid_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -67,12 +68,20 @@ static enum um_status couple_node(struct um_thermal_builder *b, uint32_t skin, u
   return UM_OK;
 }
 
-static enum um_status couple(struct um_thermal_builder *b, uint32_t skin, size_t part,
-                             const uint32_t wall[3], const struct um_thermal_mli *mli, double area)
+/* What is wrapped under a facet: the corners of the wall, or the interior. */
+static void wrapped(const struct um_thermal_builder *b, size_t part, size_t facet,
+                    const struct um_thermal_mli *mli, uint32_t out[3])
 {
-  if (mli->wraps_interior)
-    return couple_node(b, skin, um_thermal_builder_interiors(b, part)[mli->interior], mli, area,
-                       1.0);
+  for (int c = 0; c < 3; c++)
+    out[c] = !mli->wraps_interior
+                 ? b->front[facet][c]
+                 : um_thermal_interior_met(b, um_thermal_builder_interiors(b, part)[mli->interior],
+                                           facet, c);
+}
+
+static enum um_status couple(struct um_thermal_builder *b, uint32_t skin, const uint32_t wall[3],
+                             const struct um_thermal_mli *mli, double area)
+{
   if (wall[0] == wall[1] && wall[0] == wall[2])
     return couple_node(b, skin, wall[0], mli, area, 1.0);
   for (int c = 0; c < 3; c++) UM_TRY(couple_node(b, skin, wall[c], mli, area, 3.0));
@@ -92,12 +101,23 @@ static enum um_status skin_of_group(struct um_thermal_builder *b, size_t part,
     snprintf(name, sizeof name, "%s.%s%s", part_name, group_name, suffix);
   else
     snprintf(name, sizeof name, "%s%s", part_name, suffix);
-  uint32_t skin, front = b->group_front[group->group];
+  uint32_t skin, inside[3];
   UM_TRY(um_thermal_builder_node(b, name, mli->areal_heat_capacity * area,
                                  b->part[part]->start_temperature, 0.0, &skin));
   for (size_t f = 0; f < b->mesh->nfacet; f++)
     if (b->mesh->facet_group[f] == group->group) b->skin[f] = skin;
-  return couple(b, skin, part, (uint32_t[3]){front, front, front}, mli, area);
+  if (mli->wraps_interior &&
+      um_thermal_filled_find(b, um_thermal_builder_wrapped(b, group->group)) != NULL) {
+    for (size_t f = 0; f < b->mesh->nfacet; f++) {
+      if (b->mesh->facet_group[f] != group->group) continue;
+      wrapped(b, part, f, mli, inside);
+      UM_TRY(couple(b, skin, inside, mli, b->mesh->area[f]));
+    }
+    return UM_OK;
+  }
+  uint32_t one = mli->wraps_interior ? um_thermal_builder_wrapped(b, group->group)
+                                     : b->group_front[group->group];
+  return couple(b, skin, (uint32_t[3]){one, one, one}, mli, area);
 }
 
 static enum um_status skins_of_facets(struct um_thermal_builder *b, size_t part,
@@ -109,7 +129,9 @@ static enum um_status skins_of_facets(struct um_thermal_builder *b, size_t part,
     double area = b->mesh->area[f];
     UM_TRY(um_thermal_builder_node(b, NULL, mli->areal_heat_capacity * area,
                                    b->part[part]->start_temperature, 0.0, &b->skin[f]));
-    UM_TRY(couple(b, b->skin[f], part, b->front[f], mli, area));
+    uint32_t inside[3];
+    wrapped(b, part, f, mli, inside);
+    UM_TRY(couple(b, b->skin[f], inside, mli, area));
   }
   return UM_OK;
 }

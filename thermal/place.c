@@ -7,6 +7,7 @@
  *   part.NAME                     the interior of that name */
 #include "thermal/interior_impl.h"
 #include "thermal/place_impl.h"
+#include "thermal/solid_impl.h"
 
 #include <string.h>
 
@@ -157,17 +158,42 @@ static bool part_has_back(const struct um_thermal_builder *b, uint32_t part)
   return false;
 }
 
+/* Nodes of an interior with their shares of it; area: zeroed scratch [nnode], left zeroed. */
+static enum um_status interior_nodes(const struct um_thermal_builder *b,
+                                     struct um_thermal_body *body, uint32_t node, double *area,
+                                     struct um_thermal_place **out)
+{
+  size_t nnode = um_thermal_network_nodes(b->network), n = 0;
+  um_thermal_interior_shares(b, node, area);
+  for (size_t i = 0; i < nnode; i++) n += area[i] > 0.0;
+  UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, n, out));
+  n = 0;
+  for (size_t i = 0; i < nnode; i++) {
+    if (area[i] > 0.0) {
+      (*out)->node[n] = (uint32_t)i;
+      (*out)->weight[n++] = area[i];
+    }
+    area[i] = 0.0;
+  }
+  return UM_OK;
+}
+
 static enum um_status places_of_interiors(const struct um_thermal_builder *b,
-                                          struct um_thermal_body *body, uint32_t part)
+                                          struct um_thermal_body *body, uint32_t part, double *area)
 {
   for (size_t i = 0; i < b->part[part]->ninterior; i++) {
     struct um_thermal_place *place;
-    uint32_t node[2];
-    double share[2];
-    size_t n = um_thermal_interior_nodes(b, part, i, node, share);
-    UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, n, &place));
-    memcpy(place->node, node, n * sizeof *node);
-    memcpy(place->weight, share, n * sizeof *share);
+    uint32_t first = um_thermal_builder_interiors(b, part)[i];
+    if (um_thermal_filled_find(b, first) != NULL) {
+      UM_TRY(interior_nodes(b, body, first, area, &place));
+    } else {
+      uint32_t node[2];
+      double share[2];
+      size_t n = um_thermal_interior_nodes(b, part, i, node, share);
+      UM_TRY(place_new(b->context, body, UM_PLACE_INTERIOR, n, &place));
+      memcpy(place->node, node, n * sizeof *node);
+      memcpy(place->weight, share, n * sizeof *share);
+    }
     UM_TRY(um_core_asprintf(b->context, &place->name, "%s.%s",
                             um_thermal_builder_part_name(b, part),
                             b->part[part]->interior[i].name));
@@ -206,7 +232,7 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
     w.inside = true;
     UM_TRY(place_add(b, body, &w, area, group->name, ".inside"));
   }
-  return places_of_interiors(b, body, part);
+  return places_of_interiors(b, body, part, area);
 }
 
 enum um_status um_thermal_places_build(struct um_thermal_builder *b, struct um_thermal_body *body)

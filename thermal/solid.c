@@ -3,10 +3,13 @@
  *   rho c dT/dt = div(k grad T),  K_ij = k V grad(N_i) . grad(N_j),  C_i = rho c V / 4 (lumped)
  *
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
- * A linear field is reproduced exactly (test thermal/solid). */
+ * A linear field is reproduced exactly (test thermal/solid). Heat made inside is a volume source,
+ * spread by volume: node i takes V_i / V of it. */
 #include "thermal/bulk_law_impl.h"
 #include "thermal/solid_impl.h"
 #include "thermal/tetgen.h"
+
+#include <string.h>
 
 double um_thermal_solid_element(const struct um_vec3 corner[4], double k, double out[6])
 {
@@ -68,61 +71,158 @@ static void surface_free(struct um_context *context, struct surface *s)
   um_core_free(context, s->facet);
 }
 
-/* Nodes with their lumped capacity, then the stiffness of every tetrahedron. */
-static enum um_status add_tetrahedra(struct um_thermal_builder *b, size_t part,
-                                     const struct um_thermal_tetrahedra *t, double *capacity,
-                                     uint32_t *node)
+/* The volume of every vertex: a quarter of that of its tetrahedra [m^3]; returns their sum. */
+static double vertex_volumes(const struct um_thermal_tetrahedra *t, double *volume)
+{
+  double k[6], sum = 0.0;
+  for (size_t e = 0; e < t->ntetrahedron; e++) {
+    const uint32_t *v = t->corner[e];
+    const struct um_vec3 corner[4] = {t->vertex[v[0]], t->vertex[v[1]], t->vertex[v[2]],
+                                      t->vertex[v[3]]};
+    double all = um_thermal_solid_element(corner, 1.0, k);
+    for (int c = 0; c < 4; c++) volume[v[c]] += all / 4.0;
+    sum += all;
+  }
+  return sum;
+}
+
+static enum um_status add_stiffness(struct um_thermal_builder *b,
+                                    const struct um_thermal_solid *solid, double conductivity,
+                                    const struct um_thermal_bulk_index *law)
 {
   static const int edge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-  const struct um_thermal_part_spec *spec = b->part[part];
+  const struct um_thermal_tetrahedra *t = solid->mesh;
   double k[6];
-  struct um_thermal_bulk_index law;
-  UM_TRY(um_thermal_bulk_laws(b, &spec->law, &law));
-  for (int pass = 0; pass < 2; pass++) {
-    for (size_t e = 0; e < t->ntetrahedron; e++) {
-      const uint32_t *v = t->corner[e];
-      struct um_vec3 corner[4] = {t->vertex[v[0]], t->vertex[v[1]], t->vertex[v[2]],
-                                  t->vertex[v[3]]};
-      double volume = um_thermal_solid_element(corner, spec->conductivity, k);
-      for (int c = 0; c < 4 && pass == 0; c++)
-        capacity[v[c]] += spec->density * spec->specific_heat * volume / 4.0;
-      for (int i = 0; i < 6 && pass == 1; i++)
-        UM_TRY(um_thermal_bulk_conductor(b, &law, node[v[edge[i][0]]], node[v[edge[i][1]]], k[i]));
-    }
-    for (size_t v = 0; v < t->nvertex && pass == 0; v++) {
-      UM_TRY(um_thermal_builder_node(b, NULL, capacity[v], spec->start_temperature, 0.0, &node[v]));
-      UM_TRY(um_thermal_bulk_capacity(b, &law, node[v], capacity[v]));
-    }
+  for (size_t e = 0; e < t->ntetrahedron; e++) {
+    const uint32_t *v = t->corner[e];
+    const struct um_vec3 corner[4] = {t->vertex[v[0]], t->vertex[v[1]], t->vertex[v[2]],
+                                      t->vertex[v[3]]};
+    um_thermal_solid_element(corner, conductivity, k);
+    for (int i = 0; i < 6; i++)
+      UM_TRY(um_thermal_bulk_conductor(b, law, solid->node[v[edge[i][0]]],
+                                       solid->node[v[edge[i][1]]], k[i]));
   }
-  b->ntetrahedron += t->ntetrahedron;
   return UM_OK;
+}
+
+/* Nodes of the vertices with their capacities, shares of the volume into share[nvertex]. */
+static enum um_status add_nodes(struct um_thermal_builder *b, struct um_thermal_solid *solid,
+                                const struct um_thermal_solid_matter *matter, double start,
+                                const struct um_thermal_bulk_index *law, double *share)
+{
+  size_t n = solid->mesh->nvertex;
+  double volume = vertex_volumes(solid->mesh, share);
+  double density = isnan(matter->capacity) ? matter->capacity_density : matter->capacity / volume;
+  for (size_t v = 0; v < n; v++) {
+    UM_TRY(um_thermal_builder_node(b, NULL, density * share[v], start, 0.0, &solid->node[v]));
+    UM_TRY(um_thermal_bulk_capacity(b, law, solid->node[v], density * share[v]));
+    share[v] /= volume;
+    um_thermal_network_power_add(b->network, solid->node[v], share[v] * matter->power);
+  }
+  return UM_OK;
+}
+
+enum um_status um_thermal_solid_fill(struct um_thermal_builder *b, size_t part,
+                                     const struct um_thermal_solid_matter *matter,
+                                     uint32_t (*corner)[3])
+{
+  static const struct um_thermal_bulk_law constant;
+  struct surface s = {0};
+  struct um_thermal_bulk_index law;
+  double *share = NULL;
+  enum um_status status;
+  UM_TRY(um_thermal_bulk_laws(b, matter->law == NULL ? &constant : matter->law, &law));
+  UM_TRY(um_core_reallocate(b->context, b->nsolid + 1, sizeof *b->solid, &b->solid));
+  struct um_thermal_solid *solid = &b->solid[b->nsolid++];
+  *solid = (struct um_thermal_solid){.part = (uint32_t)part};
+  UM_CHECK(gather(b, part, &s));
+  double size = matter->tetrahedron_size > 0.0 ? matter->tetrahedron_size : s.longest_edge;
+  UM_CHECK(um_thermal_tetgen_fill(b->context, um_thermal_builder_part_name(b, part), s.vertex,
+                                  s.nvertex, (const uint32_t(*)[3])s.facet, s.nfacet, size,
+                                  &solid->mesh));
+  UM_CHECK(um_core_allocate(b->context, solid->mesh->nvertex, sizeof *share, &share));
+  UM_CHECK(um_core_allocate(b->context, solid->mesh->nvertex, sizeof *solid->node, &solid->node));
+  UM_CHECK(add_nodes(b, solid, matter, b->part[part]->start_temperature, &law, share));
+  UM_CHECK(add_stiffness(b, solid, matter->conductivity, &law));
+  if (matter->history != NULL) {
+    const struct um_thermal_source source = {.node = solid->node,
+                                             .weight = share,
+                                             .nnode = solid->mesh->nvertex,
+                                             .t = matter->history->t,
+                                             .power = matter->history->power,
+                                             .nrow = matter->history->nrow};
+    UM_CHECK(um_thermal_network_source_add(b->network, &source));
+  }
+  for (size_t f = 0; f < b->mesh->nfacet; f++)
+    for (int c = 0; c < 3 && b->mesh->facet_part[f] == part; c++)
+      corner[f][c] = solid->node[s.local[b->mesh->corner[f][c]]];
+done:
+  um_core_free(b->context, share);
+  surface_free(b->context, &s);
+  return status;
 }
 
 enum um_status um_thermal_solid_assemble(struct um_thermal_builder *b, size_t part)
 {
   const struct um_thermal_part_spec *spec = b->part[part];
-  struct surface s;
-  struct um_thermal_tetrahedra *t = NULL;
-  double *capacity = NULL;
-  uint32_t *node = NULL;
-  enum um_status status;
-  UM_CHECK(gather(b, part, &s));
-  double size = spec->tetrahedron_size > 0.0 ? spec->tetrahedron_size : s.longest_edge;
-  UM_CHECK(um_thermal_tetgen_fill(b->context, um_thermal_builder_part_name(b, part), s.vertex,
-                                  s.nvertex, (const uint32_t(*)[3])s.facet, s.nfacet, size, &t));
-  UM_CHECK(um_core_allocate(b->context, t->nvertex, sizeof *capacity, &capacity));
-  UM_CHECK(um_core_allocate(b->context, t->nvertex, sizeof *node, &node));
-  UM_CHECK(add_tetrahedra(b, part, t, capacity, node));
-  for (size_t f = 0; f < b->mesh->nfacet; f++) {
-    if (b->mesh->facet_part[f] != part) continue;
-    for (int c = 0; c < 3; c++)
-      b->front[f][c] = b->back[f][c] = node[s.local[b->mesh->corner[f][c]]];
+  const struct um_thermal_solid_matter matter = {.capacity = NAN,
+                                                 .capacity_density =
+                                                     spec->density * spec->specific_heat,
+                                                 .conductivity = spec->conductivity,
+                                                 .tetrahedron_size = spec->tetrahedron_size,
+                                                 .power = spec->volume_power,
+                                                 .history = spec->volume_history,
+                                                 .law = &spec->law};
+  UM_TRY(um_thermal_solid_fill(b, part, &matter, b->front));
+  for (size_t f = 0; f < b->mesh->nfacet; f++)
+    if (b->mesh->facet_part[f] == part) memcpy(b->back[f], b->front[f], sizeof b->back[f]);
+  return UM_OK;
+}
+
+enum um_status um_thermal_solid_interior(struct um_thermal_builder *b, size_t part,
+                                         const struct um_thermal_interior_spec *spec,
+                                         uint32_t *first)
+{
+  const struct um_thermal_solid_matter matter = {.capacity = spec->capacity,
+                                                 .conductivity = spec->conductivity,
+                                                 .tetrahedron_size = spec->tetrahedron_size,
+                                                 .power = spec->power,
+                                                 .history = spec->history};
+  UM_TRY(um_core_reallocate(b->context, b->nfilled + 1, sizeof *b->filled, &b->filled));
+  struct um_thermal_filled *filled = &b->filled[b->nfilled++];
+  *filled = (struct um_thermal_filled){.solid = b->nsolid};
+  UM_TRY(um_core_allocate(b->context, b->mesh->nfacet, sizeof *filled->corner, &filled->corner));
+  UM_TRY(um_thermal_solid_fill(b, part, &matter, filled->corner));
+  *first = filled->first = b->solid[filled->solid].node[0];
+  return UM_OK;
+}
+
+const struct um_thermal_filled *um_thermal_filled_find(const struct um_thermal_builder *b,
+                                                       uint32_t node)
+{
+  for (size_t i = 0; i < b->nfilled; i++)
+    if (b->filled[i].first == node) return &b->filled[i];
+  return NULL;
+}
+
+uint32_t um_thermal_interior_met(const struct um_thermal_builder *b, uint32_t node, size_t facet,
+                                 int c)
+{
+  const struct um_thermal_filled *filled = um_thermal_filled_find(b, node);
+  return filled == NULL ? node : filled->corner[facet][c];
+}
+
+void um_thermal_interior_shares(const struct um_thermal_builder *b, uint32_t node, double *out)
+{
+  const struct um_thermal_filled *filled = um_thermal_filled_find(b, node);
+  double all = 0.0;
+  if (filled == NULL) {
+    out[node] += 1.0;
+    return;
   }
-  status = UM_OK;
-done:
-  um_core_free(b->context, capacity);
-  um_core_free(b->context, node);
-  um_thermal_tetrahedra_destroy(b->context, &t);
-  surface_free(b->context, &s);
-  return status;
+  const struct um_thermal_solid *solid = &b->solid[filled->solid];
+  for (size_t v = 0; v < solid->mesh->nvertex; v++)
+    all += um_thermal_network_capacity(b->network, solid->node[v]);
+  for (size_t v = 0; v < solid->mesh->nvertex; v++)
+    out[solid->node[v]] += um_thermal_network_capacity(b->network, solid->node[v]) / all;
 }

@@ -9,8 +9,8 @@
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 
-/* Heat of one node or the whole [W] (history) or [J] (audit). planet: what the Earth emits, and what
- * its atmosphere brings where loads have that. stored = sum of the others. */
+/* Heat of one node or the whole [W] (history) or [J] (audit). planet: what the Earth emits, and
+ * what its atmosphere brings where loads have that. stored = sum of the others. */
 struct um_thermal_heat {
   double solar, albedo, planet, internal, conducted, radiated, exchanged, stored;
 };

@@ -84,6 +84,7 @@ enum um_status um_thermal_system_exchange_build(struct um_thermal_system *system
   system->exchange = x;
   x->exchange = exchange;
   x->t = NAN;
+  x->pace.threads = um_core_context_threads(context);
   UM_TRY(shares_build(system, x));
   UM_TRY(um_core_allocate(context, exchange->npatch, sizeof(double), &x->power4));
   UM_TRY(um_core_allocate(context, exchange->npatch, sizeof(double), &x->heat));
@@ -133,7 +134,7 @@ static void gather(struct um_thermal_system *system, const struct um_thermal_bet
       const double *of = x->patch[e] < x->exchange->noutside ? of_node : inside;
       x->power4[x->patch[e]] += x->share[e] * of[i];
     }
-  um_thermal_exchange_apply(x->exchange, between, mix, x->power4, x->heat);
+  um_thermal_pace_apply(&x->pace, x->exchange, between, mix, x->power4, x->heat);
 }
 
 static double received(const struct um_thermal_system_exchange *x, size_t node)

@@ -8,6 +8,7 @@
 
 #include "irradiation/loads.h"
 #include "thermal/exchange_impl.h"
+#include "thermal/exchange_pace_impl.h"
 #include "thermal/link_law_impl.h"
 #include "thermal/network_impl.h"
 #include "thermal/solve_options.h"
@@ -82,6 +83,7 @@ struct um_thermal_system_exchange {
   bool fresh;                                 /* gain is of `made` and mix */
   double *change, *follow, *warm, *warm_inside; /* [n] scratch of the tangent */
   double *cluster;                              /* [n] the same, of an eliminated group */
+  struct um_thermal_pace pace;                  /* of the products */
   struct um_thermal_mix mix, held;              /* poses at the last state; of the linearisation */
   double t;                                     /* [s] of mix; NaN: none yet */
 };

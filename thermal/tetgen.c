@@ -178,7 +178,8 @@ enum um_status um_thermal_tetgen_fill_limited(struct um_context *context, const 
   if (!um_thermal_tetgen_present()) {
     status = um_core_fail(context, UM_ERR_LIBRARY,
                           "part %s: solid parts need TetGen, which this build leaves out "
-                          "(UMBRA_TETGEN=OFF); accepted: a shell or a lumped part",
+                          "(UMBRA_TETGEN=OFF); accepted: a shell, a lumped part, or an interior "
+                          "with conductivity_W_m_K 0",
                           name);
     goto done;
   }

@@ -12,6 +12,7 @@
 #include "model/precompute.h"
 #include "model/run.h"
 #include "model/scenario_read.h"
+#include "model/tolerances.h"
 #include "output/output.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -109,7 +110,9 @@ static bool runs_fast(const struct um_model *model)
   const struct um_scenario *s = model->scenario;
   double period = um_orbit_trajectory_period(model->trajectory), nobs, span, rate, step;
   double nsurface = (double)um_geometry_mesh(model->geometry)->nsurface;
+  double relative, absolute;
   int bins = 0;
+  um_model_tolerances(s->thermal, &relative, &absolute);
   for (size_t b = 0; b < s->bands.count; b++)
     bins += ((const struct um_scenario_band *)s->bands.items)[b].bins;
   nobs = (s->time->stop - s->time->start) / s->time->step_s + 1.0;
@@ -122,8 +125,7 @@ static bool runs_fast(const struct um_model *model)
   return !model->points && bins <= 80 &&
          nobs * nsurface * s->optics->samples * (1.0 + s->optics->interreflection_samples) <
              WORK_MAX &&
-         (nobs + span / step) * nsurface * s->thermal->samples < WORK_MAX &&
-         s->thermal->relative_tolerance >= 1e-9;
+         (nobs + span / step) * nsurface * s->thermal->samples < WORK_MAX && relative >= 1e-9;
 }
 
 static void look(const struct um_model_result *r)

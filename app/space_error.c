@@ -1,0 +1,140 @@
+/* Error in space of a run, by one refinement: the same scenario with facets and tetrahedra of half
+ * the size, and how far its temperatures and its thermal light lie off. At order 2 what the run
+ * itself is off by is 4/3 of that, what the refined one is off by a third. */
+#include "app/space_error.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "app/app.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+
+#define SETS_PER_PART 3
+#define THERMAL_BAND  2.5e-6 /* [m] bands above it are the satellite's own light */
+
+/* Longest edge of a part's facets [m]. */
+static double longest_edge(const struct um_geometry_mesh *mesh, const struct um_vec3 *vertex,
+                           size_t part)
+{
+  double longest = 0.0;
+  for (size_t f = 0; f < mesh->nfacet; f++)
+    for (int c = 0; c < 3 && mesh->facet_part[f] == part; c++)
+      longest = fmax(longest, um_vec3_norm(um_vec3_sub(vertex[mesh->corner[f][(c + 1) % 3]],
+                                                       vertex[mesh->corner[f][c]])));
+  return longest;
+}
+
+/* "KEY=VALUE" that halves the sizes of every part. set[SETS_PER_PART * npart]; the caller frees. */
+static enum um_status halve(struct um_context *context, const struct um_model *model, char **set,
+                            size_t *nset)
+{
+  enum um_status status = UM_OK;
+  struct um_geometry_pose *pose = NULL;
+  const struct um_scenario_part *part = model->scenario->parts.items;
+  double *angles = NULL;
+  size_t njoint = um_geometry_joint_count(model->geometry);
+  UM_CHECK(um_core_allocate(context, njoint, sizeof *angles, &angles));
+  UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &pose));
+  for (size_t p = 0; p < model->scenario->parts.count; p++) {
+    double edge = longest_edge(um_geometry_mesh(model->geometry), pose->vertex, p);
+    UM_CHECK(um_core_asprintf(context, &set[(*nset)++], "parts.%s.facet_size_m=%.17g", part[p].name,
+                              0.5 * edge * (1.0 + 1e-9))); /* a half is not cut once more */
+    if (part[p].solid != NULL && part[p].solid->tetrahedron_size_m > 0.0)
+      UM_CHECK(um_core_asprintf(context, &set[(*nset)++], "parts.%s.solid.tetrahedron_size_m=%.17g",
+                                part[p].name, 0.5 * part[p].solid->tetrahedron_size_m));
+    if (part[p].interior != NULL && part[p].interior->tetrahedron_size_m > 0.0)
+      UM_CHECK(um_core_asprintf(context, &set[(*nset)++],
+                                "parts.%s.interior.tetrahedron_size_m=%.17g", part[p].name,
+                                0.5 * part[p].interior->tetrahedron_size_m));
+  }
+done:
+  um_core_free(context, angles);
+  um_geometry_pose_destroy(context, &pose);
+  return status;
+}
+
+/* Largest and mean change over the run of the mean temperature of places that both have [K]. */
+static void of_temperatures(const struct um_model_result *a, const struct um_model_result *b,
+                            struct um_app_space_error *out)
+{
+  double sum = 0.0, n = 0.0;
+  for (size_t p = 0; p < a->nplace && p < b->nplace; p++) {
+    if (strcmp(a->place[p].name, b->place[p].name) != 0) continue;
+    for (size_t k = 0; k < a->nobs && k < b->nobs; k++) {
+      double change = fabs(b->place[p].mean[k] - a->place[p].mean[k]);
+      sum += change;
+      n += 1.0;
+      if (change <= out->temperature) continue;
+      out->temperature = change;
+      out->place = a->place[p].name;
+    }
+  }
+  out->temperature_mean = n > 0.0 ? sum / n : 0.0;
+}
+
+/* The same of the intensity in the warmest band, of itself [1]. */
+static void of_light(const struct um_model *model, const struct um_model_result *a,
+                     const struct um_model_result *b, struct um_app_space_error *out)
+{
+  size_t band = a->nband;
+  for (size_t i = 0; i < a->nband; i++)
+    if (model->band[i].from >= THERMAL_BAND) band = i;
+  if (a->nmaterial == 0 || band == a->nband) return;
+  out->band = model->band[band].name;
+  for (size_t k = 0; k < a->nobs && k < b->nobs; k++) {
+    double was = um_model_result_intensity(a, k, band, -1);
+    double change = was > 0.0 ? fabs(um_model_result_intensity(b, k, band, -1) / was - 1.0) : 0.0;
+    out->light_mean += change / (double)a->nobs;
+    out->light = fmax(out->light, change);
+  }
+}
+
+static enum um_status compare(struct um_context *context, const char *path,
+                              const struct um_model_options *options, const struct um_model *model,
+                              const struct um_model_result *result, struct um_app_space_error *out)
+{
+  enum um_status status;
+  struct um_model *finer = NULL;
+  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_result *other = NULL;
+  UM_CHECK(um_model_create(context, path, options, &finer));
+  UM_CHECK(um_model_precompute(context, finer, &precomputed));
+  UM_CHECK(um_model_run(context, finer, precomputed, &other));
+  out->nsurface = other->nsurface;
+  of_temperatures(result, other, out);
+  of_light(model, result, other, out);
+done:
+  um_model_result_destroy(context, &other);
+  um_model_precomputed_destroy(context, &precomputed);
+  um_model_destroy(context, &finer);
+  return status;
+}
+
+enum um_status um_app_space_error(struct um_context *context, const char *path,
+                                  const struct um_model_options *options,
+                                  const struct um_model *model,
+                                  const struct um_model_result *result,
+                                  struct um_app_space_error *out)
+{
+  enum um_status status;
+  size_t room = SETS_PER_PART * model->scenario->parts.count, nset = 0;
+  char **set = NULL;
+  const char **all = NULL;
+  struct um_model_options finer = *options;
+  *out = (struct um_app_space_error){.place = "none"};
+  UM_CHECK(um_core_allocate(context, room, sizeof *set, &set));
+  UM_CHECK(um_core_allocate(context, room + options->noverride, sizeof *all, &all));
+  UM_CHECK(halve(context, model, set, &nset));
+  for (size_t i = 0; i < options->noverride; i++) all[i] = options->overrides[i];
+  for (size_t i = 0; i < nset; i++) all[options->noverride + i] = set[i];
+  finer.overrides = all;
+  finer.noverride = options->noverride + nset;
+  UM_CHECK(compare(context, path, &finer, model, result, out));
+done:
+  for (size_t i = 0; set != NULL && i < nset; i++) um_core_free(context, set[i]);
+  um_core_free(context, set);
+  um_core_free(context, all);
+  return status;
+}

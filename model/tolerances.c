@@ -1,0 +1,19 @@
+/* Tolerances of the integration in time from the accuracy that is wanted. Measured on ENVISAT's
+ * pass against 1e-8 and 1e-6 K (docs/physics.md): tolerances of 1e-4 / K and 1e-2 of an accuracy
+ * leave it in the worst facet within a factor of 1.4, from 0.002 K to 0.1 K, and a quarter of it
+ * in the means of parts. */
+#include "model/tolerances.h"
+
+#include <math.h>
+
+#define RELATIVE 1e-4 /* [1/K] */
+#define ABSOLUTE 1e-2 /* [1] */
+
+void um_model_tolerances(const struct um_scenario_thermal *thermal, double *relative,
+                         double *absolute)
+{
+  *relative = isnan(thermal->relative_tolerance) ? RELATIVE * thermal->accuracy_K
+                                                 : thermal->relative_tolerance;
+  *absolute = isnan(thermal->absolute_tolerance_K) ? ABSOLUTE * thermal->accuracy_K
+                                                   : thermal->absolute_tolerance_K;
+}

@@ -1,0 +1,15 @@
+/* Parts that are filled with tetrahedra, as a body keeps them. */
+#include "thermal/solids.h"
+
+#include "thermal/tetgen.h"
+
+void um_thermal_solids_destroy(struct um_context *context, struct um_thermal_solid **solid,
+                               size_t nsolid)
+{
+  for (size_t i = 0; *solid != NULL && i < nsolid; i++) {
+    um_thermal_tetrahedra_destroy(context, &(*solid)[i].mesh);
+    um_core_free(context, (*solid)[i].node);
+  }
+  um_core_free(context, *solid);
+  *solid = NULL;
+}
