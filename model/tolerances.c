@@ -6,14 +6,14 @@
 
 #include <math.h>
 
-#define RELATIVE 1e-4 /* [1/K] */
-#define ABSOLUTE 1e-2 /* [1] */
+#define PER_RELATIVE 1e4 /* accuracy over the relative tolerance [K] */
+#define PER_ABSOLUTE 1e2 /* and over the absolute one [1] */
 
 void um_model_tolerances(const struct um_scenario_thermal *thermal, double *relative,
                          double *absolute)
 {
-  *relative = isnan(thermal->relative_tolerance) ? RELATIVE * thermal->accuracy_K
+  *relative = isnan(thermal->relative_tolerance) ? thermal->accuracy_K / PER_RELATIVE
                                                  : thermal->relative_tolerance;
-  *absolute = isnan(thermal->absolute_tolerance_K) ? ABSOLUTE * thermal->accuracy_K
+  *absolute = isnan(thermal->absolute_tolerance_K) ? thermal->accuracy_K / PER_ABSOLUTE
                                                    : thermal->absolute_tolerance_K;
 }
