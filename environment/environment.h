@@ -47,7 +47,8 @@ struct um_environment {
   /* how surfaces take what comes: at normal incidence for all angles and with the emittance of
    * 300 K, or as their spectra say */
   bool absorptance_by_angle, emittance_by_temperature;
-  double gas_density_factor; /* of the heat that the atmosphere brings, accommodation included [1] */
+  double
+      gas_density_factor;   /* of the heat that the atmosphere brings, accommodation included [1] */
   bool bulk_by_temperature; /* heat capacity and conductivity as their records say, or of 300 K */
 };
 void um_environment_defaults(struct um_environment *out);

@@ -202,8 +202,7 @@ static bool loads_equal(const struct um_irradiation_loads *a, const struct um_ir
          same(a->sun, b->sun, n, sizeof *a->sun) &&
          same(a->incidence, b->incidence, n, sizeof *a->incidence) &&
          same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
-         same(a->planet, b->planet, n, sizeof *a->planet) &&
-         (a->gas == NULL) == (b->gas == NULL) &&
+         same(a->planet, b->planet, n, sizeof *a->planet) && (a->gas == NULL) == (b->gas == NULL) &&
          (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas));
 }
 
