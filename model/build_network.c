@@ -53,7 +53,7 @@ done:
 
 static enum um_status check_inside(struct um_context *context, const char *path, const char *name)
 {
-  static const char *const taken[] = {"front", "back", "wall"};
+  static const char *const taken[] = {"front", "back", "wall", "inside"};
   if (!um_model_name_is_plain(name))
     return refuse_name(
         context, path, name,

@@ -21,7 +21,7 @@
 static enum um_status name_check(const struct um_thermal_builder *b,
                                  const struct um_thermal_part_spec *spec, size_t i)
 {
-  static const char *const taken[] = {"front", "back", "wall"};
+  static const char *const taken[] = {"front", "back", "wall", "inside"};
   const char *name = spec->interior[i].name;
   const char *part = um_thermal_builder_part_name(b, spec->part);
   const char *why = name == NULL || *name == '\0' ? "has no name" : NULL;

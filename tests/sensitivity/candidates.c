@@ -151,6 +151,35 @@ static void test_central(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* Interiors by name stand for their part, but for one whose temperature is given; `interior` goes
+ * by the part's name. */
+static void test_interiors(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"internal_power"};
+  static const char *const expected[] = {"internal_power:bus", "internal_power:bus.frame",
+                                         "internal_power:panel.boards"};
+  static const char *const inside[] = {
+      "parts.bus.interiors={frame: {capacity_J_K: 200, power_W: 3, conductance_W_K: 2}, room: "
+      "{temperature_K: 280}}",
+      "parts.panel.interiors={boards: {capacity_J_K: 100, conductance_W_K: 1}}"};
+  const struct um_model_options options = {.overrides = inside, .noverride = 2};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_candidates *list = candidates_of(f, only, 1);
+  assert_int_equal(list->count, 3);
+  for (size_t i = 0; i < 3; i++) {
+    assert_string_equal(list->candidate[i].name, expected[i]);
+    assert_false(list->candidate[i].insensitive);
+  }
+  /* down to where nothing is released: 3 W are stated in the frame */
+  assert_close(named(list, "internal_power:bus.frame")->minimum[0], -3.0, 1e-12);
+  um_sensitivity_candidates_destroy(context, &list);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* A parameter at its upper bound is moved down; three angles are one candidate of three columns;
  * anew on a model that has something added, a signature stands at that model. */
 static void test_steps(void **state)
@@ -278,6 +307,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_list, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_interiors, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_linear, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_central, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_steps, model_set_up, model_tear_down),

@@ -12,7 +12,9 @@ static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
   s->spec[0].shell.through_conductance = 20.0;
   s->group[0].inside_emittance = 0.8;
   help_interior(s, 0, "interior", 1e4, 2.0);
-  help_interior(s, 0, "frame", 1e3, 1.0);
+  struct um_thermal_interior_spec *frame = help_interior(s, 0, "frame", 1e3, 1.0);
+  frame->lag = 100.0;
+  frame->lag_share = 0.5;
   s->group[0].mli = mli;
   help_part(s, "array", UM_SHAPE_PLATE, "paint");
   s->shape[1].position = um_vec3(1.2, 0, 0);
@@ -26,6 +28,24 @@ static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
   s->spec[2].kind = UM_THERMAL_SOLID;
 }
 
+/* A plate of a node each side and one inside. */
+static void describe_nodes(struct help_satellite *s)
+{
+  static const char *const name[] = {"front", "back", "hub"};
+  struct um_thermal_network *network = help_network();
+  uint32_t node[3];
+  for (int i = 0; i < 3; i++)
+    OK(um_thermal_network_node_add(network, name[i], UM_NODE_DIFFUSIVE, 100.0, 300.0, 0.0,
+                                   &node[i]));
+  OK(um_thermal_network_conductor_add(network, node[0], node[1], 3.0));
+  OK(um_thermal_network_radiator_add(network, node[2], UM_THERMAL_SPACE, 0.1));
+  size_t p = help_part(s, "fin", UM_SHAPE_PLATE, "paint");
+  s->shape[p].position = um_vec3(0, 3, 0);
+  s->spec[p].kind = UM_THERMAL_NODES;
+  s->spec[p].network = network;
+  help_interior(s, p, "hub", 100.0, 0.0);
+}
+
 static void test_body(void **state)
 {
   (void)state;
@@ -36,6 +56,7 @@ static void test_body(void **state)
   struct um_core_allocator allocator = um_test_memory_allocator(&memory);
   OK(um_core_context_create(&allocator, &help_context));
   describe(&s, &mli);
+  describe_nodes(&s);
   help_geometry(&s);
   const struct um_thermal_contact contact[3] = {
       {.a = "bus", .b = "array", .conductance = 2.0},
@@ -56,6 +77,7 @@ static void test_body(void **state)
   print_message("body: %ld allocations failed one by one\n", tries - 1);
   assert_true(tries > 30);
   help_end(&s);
+  um_thermal_network_destroy(&s.spec[3].network);
   um_core_context_destroy(&help_context);
   assert_int_equal(memory.alive, 0);
   help_context = saved;
