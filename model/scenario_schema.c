@@ -40,8 +40,8 @@ static const struct um_schema_field thermal_fields[] = {
     F(step_s, "step_s", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
       HELP("grid of the loads; default: 4.6 deg of turn, at most 10 s")),
     F(accuracy_K, "accuracy_K", UM_SCHEMA_NUMBER, DEFAULT(0.01), BETWEEN(1e-6, 10),
-      HELP("what integration in time may leave in the temperature of a facet; makes both "
-           "tolerances")),
+      HELP("what integration in time may leave in the temperature of a facet over an orbit or two, "
+           "after many up to twice that; makes both tolerances")),
     F(relative_tolerance, "relative_tolerance", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1e-12, 1e-2),
       HELP("of the integrator; default: 1e-4 of accuracy_K")),
     F(absolute_tolerance_K, "absolute_tolerance_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1e-9, 1),

@@ -245,7 +245,9 @@ static void test_albedo_heats(void **state)
   assert_false(same_file("with", "without", "temperatures.csv"));
   struct table with = table_read("with/heat.csv"), without = table_read("without/heat.csv");
   for (size_t i = 0; i < with.nrow; i++) {
-    assert_true(table_number(&with, i, "albedo") > 1.0);
+    /* a face that looks away from the Earth takes none of it, the whole does */
+    bool whole = strchr(table_text(&with, i, "node"), '.') == NULL;
+    assert_true(table_number(&with, i, "albedo") > (whole ? 1.0 : -1e-9));
     assert_true(table_number(&without, i, "albedo") == 0.0);
     assert_string_equal(table_text(&with, i, "solar"), table_text(&without, i, "solar"));
   }
