@@ -3,6 +3,17 @@
 
 #include "geometry/geometry_impl.h"
 
+void um_geometry_mesh_free(struct um_context *context, struct um_geometry_mesh *mesh)
+{
+  um_core_free(context, mesh->corner);
+  um_core_free(context, mesh->facet_part);
+  um_core_free(context, mesh->facet_group);
+  um_core_free(context, mesh->surface_of_front);
+  um_core_free(context, mesh->surface_of_back);
+  um_core_free(context, mesh->surface);
+  um_core_free(context, mesh->area);
+}
+
 void um_geometry_destroy(struct um_geometry **geometry)
 {
   if (geometry == NULL || *geometry == NULL) return;
@@ -17,13 +28,7 @@ void um_geometry_destroy(struct um_geometry **geometry)
   um_core_free(context, g->material);
   um_core_free(context, g->vertex);
   um_core_free(context, g->normal);
-  um_core_free(context, g->mesh.corner);
-  um_core_free(context, g->mesh.facet_part);
-  um_core_free(context, g->mesh.facet_group);
-  um_core_free(context, g->mesh.surface_of_front);
-  um_core_free(context, g->mesh.surface_of_back);
-  um_core_free(context, g->mesh.surface);
-  um_core_free(context, g->mesh.area);
+  um_geometry_mesh_free(context, &g->mesh);
   um_core_free(context, g);
   *geometry = NULL;
 }

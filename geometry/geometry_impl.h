@@ -32,6 +32,9 @@ struct um_geometry {
   struct um_vec3 *normal; /* [nfacet], part frame */
 };
 
+/* Frees the arrays of a mesh that stands in another struct. */
+void um_geometry_mesh_free(struct um_context *context, struct um_geometry_mesh *mesh);
+
 static inline struct um_vec3 um_geometry_cross_of(const struct um_vec3 *vertex,
                                                   const uint32_t corner[3])
 {

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "geometry/geometry_impl.h"
 #include "geometry/view_factor_file.h"
 
 #define PATCHES 128 /* a room of fewer has the rays of so many */
@@ -182,13 +183,7 @@ static void maker_free(struct room_maker *m)
   um_geometry_visibility_destroy(&m->visibility);
   um_geometry_pose_destroy(context, &m->pose);
   um_core_free(context, m->facet);
-  um_core_free(context, m->inner.corner);
-  um_core_free(context, m->inner.facet_part);
-  um_core_free(context, m->inner.facet_group);
-  um_core_free(context, m->inner.surface_of_front);
-  um_core_free(context, m->inner.surface_of_back);
-  um_core_free(context, m->inner.surface);
-  um_core_free(context, m->inner.area);
+  um_geometry_mesh_free(context, &m->inner);
   um_core_free(context, m->turned.facet_normal);
 }
 

@@ -119,7 +119,7 @@ static enum um_status follow(struct um_context *context, const struct um_model *
   UM_TRY(um_core_allocate(context, 1, sizeof *result, &result));
   result->nobs = precomputed->nobs;
   UM_CHECK(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
-  UM_CHECK(um_model_run_places(context, model, precomputed, heat, result));
+  UM_CHECK(um_model_run_histories(context, model, precomputed, heat, result));
   for (size_t p = 0; p < c->nplace; p++) {
     const struct um_model_place_history *from = &result->place[p];
     struct um_model_case_place *to = &c->place[p];

@@ -167,10 +167,10 @@ done:
   return status;
 }
 
-enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
-                                   const struct um_model_thermal_solution *heat,
-                                   struct um_model_result *result)
+enum um_status um_model_run_histories(struct um_context *context, const struct um_model *model,
+                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_thermal_solution *heat,
+                                      struct um_model_result *result)
 {
   const struct um_model_heat_run *run = &heat->run;
   size_t nplace = model->body->nplace;
@@ -182,5 +182,14 @@ enum um_status um_model_run_places(struct um_context *context, const struct um_m
   for (size_t m = 0; m < nmaterial; m++)
     UM_TRY(material_history(context, model, precomputed, run, (uint32_t)m,
                             &result->place[nplace + m]));
+  return UM_OK;
+}
+
+enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   struct um_model_result *result)
+{
+  UM_TRY(um_model_run_histories(context, model, precomputed, heat, result));
   return heat_of_places(context, model, precomputed, heat, result);
 }

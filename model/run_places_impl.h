@@ -5,7 +5,12 @@
 #include "model/result.h"
 #include "model/thermal_solution_impl.h"
 
-/* Histories of places and their heat. */
+/* Histories of places and materials. */
+enum um_status um_model_run_histories(struct um_context *context, const struct um_model *model,
+                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_thermal_solution *heat,
+                                      struct um_model_result *result);
+/* The same, and the heat of places. */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
                                    const struct um_model_thermal_solution *heat,
