@@ -26,7 +26,9 @@ struct tracer {
   const struct um_geometry_mesh *mesh;
   const struct um_environment *environment;
   const struct um_environment_sample *samples;
-  struct um_irradiation_loads *loads;
+  const struct um_irradiation_turn *turn;   /* NULL: every sample has its own attitude alone */
+  struct um_irradiation_loads *loads, *one; /* one: [BATCH] rows of single attitudes, with turn */
+  struct um_quat *attitude;                 /* [BATCH][turn->n] scratch */
   int nsample;
   size_t njoint;
   bool moves;
@@ -127,26 +129,25 @@ static enum um_status tracer_prepare(struct tracer *t)
   return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
 }
 
-static void trace_sun(const struct tracer *t, size_t k, const struct um_thermal_scene *scene,
-                      double *fraction)
+static void trace_sun(const struct tracer *t, const struct um_environment_sample *sample,
+                      const struct um_thermal_scene *scene, double *fraction,
+                      const struct um_irradiation_row *out)
 {
   size_t nsurface = t->mesh->nsurface;
-  float *out = &t->loads->sun[k * nsurface];
-  if (!t->bright[k]) return;
-  struct um_vec3 sun = sun_body(&t->samples[k]);
+  struct um_vec3 sun = sun_body(sample);
   um_geometry_visibility_toward(scene->visibility, sun, t->nsample, fraction);
   for (size_t s = 0; s < nsurface; s++) {
     struct um_vec3 n = um_geometry_surface_normal(t->mesh, scene->pose, s);
     double cosine = fmax(um_vec3_dot(n, sun), 0.0);
-    out[s] = (float)(fraction[s] * cosine);
-    t->loads->incidence[k * nsurface + s] = (float)cosine;
+    out->sun[s] = (float)(fraction[s] * cosine);
+    out->incidence[s] = (float)cosine;
   }
 }
 
-static void trace_earth(const struct tracer *t, size_t k, const struct um_thermal_scene *scene,
-                        size_t slot)
+static void trace_earth(const struct tracer *t, const struct um_environment_sample *sample,
+                        const struct um_thermal_scene *scene, size_t slot,
+                        const struct um_irradiation_row *out)
 {
-  const struct um_environment_sample *sample = &t->samples[k];
   struct um_vec3 r = um_quat_apply(sample->q, sample->r), sun = sun_body(sample);
   struct um_vec3 *normal = &t->normal[slot * t->nnormal];
   struct um_environment_earth_flux *flux = &t->flux[slot * t->nnormal];
@@ -159,7 +160,7 @@ static void trace_earth(const struct tracer *t, size_t k, const struct um_therma
                             t->nnormal, flux);
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, &globe, r, sun, sample->sun_distance, cap.point);
-  cap.varies = t->loads->brightness != NULL;
+  cap.varies = um_environment_earth_varies(t->environment);
   if (scene->row != NULL) um_irradiation_cap_spread(&cap);
   struct um_thermal_half half;
   size_t halved = SIZE_MAX; /* normal of `half`: surfaces of one are mostly neighbours */
@@ -172,19 +173,59 @@ static void trace_earth(const struct tracer *t, size_t k, const struct um_therma
       halved = of;
       um_irradiation_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &share);
     }
-    size_t at = k * t->mesh->nsurface + s;
-    t->loads->albedo[at] = (float)(f->albedo * share.albedo);
-    t->loads->planet[at] = (float)(f->planet * share.planet);
-    t->loads->view_factor[at] = (float)(f->view_factor * share.view_factor);
-    if (t->loads->brightness != NULL) t->loads->brightness[at] = (float)f->brightness;
+    out->albedo[s] = (float)(f->albedo * share.albedo);
+    out->planet[s] = (float)(f->planet * share.planet);
+    out->view_factor[s] = (float)(f->view_factor * share.view_factor);
+    if (out->brightness != NULL) out->brightness[s] = (float)f->brightness;
   }
+}
+
+/* All loads of a sample into a row. bright: those of the Sun too. */
+static void trace_row(const struct tracer *t, const struct um_environment_sample *sample,
+                      const struct um_thermal_scene *scene, size_t slot, bool bright,
+                      const struct um_irradiation_row *out)
+{
+  double *fraction = &t->fraction[slot * t->mesh->nsurface];
+  if (bright) trace_sun(t, sample, scene, fraction, out);
+  trace_earth(t, sample, scene, slot, out);
+  if (out->gas != NULL)
+    um_irradiation_gas_trace(t->environment, sample, t->mesh, scene, t->nsample, fraction,
+                             out->gas);
+}
+
+/* Row k as a sum over the attitudes of its turn. */
+static void trace_turn(const struct tracer *t, size_t k, size_t slot)
+{
+  struct um_irradiation_row one = um_irradiation_row_of(t->one, slot);
+  struct um_environment_sample sample = t->samples[k];
+  for (size_t j = 0; j < t->turn->n && !um_core_stopped(t->context); j++) {
+    double u, weight;
+    um_irradiation_turn_node(t->turn, k, j, &u, &weight);
+    sample.q = t->attitude[slot * t->turn->n + j];
+    memset(one.sun, 0, t->mesh->nsurface * sizeof *one.sun);
+    if (one.gas != NULL) memset(one.gas, 0, t->mesh->nsurface * sizeof *one.gas);
+    trace_row(t, &sample, &t->fixed, slot, t->bright[k], &one);
+    um_irradiation_turn_add(t->loads, k, weight, &one);
+  }
+}
+
+static enum um_status attitudes_ask(struct tracer *t, size_t from, size_t n)
+{
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < t->turn->n; j++) {
+      double u, weight;
+      um_irradiation_turn_node(t->turn, from + i, j, &u, &weight);
+      UM_TRY(t->turn->attitude(t->turn->self, from + i, t->turn->period - u,
+                               &t->attitude[i * t->turn->n + j]));
+    }
+  return UM_OK;
 }
 
 /* Times [from, from + n) in parallel; every time is its own, so threads do not matter. */
 static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 {
   struct um_thermal_scene own[BATCH] = {{0}};
-  enum um_status status = UM_OK;
+  enum um_status status = t->turn != NULL ? attitudes_ask(t, from, n) : UM_OK;
   for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
     um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
     status = scene_create(t, t->angles, false, &own[i]);
@@ -196,12 +237,11 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
       size_t slot = (size_t)i;
       if (um_core_stopped(t->context)) continue; /* progress_step says so */
       const struct um_thermal_scene *scene = t->moves ? &own[slot] : &t->fixed;
-      trace_sun(t, from + slot, scene, &t->fraction[slot * t->mesh->nsurface]);
-      trace_earth(t, from + slot, scene, slot);
-      if (t->loads->gas != NULL)
-        um_irradiation_gas_trace(t->environment, &t->samples[from + slot], t->mesh, scene,
-                                 t->nsample, &t->fraction[slot * t->mesh->nsurface],
-                                 &t->loads->gas[(from + slot) * t->mesh->nsurface]);
+      struct um_irradiation_row row = um_irradiation_row_of(t->loads, from + slot);
+      if (t->turn != NULL)
+        trace_turn(t, from + slot, slot);
+      else
+        trace_row(t, &t->samples[from + slot], scene, slot, t->bright[from + slot], &row);
     }
   }
   for (size_t i = 0; i < n; i++) scene_destroy(t, &own[i]);
@@ -218,6 +258,8 @@ static void tracer_free(struct tracer *t)
   um_core_free(t->context, t->fraction);
   um_core_free(t->context, t->normal);
   um_core_free(t->context, t->flux);
+  um_core_free(t->context, t->attitude);
+  um_irradiation_loads_destroy(t->context, &t->one);
 }
 
 static enum um_status check_samples(struct um_context *context,
@@ -245,12 +287,39 @@ static enum um_status check_samples(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_irradiation_loads_trace(struct um_context *context,
-                                          const struct um_geometry *geometry,
-                                          const struct um_environment *environment,
-                                          const struct um_environment_sample *samples, size_t ntime,
-                                          const double *edges, size_t nedge, int nsample,
-                                          struct um_irradiation_loads **out)
+/* What a table holds beside that of um_irradiation_loads_create. */
+static enum um_status columns_add(const struct tracer *t, struct um_irradiation_loads *loads)
+{
+  size_t n = loads->ntime * loads->nsurface;
+  if (t->turn == NULL && um_environment_earth_varies(t->environment))
+    UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->brightness));
+  if (t->environment->gas_density_factor > 0.0)
+    UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->gas));
+  return UM_OK;
+}
+
+static enum um_status turn_prepare(struct tracer *t)
+{
+  size_t n = t->loads->ntime * t->loads->nsurface;
+  if (t->turn == NULL) return UM_OK;
+  if (t->moves || t->turn->n < 1 || !(t->turn->period > 0.0))
+    return um_core_fail(t->context, UM_ERR_INPUT,
+                        "loads over a turn of %g s by %zu attitudes%s; accepted: above 0 s, 1 or "
+                        "more, no joint that moves",
+                        t->turn->period, t->turn->n, t->moves ? " of joints that move" : "");
+  UM_TRY(um_core_allocate(t->context, BATCH * t->turn->n, sizeof *t->attitude, &t->attitude));
+  UM_TRY(um_core_allocate(t->context, n, UM_IRRADIATION_COSINES * sizeof(float),
+                          &t->loads->by_cosine));
+  UM_TRY(um_irradiation_loads_create(t->context, BATCH, t->loads->nsurface, 0, &t->one));
+  return columns_add(t, t->one);
+}
+
+static enum um_status trace(struct um_context *context, const struct um_geometry *geometry,
+                            const struct um_environment *environment,
+                            const struct um_environment_sample *samples, size_t ntime,
+                            const double *edges, size_t nedge, int nsample,
+                            const struct um_irradiation_turn *turn,
+                            struct um_irradiation_loads **out)
 {
   *out = NULL;
   UM_TRY(check_samples(context, samples, ntime, nsample));
@@ -259,6 +328,7 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
                      .mesh = um_geometry_mesh(geometry),
                      .environment = environment,
                      .samples = samples,
+                     .turn = turn,
                      .nsample = nsample,
                      .njoint = um_geometry_joint_count(geometry),
                      .moves = um_geometry_joint_moves(geometry)};
@@ -270,11 +340,8 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
     t.loads->sunlit[k] = samples[k].sunlit_fraction;
     t.loads->irradiance[k] = um_environment_solar_irradiance(environment, samples[k].sun_distance);
   }
-  if (um_environment_earth_varies(environment))
-    UM_CHECK(
-        um_core_allocate(context, ntime * t.mesh->nsurface, sizeof(float), &t.loads->brightness));
-  if (environment->gas_density_factor > 0.0)
-    UM_CHECK(um_core_allocate(context, ntime * t.mesh->nsurface, sizeof(float), &t.loads->gas));
+  UM_CHECK(columns_add(&t, t.loads));
+  UM_CHECK(turn_prepare(&t));
   if (nedge > 0) memcpy(t.loads->edge, edges, nedge * sizeof *edges);
   UM_CHECK(tracer_prepare(&t));
   for (size_t k = 0; k < ntime; k += BATCH) {
@@ -290,4 +357,25 @@ done:
   tracer_free(&t);
   um_irradiation_loads_destroy(context, &t.loads);
   return status;
+}
+
+enum um_status um_irradiation_loads_trace(struct um_context *context,
+                                          const struct um_geometry *geometry,
+                                          const struct um_environment *environment,
+                                          const struct um_environment_sample *samples, size_t ntime,
+                                          const double *edges, size_t nedge, int nsample,
+                                          struct um_irradiation_loads **out)
+{
+  return trace(context, geometry, environment, samples, ntime, edges, nedge, nsample, NULL, out);
+}
+
+enum um_status um_irradiation_loads_turn(struct um_context *context,
+                                         const struct um_geometry *geometry,
+                                         const struct um_environment *environment,
+                                         const struct um_environment_sample *samples, size_t ntime,
+                                         const double *edges, size_t nedge, int nsample,
+                                         const struct um_irradiation_turn *turn,
+                                         struct um_irradiation_loads **out)
+{
+  return trace(context, geometry, environment, samples, ntime, edges, nedge, nsample, turn, out);
 }

@@ -7,6 +7,8 @@
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
 
+#define UM_IRRADIATION_COSINES 9
+
 struct um_irradiation_loads {
   size_t ntime, nsurface;
   double *t;          /* [ntime] t_tai, ascending */
@@ -14,6 +16,10 @@ struct um_irradiation_loads {
   double *irradiance; /* [ntime] solar irradiance outside the shadow [W/m^2] */
   float *sun;         /* [ntime][nsurface] free fraction * max(cos incidence, 0) [1] */
   float *incidence; /* [ntime][nsurface] max(cos incidence, 0) of the Sun; 0 in deep eclipse [1] */
+  float *by_cosine; /* [ntime][nsurface][UM_IRRADIATION_COSINES] over a turn: `sun` spread over
+                       nodes at cosines of (b / (COSINES - 1))^2, so that sums with values there
+                       are those with a cubic in the root of the cosine between four; NULL:
+                       `incidence` is all of it */
   float *albedo;    /* [ntime][nsurface] incident [W/m^2]; switches not applied */
   float *planet;    /* [ntime][nsurface] incident [W/m^2] */
   float *view_factor; /* [ntime][nsurface] free view factor to the Earth [1] */
@@ -36,6 +42,35 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const struct um_environment_sample *samples, size_t ntime,
                                           const double *edges, size_t nedge, int nsample,
                                           struct um_irradiation_loads **out);
+/* A body that turns while all else hardly moves. */
+struct um_irradiation_turn {
+  size_t n;      /* attitudes of a turn that are looked at */
+  double period; /* [s] */
+  bool ripple;   /* see below */
+  /* attitude `before` [s] ahead of sample `row`, all else as there */
+  enum um_status (*attitude)(void *self, size_t row, double before, struct um_quat *q);
+  void *self;
+};
+/* Loads of the same meaning, each the mean over the turn that ends at its sample, position, Sun and
+ * Earth as they are there,
+ *
+ *   mean_k = 1/P integral q(u) du,   u in [0, P] since the turn began,
+ *
+ * by n midpoints, which begin elsewhere in each row; so `sun` is up to 1.1 / n^2
+ * off where nothing shades, another way in every row, and not in the mean over rows. With ripple
+ * what a surface has taken beyond that mean since the middle of it, with mean 0 over the turn,
+ *
+ *   ripple_k = integral (u / P - 1/2) q(u) du   [s] times the unit of the load.
+ *
+ * No joint may move. Errors of um_irradiation_loads_trace and of `attitude`. Test:
+ * irradiation/turn. */
+enum um_status um_irradiation_loads_turn(struct um_context *context,
+                                         const struct um_geometry *geometry,
+                                         const struct um_environment *environment,
+                                         const struct um_environment_sample *samples, size_t ntime,
+                                         const double *edges, size_t nedge, int nsample,
+                                         const struct um_irradiation_turn *turn,
+                                         struct um_irradiation_loads **out);
 /* Uniform loads given by the caller (tests, imported fluxes): arrays as in the struct, zeroed. */
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,

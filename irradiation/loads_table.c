@@ -1,5 +1,5 @@
 /* Storage of a table of incident loads; loads.c fills it by rays. */
-#include "irradiation/loads.h"
+#include "irradiation/loads_impl.h"
 
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,
@@ -34,6 +34,18 @@ done:
   return status;
 }
 
+struct um_irradiation_row um_irradiation_row_of(const struct um_irradiation_loads *l, size_t k)
+{
+  size_t at = k * l->nsurface;
+  return (struct um_irradiation_row){l->sun + at,
+                                     l->incidence + at,
+                                     l->albedo + at,
+                                     l->planet + at,
+                                     l->view_factor + at,
+                                     l->brightness != NULL ? l->brightness + at : NULL,
+                                     l->gas != NULL ? l->gas + at : NULL};
+}
+
 void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads)
 {
   if (loads == NULL || *loads == NULL) return;
@@ -43,6 +55,7 @@ void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiat
   um_core_free(context, l->irradiance);
   um_core_free(context, l->sun);
   um_core_free(context, l->incidence);
+  um_core_free(context, l->by_cosine);
   um_core_free(context, l->albedo);
   um_core_free(context, l->planet);
   um_core_free(context, l->view_factor);

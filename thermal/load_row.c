@@ -5,6 +5,7 @@
 
 #include "core/constants.h"
 #include "core/interpolation.h"
+#include "thermal/load_angle_impl.h"
 
 static double absorptance_of(const struct um_thermal_network *network,
                              const struct um_thermal_aging *aging, size_t row, size_t s)
@@ -37,7 +38,7 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
     double emittance = surface->emittance * aged_emittance(aging, row, s);
     double taken = absorptance - surface->extraction;
     if (surface->law != NULL) {
-      taken *= um_thermal_surface_law_absorptance(surface->law, (double)loads->incidence[at + s]);
+      taken *= um_thermal_load_angle(surface->law, loads, at + s);
       absorptance *= surface->law->albedo;
       emittance *= surface->law->planet;
     }

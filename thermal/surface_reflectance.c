@@ -1,6 +1,8 @@
 /* See surface_reflectance_impl.h. */
 #include "thermal/surface_reflectance_impl.h"
 
+#include "thermal/load_angle_impl.h"
+
 struct um_thermal_reflectances
 um_thermal_surface_reflectances(const struct um_thermal_network *network,
                                 const struct um_irradiation_loads *loads, size_t row,
@@ -10,8 +12,8 @@ um_thermal_surface_reflectances(const struct um_thermal_network *network,
   struct um_thermal_reflectances r = {1.0 - at->absorptance, 1.0 - at->absorptance,
                                       1.0 - at->emittance};
   if (at->law == NULL) return r;
-  double cosine = (double)loads->incidence[row * loads->nsurface + surface];
-  r.sun = 1.0 - at->absorptance * um_thermal_surface_law_absorptance(at->law, cosine);
+  r.sun = 1.0 -
+          at->absorptance * um_thermal_load_angle(at->law, loads, row * loads->nsurface + surface);
   r.albedo = 1.0 - at->absorptance * at->law->albedo;
   r.planet = 1.0 - at->emittance * at->law->planet;
   return r;
