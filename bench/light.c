@@ -56,13 +56,13 @@ static void pass_create(const struct bench *bench, struct pass *pass)
   pass->trace_time = b - a;
   pass->run_time = now(bench) - b;
   const struct um_model_precomputed *precomputed = pass->precomputed;
-  size_t n = precomputed->nobs, nsurface = precomputed->loads->nsurface;
+  size_t n = precomputed->nobs, nsurface = precomputed->seen->nsurface;
   pass->albedo = bench_allocate(bench, n * nsurface, sizeof(float));
   pass->view_factor = bench_allocate(bench, n * nsurface, sizeof(float));
   for (size_t k = 0; k < n; k++) {
     size_t row = precomputed->load_row[k] * nsurface;
-    memcpy(pass->albedo + k * nsurface, precomputed->loads->albedo + row, nsurface * sizeof(float));
-    memcpy(pass->view_factor + k * nsurface, precomputed->loads->view_factor + row,
+    memcpy(pass->albedo + k * nsurface, precomputed->seen->albedo + row, nsurface * sizeof(float));
+    memcpy(pass->view_factor + k * nsurface, precomputed->seen->view_factor + row,
            nsurface * sizeof(float));
   }
   pass->scene = (struct um_optics_scene){.geometry = pass->model->geometry,
@@ -222,8 +222,8 @@ int main(int argc, char **argv)
   bench_begin(&bench, argc, argv, "light: ENVISAT's pass, one thread where none are named");
   pass_create(&bench, &pass);
   bench_number(&bench, "observations", "1", (double)pass.precomputed->nobs, NAN, NAN);
-  bench_number(&bench, "surfaces", "1", (double)pass.precomputed->loads->nsurface, NAN, NAN);
-  bench_number(&bench, "rows of the heat loads", "1", (double)pass.precomputed->loads->ntime, NAN,
+  bench_number(&bench, "surfaces", "1", (double)pass.precomputed->seen->nsurface, NAN, NAN);
+  bench_number(&bench, "rows of the heat loads", "1", (double)pass.precomputed->seen->ntime, NAN,
                NAN);
   spectra_figures(&bench, &pass);
   error_figure(&bench, &pass);

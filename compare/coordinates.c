@@ -153,7 +153,7 @@ static enum um_status add_loads(struct um_context *context, const struct um_mode
                                 struct um_compare_coordinates *c)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  const struct um_irradiation_loads *loads = precomputed->loads;
+  const struct um_irradiation_loads *loads = precomputed->seen;
   double *albedo, *view, *sun;
   UM_TRY(add(context, c, "", "albedo_W_m2", "", &albedo));
   UM_TRY(add(context, c, "", "earth_view", "", &view));

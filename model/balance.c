@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/interpolation.h"
 #include "model/heat_setting_impl.h"
 #include "thermal/solve.h"
 
@@ -52,6 +53,16 @@ done:
   return status;
 }
 
+/* Row of the loads at the first observed instant, or the one before it. */
+static size_t first_row(const struct um_model_precomputed *precomputed)
+{
+  const struct um_irradiation_loads *loads = precomputed->loads;
+  if (loads == precomputed->seen) return precomputed->load_row[0];
+  return loads->ntime > 1
+             ? um_core_interval_find(loads->t, loads->ntime, precomputed->sample[0].t_tai)
+             : 0;
+}
+
 enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
                                        const struct um_model_precomputed *precomputed,
                                        double *temperature)
@@ -60,7 +71,7 @@ enum um_status um_model_balance_steady(struct um_context *context, const struct 
   enum um_status status = um_model_heat_setting_make(context, model, precomputed, &setting);
   if (status == UM_OK)
     status = um_thermal_solve_steady(context, model->body->network, precomputed->loads,
-                                     precomputed->load_row[0], &setting.options, temperature);
+                                     first_row(precomputed), &setting.options, temperature);
   um_model_heat_setting_clear(context, &setting);
   return status;
 }

@@ -14,7 +14,7 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
     return um_core_fail(context, UM_ERR_INPUT, "%s: a picture needs an observer",
                         model->scenario->at.file);
   size_t instant = k * precomputed->nsub + precomputed->nsub / 2;
-  size_t row = precomputed->load_row[instant] * precomputed->loads->nsurface;
+  size_t row = precomputed->load_row[instant] * precomputed->seen->nsurface;
   struct um_materials_adjustment *aged = NULL;
   UM_TRY(um_model_materials_over(context, model, &precomputed->sample[instant], 1, &aged));
   struct um_optics_scene scene = {.geometry = model->geometry,
@@ -23,11 +23,11 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                   .material = model->material,
                                   .adjustment = aged != NULL ? aged : model->adjustment,
                                   .temperature = result->surface_temperature + k * result->nsurface,
-                                  .albedo = precomputed->loads->albedo + row,
-                                  .view_factor = precomputed->loads->view_factor + row,
-                                  .brightness = precomputed->loads->brightness == NULL
+                                  .albedo = precomputed->seen->albedo + row,
+                                  .view_factor = precomputed->seen->view_factor + row,
+                                  .brightness = precomputed->seen->brightness == NULL
                                                     ? NULL
-                                                    : precomputed->loads->brightness + row};
+                                                    : precomputed->seen->brightness + row};
   struct um_optics_image_options options = {.width = width,
                                             .samples_per_pixel = samples_per_pixel,
                                             .up_gcrs =

@@ -161,6 +161,7 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
   enum um_status status = um_irradiation_loads_trace(
       context, model->geometry, &model->environment, numbered, precomputed->nobs, NULL, 0,
       model->scenario->thermal->samples, &precomputed->loads);
+  precomputed->seen = precomputed->loads;
   um_core_free(context, numbered);
   return status;
 }

@@ -14,21 +14,18 @@
 
 #include "core/constants.h"
 #include "core/sort.h"
-#include "environment/atmosphere.h"
 #include "model/bounds_impl.h"
 #include "model/effects_impl.h"
 #include "model/line_of_sight_impl.h"
-#include "model/precompute_exchange_impl.h"
+#include "model/precompute_loads_impl.h"
 #include "model/timeline.h"
 #include "model/words_impl.h"
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
-#define LONGEST_STEP     10.0 /* [s]; the orbit turns by 0.6 deg */
 #define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
 #define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
-#define GAS_THAT_SHOWS   0.5  /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
 
 struct grid_time {
   double t;
@@ -149,9 +146,11 @@ static double grid_step(const struct um_model *model,
 {
   double step = model->scenario->thermal->step_s;
   if (!isnan(step)) return step;
+  if (precomputed->turn_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
   double orbital = isnan(precomputed->period) ? 0.0 : 2.0 * UM_PI / precomputed->period;
   double rate = um_orbit_attitude_rate(model->attitude, orbital);
-  return rate > 0.0 ? fmin(LONGEST_STEP, TURN_PER_STEP / rate) : LONGEST_STEP;
+  return rate > 0.0 ? fmin(UM_MODEL_LOADS_LONGEST_STEP, TURN_PER_STEP / rate)
+                    : UM_MODEL_LOADS_LONGEST_STEP;
 }
 
 /* Where an event stands in the grid. Behind a cylinder, or before a Sun without a disc, the three
@@ -185,28 +184,30 @@ static size_t merge_times(struct grid_time *grid, size_t n)
 }
 
 static enum um_status grid_make(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
-                                struct grid_time **out, size_t *count)
+                                const struct um_model_precomputed *precomputed, double step,
+                                double **out, size_t *count)
 {
   size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
-  double last = precomputed->sample[ninstant - 1].t_tai, step = grid_step(model, precomputed);
+  double last = precomputed->sample[ninstant - 1].t_tai;
   double end = fmax(last, precomputed->t_periodic_end);
   /* laid out over an orbit at least, so that what moves the last observation by a little does not
    * move the rows before it; rows behind the end are left out */
   double laid =
       isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
   size_t nstep = (size_t)ceil((laid - precomputed->t_start) / step);
+  size_t room = nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1);
   struct grid_time *grid = NULL;
-  UM_TRY(um_core_allocate(context,
-                          nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1),
-                          sizeof *grid, &grid));
+  UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
   for (size_t i = 0; i <= nstep; i++) {
     double t = nstep == 0 ? end
                           : precomputed->t_start +
                                 (laid - precomputed->t_start) * (double)i / (double)nstep;
     if (t < end + SAME_TIME) grid[n++].t = t;
   }
-  for (size_t i = 0; i < ninstant; i++)
+  bool averaged =
+      precomputed->turn_period > 0.0; /* observed instants then have a table of theirs */
+  if (averaged) grid[n++] = (struct grid_time){end, true};
+  for (size_t i = 0; i < ninstant && !averaged; i++)
     grid[n++] = (struct grid_time){precomputed->sample[i].t_tai, true};
   for (size_t i = 0; i < precomputed->nevent; i++) {
     grid[n++] = event_time(model, &precomputed->event[i]);
@@ -217,65 +218,21 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
       grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
   }
   enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
-  *count = merge_times(grid, n);
-  *out = grid;
+  n = merge_times(grid, n);
+  if (status == UM_OK) status = um_core_allocate(context, n, sizeof **out, out);
+  for (size_t i = 0; status == UM_OK && i < n; i++) (*out)[i] = grid[i].t;
+  um_core_free(context, grid);
+  *count = n;
   return status;
 }
 
-/* Heat of the atmosphere that a scenario leaves out though it would show. */
-static void warn_of_gas(struct um_context *context, const struct um_model *model,
-                        const struct um_environment_sample *samples, size_t n)
+/* Times [nevent] at which the integration stops. */
+static enum um_status trace_edges(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed, double **out)
 {
-  double most = 0.0;
-  struct um_vec3 from;
-  for (size_t i = 0; i < n && model->environment.gas_density_factor == 0.0; i++)
-    most = fmax(most, um_environment_atmosphere_flow(&samples[i], &from));
-  if (most > GAS_THAT_SHOWS)
-    um_core_log(context, UM_LOG_INFO,
-                "the air before the satellite brings up to %.2g W/m2 at mean solar activity, which "
-                "is left out; accepted: the effect free_molecular_heating",
-                most);
-}
-
-static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
-                                  struct um_model_precomputed *precomputed,
-                                  const struct grid_time *grid, size_t n)
-{
-  enum um_status status;
-  struct um_environment_sample *samples = NULL;
-  double *edge = NULL;
-  UM_CHECK(um_core_allocate(context, n, sizeof *samples, &samples));
-  UM_CHECK(um_core_allocate(context, precomputed->nevent, sizeof *edge, &edge));
-  um_core_progress_begin(context, "following orbit and attitude for the heat loads", n);
-  for (size_t i = 0; i < n; i++) {
-    UM_CHECK(um_model_sample_at(context, model, grid[i].t, &samples[i]));
-    UM_CHECK(um_core_progress_step(context, 1));
-  }
-  um_core_progress_end(context);
-  warn_of_gas(context, model, samples, n);
+  UM_TRY(um_core_allocate(context, precomputed->nevent, sizeof **out, out));
   for (size_t i = 0; i < precomputed->nevent; i++)
-    edge[i] = event_time(model, &precomputed->event[i]).t;
-  UM_CHECK(um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n,
-                                      edge, precomputed->nevent, model->scenario->thermal->samples,
-                                      &precomputed->loads));
-  UM_CHECK(um_model_precompute_view_factors(context, model, samples, n, precomputed));
-done:
-  um_core_free(context, edge);
-  um_core_free(context, samples);
-  return status;
-}
-
-/* Row of the loads at every observed instant. */
-static enum um_status trace_rows(struct um_context *context, const struct grid_time *grid, size_t n,
-                                 struct um_model_precomputed *precomputed)
-{
-  size_t ninstant = precomputed->nobs * precomputed->nsub, row = 0;
-  UM_TRY(
-      um_core_allocate(context, ninstant, sizeof *precomputed->load_row, &precomputed->load_row));
-  for (size_t i = 0; i < ninstant; i++) {
-    while (row + 1 < n && grid[row].t < precomputed->sample[i].t_tai) row++;
-    precomputed->load_row[i] = row;
-  }
+    (*out)[i] = event_time(model, &precomputed->event[i]).t;
   return UM_OK;
 }
 
@@ -308,7 +265,7 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
 {
   enum um_status status;
   struct um_model_precomputed *precomputed = NULL;
-  struct grid_time *grid = NULL;
+  double *grid = NULL, *edge = NULL;
   size_t ngrid = 0;
   *out = NULL;
   UM_TRY(um_model_check_track(context, model));
@@ -317,22 +274,25 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
   UM_CHECK(trace_observations(context, model, times, exposures, ntime, precomputed));
   UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
   trace_span(model, precomputed);
+  UM_CHECK(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
+  double step = grid_step(model, precomputed);
   double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
   UM_CHECK(um_model_check_load_rows(context, model, precomputed,
                                     fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
-                                    grid_step(model, precomputed)));
+                                    step));
   UM_CHECK(um_model_events(context, model, precomputed->t_start,
                            fmax(end, precomputed->t_periodic_end), &precomputed->event,
                            &precomputed->nevent));
-  UM_CHECK(grid_make(context, model, precomputed, &grid, &ngrid));
-  UM_CHECK(trace_loads(context, model, precomputed, grid, ngrid));
-  UM_CHECK(trace_rows(context, grid, ngrid, precomputed));
+  UM_CHECK(grid_make(context, model, precomputed, step, &grid, &ngrid));
+  UM_CHECK(trace_edges(context, model, precomputed, &edge));
+  UM_CHECK(um_model_precompute_loads(context, model, grid, ngrid, edge, precomputed));
   if (model->has_observer)
     UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample,
                                   precomputed->nobs * precomputed->nsub,
                                   model->scenario->optics->samples, &precomputed->view));
 done:
   um_core_free(context, grid);
+  um_core_free(context, edge);
   status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
   *out = precomputed;
@@ -373,6 +333,8 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_core_free(context, t->sample);
   um_core_free(context, t->load_row);
   um_core_free(context, t->event);
+  if (t->seen != t->loads) um_irradiation_loads_destroy(context, &t->seen);
+  um_irradiation_loads_destroy(context, &t->ripple);
   um_irradiation_loads_destroy(context, &t->loads);
   um_geometry_view_factor_table_destroy(context, &t->view_factors);
   um_optics_view_destroy(context, &t->view);

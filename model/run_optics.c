@@ -12,8 +12,8 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                    const struct um_model_precomputed *precomputed,
                                    const double *surface, struct um_optics_scene *out)
 {
-  size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->loads->nsurface;
-  const float *brightness_from = precomputed->loads->brightness;
+  size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->seen->nsurface;
+  const float *brightness_from = precomputed->seen->brightness;
   float *albedo = NULL, *view_factor = NULL, *brightness = NULL;
   struct um_materials_adjustment *adjustment = NULL;
   enum um_status status;
@@ -26,8 +26,8 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
     size_t row = precomputed->load_row[i] * nsurface;
     if (brightness != NULL)
       memcpy(brightness + i * nsurface, brightness_from + row, nsurface * sizeof *brightness);
-    memcpy(albedo + i * nsurface, precomputed->loads->albedo + row, nsurface * sizeof *albedo);
-    memcpy(view_factor + i * nsurface, precomputed->loads->view_factor + row,
+    memcpy(albedo + i * nsurface, precomputed->seen->albedo + row, nsurface * sizeof *albedo);
+    memcpy(view_factor + i * nsurface, precomputed->seen->view_factor + row,
            nsurface * sizeof *view_factor);
   }
   *out = (struct um_optics_scene){.geometry = model->geometry,

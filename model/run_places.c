@@ -141,7 +141,7 @@ static enum um_status heat_of_places(struct um_context *context, const struct um
     UM_CHECK(um_core_stop_check(context, "heats were summed"));
     UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads,
                                       &heat->setting.options,
-                                      precomputed->loads->t[precomputed->load_row[i]], t, node));
+                                      precomputed->seen->t[precomputed->load_row[i]], t, node));
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(
           body->network, h->heating + (i + (run->before ? 1 : 0)) * h->nthermostat, node);

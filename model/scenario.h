@@ -287,12 +287,14 @@ static inline double um_scenario_exchange_area(const struct um_scenario_contact 
 }
 
 enum um_scenario_outside_range { UM_RANGE_WARNING, UM_RANGE_ERROR };
+enum um_scenario_spin_loads { UM_SPIN_AUTOMATIC, UM_SPIN_RESOLVED, UM_SPIN_AVERAGED };
 enum um_scenario_start { UM_START_PERIODIC, UM_START_ISOTHERMAL };
 struct um_scenario_thermal {
   struct um_mark at;
   double orbits_before;
   int start; /* enum um_scenario_start */
   double start_temperature_K, facet_size_m, step_s, accuracy_K;
+  int spin_loads;                                  /* enum um_scenario_spin_loads */
   double relative_tolerance, absolute_tolerance_K; /* NaN: by the accuracy */
   int samples;
   int exchange_patches, view_factor_rays;

@@ -24,6 +24,7 @@ OBJECT(time_object, struct um_scenario_time, "time", "When the satellite is obse
 
 /* --- thermal, bands, optics, effects -------------------------------------------------------- */
 static const char *const start_choices[] = {"periodic", "isothermal", NULL};
+static const char *const spin_choices[] = {"automatic", "resolved", "averaged", NULL};
 static const char *const range_choices[] = {"warning", "error", NULL};
 static const char *const temperature_choices[] = {"facet", "material_mean", NULL};
 #define F(member, key, type, ...)                                                                  \
@@ -39,6 +40,11 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("longest facet edge; default: as coarse as the shapes allow")),
     F(step_s, "step_s", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
       HELP("grid of the loads; default: 4.6 deg of turn, at most 10 s")),
+    F(spin_loads, "spin_loads", UM_SCHEMA_CHOICE, DEFAULT(UM_SPIN_AUTOMATIC),
+      .choices = spin_choices,
+      HELP("of a body that turns. averaged: means over each turn, and the swing of temperatures "
+           "within it added; resolved: every 4.6 deg of turn; automatic: averaged where that "
+           "leaves less than accuracy_K, a turn takes 10 s or less and step_s is not stated")),
     F(accuracy_K, "accuracy_K", UM_SCHEMA_NUMBER, DEFAULT(0.01), BETWEEN(1e-6, 10),
       HELP("what integration in time may leave in the temperature of a facet over an orbit or two, "
            "after many up to twice that; makes both tolerances")),

@@ -7,6 +7,7 @@
 #include "model/heat_setting_impl.h"
 #include "model/start_offset_impl.h"
 #include "model/thermal_solution_impl.h"
+#include "thermal/ripple.h"
 
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
 
@@ -115,6 +116,23 @@ done:
   return status;
 }
 
+/* What nodes swing within a turn over whose means the loads went; the row an orbit before the first
+ * instant gets what that instant gets, so that their difference is that of the means. */
+static enum um_status swing(struct um_context *context, struct um_model_thermal_solution *heat)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_thermal_history *h = heat->run.history;
+  size_t shift = heat->run.before ? 1 : 0;
+  if (precomputed->ripple == NULL) return UM_OK;
+  for (size_t k = 0; k < h->ntime; k++) {
+    UM_TRY(um_core_stop_check(context, "temperatures within a turn were added"));
+    UM_TRY(um_thermal_ripple_add(
+        context, heat->model->body->network, precomputed->ripple, &heat->setting.options,
+        precomputed->load_row[k < shift ? 0 : k - shift], 1.0, h->temperature + k * h->nnode));
+  }
+  return UM_OK;
+}
+
 /* Temperatures of the surfaces at every instant, as the optics want them. */
 static enum um_status keep_surfaces(struct um_context *context,
                                     struct um_model_thermal_solution *heat)
@@ -157,10 +175,16 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
   status = start(context, heat, warm);
   if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
+  /* temperatures that are stated are those of that instant, not means over its turn */
+  if (status == UM_OK && precomputed->ripple != NULL &&
+      model->scenario->thermal->start == UM_START_ISOTHERMAL)
+    status = um_thermal_ripple_add(context, network, precomputed->ripple, &heat->setting.options, 0,
+                                   -1.0, heat->start);
   if (status == UM_OK) {
     um_thermal_network_temperatures_set(network, heat->start);
     status = precomputed->points ? hold_start(context, heat) : follow(context, heat);
   }
+  if (status == UM_OK) status = swing(context, heat);
   if (status == UM_OK) status = keep_surfaces(context, heat);
   /* a run leaves the model as it was */
   um_thermal_network_temperatures_set(network, built);
@@ -193,14 +217,17 @@ static bool same(const void *a, const void *b, size_t count, size_t size)
 static bool loads_equal(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
 {
   if (a == b) return true;
-  if (a->ntime != b->ntime || a->nsurface != b->nsurface || a->nedge != b->nedge) return false;
-  size_t n = a->ntime * a->nsurface;
+  if (a == NULL || b == NULL || a->ntime != b->ntime || a->nsurface != b->nsurface ||
+      a->nedge != b->nedge || (a->by_cosine == NULL) != (b->by_cosine == NULL))
+    return false;
+  size_t n = a->ntime * a->nsurface, ncosine = a->by_cosine != NULL ? UM_IRRADIATION_COSINES : 0;
   return same(a->t, b->t, a->ntime, sizeof *a->t) &&
          same(a->sunlit, b->sunlit, a->ntime, sizeof *a->sunlit) &&
          same(a->irradiance, b->irradiance, a->ntime, sizeof *a->irradiance) &&
          same(a->edge, b->edge, a->nedge, sizeof *a->edge) &&
          same(a->sun, b->sun, n, sizeof *a->sun) &&
          same(a->incidence, b->incidence, n, sizeof *a->incidence) &&
+         same(a->by_cosine, b->by_cosine, n * ncosine, sizeof *a->by_cosine) &&
          same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
          same(a->planet, b->planet, n, sizeof *a->planet) && (a->gas == NULL) == (b->gas == NULL) &&
          (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas));
@@ -283,6 +310,7 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
              um_geometry_mesh(model->geometry)->nsurface &&
          times_equal(heat->precomputed, precomputed) &&
          loads_equal(heat->precomputed->loads, precomputed->loads) &&
+         loads_equal(heat->precomputed->ripple, precomputed->ripple) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
          exchange_equal(heat, model, precomputed) &&
          um_model_start_offset_equal(heat->model, model);

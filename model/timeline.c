@@ -72,6 +72,17 @@ enum um_status um_model_sample_at(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
+enum um_status um_model_sample_turned(struct um_context *context, const struct um_model *model,
+                                      const struct um_environment_sample *sample, double before,
+                                      struct um_quat *q)
+{
+  struct um_environment_sample turned = *sample;
+  turned.t_tai -= before;
+  UM_TRY(attitude_of(context, model, &turned));
+  *q = turned.q;
+  return UM_OK;
+}
+
 /* The scene at a look of the observer. */
 static enum um_status sample_of_look(struct um_context *context, const struct um_model *model,
                                      const struct um_orbit_look *look,

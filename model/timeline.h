@@ -7,6 +7,11 @@
 /* The scene at a satellite time. to_observer is zero and range NaN. */
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
                                   double t_tai, struct um_environment_sample *out);
+/* The attitude `before` [s] ahead of a scene, with place, motion and Sun as they are there: what a
+ * law that turns makes of the body alone. */
+enum um_status um_model_sample_turned(struct um_context *context, const struct um_model *model,
+                                      const struct um_environment_sample *sample, double before,
+                                      struct um_quat *q);
 /* The scene as seen at an observer time (light received), with light time where the scenario has
  * it. UM_ERR_INPUT without an observer. */
 enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,

@@ -112,7 +112,7 @@ static bool selected(const struct heat_run *run, size_t s, const char *part, boo
 
 struct heat_budget heat_budget(const struct heat_run *run, const char *part, bool back)
 {
-  const struct um_irradiation_loads *loads = run->precomputed->loads;
+  const struct um_irradiation_loads *loads = run->precomputed->seen;
   size_t nsurface = loads->nsurface, row = run->precomputed->load_row[0] * nsurface;
   double space = run->model->scenario->thermal->space_temperature_K;
   double sun = loads->irradiance[run->precomputed->load_row[0]] *

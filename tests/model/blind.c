@@ -172,7 +172,7 @@ enum load { DIRECT, ALBEDO, EARTH_IR };
 static double load_of(const struct set *set, size_t k, const char *face, enum load load)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(set->model->geometry);
-  const struct um_irradiation_loads *l = set->precomputed->loads;
+  const struct um_irradiation_loads *l = set->precomputed->seen;
   size_t row = set->precomputed->load_row[k];
   double sum = 0.0, area = 0.0;
   for (size_t s = 0; s < l->nsurface; s++) {

@@ -129,7 +129,7 @@ static void tracking_joint_follows_the_sun(void **state)
   for (size_t k = 0; k < a.precomputed->nobs; k++) {
     struct um_vec3 sun = um_quat_apply(a.precomputed->sample[k].q, a.precomputed->sample[k].sun);
     double expected = sqrt(1.0 - sun.y * sun.y);
-    const float *row = a.precomputed->loads->sun + a.precomputed->load_row[k] * mesh->nsurface;
+    const float *row = a.precomputed->seen->sun + a.precomputed->load_row[k] * mesh->nsurface;
     for (size_t s = 0; s < mesh->nsurface; s++)
       if (mesh->surface[s].part == 1 && !mesh->surface[s].back)
         assert_true(fabs((double)row[s] - expected) <= 1e-6); /* float */

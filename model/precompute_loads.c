@@ -1,0 +1,178 @@
+/* Loads along a timeline: at every time of the grid, or, of a body that turns faster than its walls
+ * follow, means over its turns. What is observed then has loads at its own instants for the light,
+ * and at each what the temperatures of that instant swing about those of the means. */
+#include "model/precompute_loads_impl.h"
+
+#include <math.h>
+
+#include "environment/atmosphere.h"
+#include "model/effects_impl.h"
+#include "model/precompute_exchange_impl.h"
+#include "model/timeline.h"
+#include "model/words_impl.h"
+#include "thermal/ripple.h"
+
+#define GAS_THAT_SHOWS 0.5 /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
+#define TURN_SAMPLES   64  /* attitudes of a turn; an error below 3e-4 of the largest load */
+
+/* Heat of the atmosphere that a scenario leaves out though it would show. */
+static void warn_of_gas(struct um_context *context, const struct um_model *model,
+                        const struct um_environment_sample *samples, size_t n)
+{
+  double most = 0.0;
+  struct um_vec3 from;
+  for (size_t i = 0; i < n && model->environment.gas_density_factor == 0.0; i++)
+    most = fmax(most, um_environment_atmosphere_flow(&samples[i], &from));
+  if (most > GAS_THAT_SHOWS)
+    um_core_log(context, UM_LOG_INFO,
+                "the air before the satellite brings up to %.2g W/m2 at mean solar activity, which "
+                "is left out; accepted: the effect free_molecular_heating",
+                most);
+}
+
+/* The one law of the attitude, if it turns; NULL, with why not. */
+static const struct um_scenario_attitude *
+turning_law(const struct um_model *model, struct um_scenario_turn *turn, const char **why)
+{
+  const struct um_schema_list *laws = &model->scenario->attitude;
+  const struct um_scenario_attitude *law = laws->items;
+  *why = NULL;
+  if (laws->count != 1 || !um_scenario_turn(&law[0], turn))
+    *why = "the attitude is not one law that turns";
+  else if (um_geometry_joint_moves(model->geometry))
+    *why = "a joint moves";
+  return *why == NULL ? law : NULL;
+}
+
+enum um_status um_model_turn_period(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_precomputed *precomputed, double *period)
+{
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  struct um_scenario_turn turn;
+  struct um_thermal_ripple ripple;
+  const char *why;
+  bool wanted = thermal->spin_loads == UM_SPIN_AVERAGED;
+  *period = 0.0;
+  if (thermal->spin_loads == UM_SPIN_RESOLVED || (!wanted && !isnan(thermal->step_s))) return UM_OK;
+  if (turning_law(model, &turn, &why) == NULL)
+    return wanted ? um_model_fail(context, &thermal->at, "spin_loads",
+                                  "averaged, but %s; accepted: resolved, automatic", why)
+                  : UM_OK;
+  double p = fabs(turn.period_s);
+  if (!wanted && !(p <= UM_MODEL_LOADS_LONGEST_STEP)) return UM_OK;
+  const struct um_environment *e = &model->environment;
+  double sun = um_environment_solar_irradiance(e, precomputed->sample[0].sun_distance);
+  UM_TRY(um_thermal_ripple_bound(context, model->body->network, p, sun, e->albedo,
+                                 e->outgoing_longwave, &ripple));
+  if (!wanted && !(ripple.error <= thermal->accuracy_K)) return UM_OK;
+  *period = p;
+  um_core_log(context, UM_LOG_INFO,
+              "heat loads are means over the turn of %g s: temperatures swing by at most %.2g K "
+              "within it, which is added; that leaves at most %.2g K",
+              p, ripple.amplitude, ripple.error);
+  return UM_OK;
+}
+
+/* Attitudes of a turn ahead of a sample. */
+struct turner {
+  struct um_context *context;
+  const struct um_model *model;
+  const struct um_environment_sample *samples;
+};
+
+static enum um_status turned(void *self, size_t row, double before, struct um_quat *q)
+{
+  const struct turner *t = self;
+  return um_model_sample_turned(t->context, t->model, &t->samples[row], before, q);
+}
+
+static enum um_status samples_make(struct um_context *context, const struct um_model *model,
+                                   const double *times, size_t n,
+                                   struct um_environment_sample **out)
+{
+  UM_TRY(um_core_allocate(context, n, sizeof **out, out));
+  um_core_progress_begin(context, "following orbit and attitude for the heat loads", n);
+  for (size_t i = 0; i < n; i++) {
+    UM_TRY(um_model_sample_at(context, model, times[i], &(*out)[i]));
+    UM_TRY(um_core_progress_step(context, 1));
+  }
+  um_core_progress_end(context);
+  return UM_OK;
+}
+
+/* A table at samples; turn [s], 0: of the attitudes as they are. */
+static enum um_status table_make(struct um_context *context, const struct um_model *model,
+                                 const struct um_environment_sample *samples, size_t n,
+                                 const double *edge, size_t nedge, double turn, bool ripple,
+                                 struct um_irradiation_loads **out)
+{
+  int nsample = model->scenario->thermal->samples;
+  struct turner turner = {context, model, samples};
+  struct um_irradiation_turn over = {
+      .n = TURN_SAMPLES, .period = turn, .ripple = ripple, .attitude = turned, .self = &turner};
+  if (turn > 0.0)
+    return um_irradiation_loads_turn(context, model->geometry, &model->environment, samples, n,
+                                     edge, nedge, nsample, &over, out);
+  return um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n, edge,
+                                    nedge, nsample, out);
+}
+
+/* Tables at the observed instants, beside that of the means; the start is their first row. */
+static enum um_status trace_seen(struct um_context *context, const struct um_model *model,
+                                 const double *edge, struct um_model_precomputed *precomputed)
+{
+  enum um_status status;
+  size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
+  struct um_environment_sample *samples = NULL;
+  double *times = NULL;
+  UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
+  if (precomputed->t_start < precomputed->sample[0].t_tai) times[n++] = precomputed->t_start;
+  for (size_t i = 0; i < ninstant; i++)
+    if (n == 0 || precomputed->sample[i].t_tai > times[n - 1])
+      times[n++] = precomputed->sample[i].t_tai;
+  UM_CHECK(samples_make(context, model, times, n, &samples));
+  UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent, 0.0, false,
+                      &precomputed->seen));
+  UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent,
+                      precomputed->turn_period, true, &precomputed->ripple));
+done:
+  um_core_free(context, times);
+  um_core_free(context, samples);
+  return status;
+}
+
+/* Row of what is seen at every observed instant. */
+static enum um_status trace_rows(struct um_context *context,
+                                 struct um_model_precomputed *precomputed)
+{
+  const struct um_irradiation_loads *seen = precomputed->seen;
+  size_t ninstant = precomputed->nobs * precomputed->nsub, row = 0;
+  UM_TRY(
+      um_core_allocate(context, ninstant, sizeof *precomputed->load_row, &precomputed->load_row));
+  for (size_t i = 0; i < ninstant; i++) {
+    while (row + 1 < seen->ntime && seen->t[row] < precomputed->sample[i].t_tai) row++;
+    precomputed->load_row[i] = row;
+  }
+  return UM_OK;
+}
+
+enum um_status um_model_precompute_loads(struct um_context *context, const struct um_model *model,
+                                         const double *times, size_t ntime, const double *edge,
+                                         struct um_model_precomputed *precomputed)
+{
+  enum um_status status;
+  struct um_environment_sample *samples = NULL;
+  UM_CHECK(samples_make(context, model, times, ntime, &samples));
+  warn_of_gas(context, model, samples, ntime);
+  UM_CHECK(table_make(context, model, samples, ntime, edge, precomputed->nevent,
+                      precomputed->turn_period, false, &precomputed->loads));
+  if (precomputed->turn_period > 0.0)
+    UM_CHECK(trace_seen(context, model, edge, precomputed));
+  else
+    precomputed->seen = precomputed->loads;
+  UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, precomputed));
+  UM_CHECK(trace_rows(context, precomputed));
+done:
+  um_core_free(context, samples);
+  return status;
+}

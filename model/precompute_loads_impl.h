@@ -1,0 +1,19 @@
+/* Private to model/: loads along a timeline, resolved or as means over the turns of the body. */
+#ifndef UMBRA_MODEL_PRECOMPUTE_LOADS_IMPL_H
+#define UMBRA_MODEL_PRECOMPUTE_LOADS_IMPL_H
+
+#include "model/model.h"
+#include "model/precomputed.h"
+
+#define UM_MODEL_LOADS_LONGEST_STEP 10.0 /* between rows [s]; the orbit turns by 0.6 deg */
+
+/* Turn over which the loads are to be means, as thermal.spin_loads has it [s]; 0: none. The log
+ * says what that leaves. UM_ERR_INPUT: means that are wanted and cannot be. */
+enum um_status um_model_turn_period(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_precomputed *precomputed, double *period);
+/* Loads and view factors at times [ntime]; edge [nevent] of the precomputed, whose observed
+ * instants, events and turn_period are set. */
+enum um_status um_model_precompute_loads(struct um_context *context, const struct um_model *model,
+                                         const double *times, size_t ntime, const double *edge,
+                                         struct um_model_precomputed *precomputed);
+#endif
