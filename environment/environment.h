@@ -10,6 +10,8 @@
 #include "environment/ground.h"
 #include "materials/materials.h"
 
+struct um_environment_limb;
+
 enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
 enum um_environment_shadow {
   UM_SHADOW_NONE,
@@ -37,7 +39,15 @@ struct um_environment {
   double
       shadow_radius; /* [m] CYLINDER and SPHERE; equatorial radius of OBLATE (WGS-84 flattening) */
   enum um_environment_disc disc;
-  double limb_darkening;     /* u of 1 - u (1 - mu) */
+  double limb_darkening; /* u of 1 - u (1 - mu) */
+  /* the Earth's air before the Sun (shadow_light.h); limb is borrowed, never written; NULL: none */
+  bool shadow_refraction_on;
+  const struct um_environment_limb *limb;
+  double air_factor;         /* of the air's depth, not of its refraction [1] */
+  double ozone_dobson;       /* vertical column [Dobson units] */
+  double haze;               /* vertical optical depth of tropospheric aerosol at 0.55 um [1] */
+  double aerosol;            /* of the stratosphere's [1] */
+  double cloud_top;          /* height below which clouds hide more than half of what passes [m] */
   bool albedo_on, planet_on; /* heat loads */
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */

@@ -24,6 +24,8 @@
 #include "core/constants.h"
 #include "environment/environment.h"
 #include "environment/quadrature_impl.h"
+#include "environment/shadow_impl.h"
+#include "environment/shadow_light.h"
 
 /* Earth and Sun as seen from one point; lengths in units of the shadow radius. */
 struct limb {
@@ -167,8 +169,18 @@ static double sun_angular_radius(double distance)
   return asin(fmin(UM_SOLAR_RADIUS / distance, 1.0));
 }
 
-double um_environment_sunlit_fraction(const struct um_environment *environment, struct um_vec3 r,
-                                      struct um_vec3 sun, double distance, struct um_vec3 pole)
+struct um_environment_limb_sight um_environment_limb_sight(const struct um_environment *environment,
+                                                           struct um_vec3 r, struct um_vec3 sun,
+                                                           double distance, struct um_vec3 pole)
+{
+  struct limb limb = {.angle = UM_PI};
+  if (environment->shadow != UM_SHADOW_NONE) limb = limb_find(environment, r, sun, pole);
+  return (struct um_environment_limb_sight){limb.angle, limb.edge, um_vec3_norm(r),
+                                            sun_angular_radius(distance)};
+}
+
+double um_environment_airless_fraction(const struct um_environment *environment, struct um_vec3 r,
+                                       struct um_vec3 sun, double distance, struct um_vec3 pole)
 {
   if (environment->shadow == UM_SHADOW_NONE) return 1.0;
   struct limb limb = limb_find(environment, r, sun, pole);
@@ -181,6 +193,14 @@ double um_environment_sunlit_fraction(const struct um_environment *environment, 
   if (limb.edge < 3.0 * a) return fraction_plane(a, limb.edge, limb.sun);
   bool darkened = environment->disc == UM_DISC_LIMB_DARKENED;
   return fraction_cut(&limb, sun, pole, a, darkened ? environment->limb_darkening : 0.0);
+}
+
+double um_environment_sunlit_fraction(const struct um_environment *environment, struct um_vec3 r,
+                                      struct um_vec3 sun, double distance, struct um_vec3 pole)
+{
+  struct um_environment_shadow_light light;
+  um_environment_shadow_light(environment, r, sun, distance, pole, &light);
+  return um_environment_shadow_light_mean(environment->limb, &light);
 }
 
 double um_environment_limb_angle(const struct um_environment *environment, struct um_vec3 r,

@@ -76,6 +76,7 @@ enum um_status um_model_variant_create(struct um_context *context, const struct 
   model->scenario = origin->scenario;
   model->registry = origin->registry;
   model->earth_map = origin->earth_map;
+  model->limb = origin->limb;
   UM_CHECK(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
   memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
   model->neffect = origin->neffect;
@@ -109,6 +110,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_arena_release(context, &m->memory);
   if (m->origin == NULL) {
     um_environment_map_destroy(context, &m->earth_map);
+    um_core_free(context, m->limb);
     um_effects_registry_destroy(context, &m->registry);
     um_document_destroy(&m->document);
   }

@@ -5,6 +5,7 @@
 
 #include "core/constants.h"
 #include "environment/map.h"
+#include "environment/shadow_light.h"
 #include "model/effects_impl.h"
 #include "model/scenario_environment_impl.h"
 #include "model/words_impl.h"
@@ -78,11 +79,23 @@ static enum um_status build_earth(struct um_context *context, struct um_model *m
   return UM_OK;
 }
 
+/* The air of the Earth's limb; an effect may want it that the scenario withholds. */
+static enum um_status build_limb(struct um_context *context, struct um_model *model)
+{
+  if (model->limb == NULL) {
+    UM_TRY(um_core_allocate(context, 1, sizeof *model->limb, &model->limb));
+    um_environment_limb_make(&model->environment, model->limb);
+  }
+  model->environment.limb = model->limb;
+  return UM_OK;
+}
+
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;
   um_model_scenario_environment(model->scenario->environment, &model->environment);
   UM_TRY(build_earth(context, model));
+  UM_TRY(build_limb(context, model));
   model->sun_frozen = model->scenario->environment->sun == UM_SUN_FROZEN;
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];

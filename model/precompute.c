@@ -23,6 +23,8 @@
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
 #define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
+#define AIR_LIT          8    /* rows half such a gap apart before the Sun sinks into the air */
+#define AIR_DARK         10   /* and behind the umbra's edge, as far as light is bent: 66 km */
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
 #define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
@@ -183,6 +185,37 @@ static size_t merge_times(struct grid_time *grid, size_t n)
   return kept;
 }
 
+/* Rows before and behind an edge, on which the Earth's air bends and dims the Sun: a gap between
+ * two events of an edge is 15 km of height at the limb, the air reaches from 60 km to where a ray
+ * along the ground ends, 66 km below. */
+static size_t air_rows(const struct um_environment_event *event, double gap, double end,
+                       struct grid_time *grid, size_t n)
+{
+  int rows = 0;
+  double way = 0.0;
+  switch (event->kind) {
+  case UM_EVENT_PENUMBRA_ENTRY:
+    way = -0.5, rows = AIR_LIT;
+    break;
+  case UM_EVENT_UMBRA_ENTRY:
+    way = 0.5, rows = AIR_DARK;
+    break;
+  case UM_EVENT_UMBRA_EXIT:
+    way = -0.5, rows = AIR_DARK;
+    break;
+  case UM_EVENT_PENUMBRA_EXIT:
+    way = 0.5, rows = AIR_LIT;
+    break;
+  default:
+    break;
+  }
+  for (int k = 1; k <= rows; k++) {
+    double t = event->t_tai + k * way * gap;
+    if (t > grid[0].t && t < end) grid[n++].t = t;
+  }
+  return n;
+}
+
 static enum um_status grid_make(struct um_context *context, const struct um_model *model,
                                 const struct um_model_precomputed *precomputed, double step,
                                 double **out, size_t *count)
@@ -195,7 +228,7 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
   double laid =
       isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
   size_t nstep = (size_t)ceil((laid - precomputed->t_start) / step);
-  size_t room = nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1);
+  size_t room = nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
   struct grid_time *grid = NULL;
   UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
   for (size_t i = 0; i <= nstep; i++) {
@@ -216,6 +249,9 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
     if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
     for (int k = 1; k < PENUMBRA_POINTS; k++)
       grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
+    if (!model->environment.shadow_refraction_on) continue;
+    n = air_rows(&precomputed->event[i], gap, end, grid, n);
+    n = air_rows(&precomputed->event[i + 1], gap, end, grid, n);
   }
   enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
   n = merge_times(grid, n);

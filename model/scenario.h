@@ -143,6 +143,10 @@ struct um_scenario_earth {
   const char *file;
   struct um_scenario_region *local;
 };
+struct um_scenario_shadow_air {
+  struct um_mark at;
+  double ozone_DU, haze, stratospheric_aerosol, cloud_top_km;
+};
 struct um_scenario_environment {
   struct um_mark at;
   double solar_irradiance_W_m2;
@@ -154,8 +158,9 @@ struct um_scenario_environment {
   double shadow_radius_km;
   int disc; /* enum um_environment_disc */
   double limb_darkening;
-  int sun;                /* enum um_scenario_sun */
-  double sun_distance_au; /* NaN: by ephemeris */
+  struct um_scenario_shadow_air *shadow_air; /* NULL: defaults */
+  int sun;                                   /* enum um_scenario_sun */
+  double sun_distance_au;                    /* NaN: by ephemeris */
 };
 enum um_scenario_sun { UM_SUN_EPHEMERIS, UM_SUN_FROZEN };
 

@@ -17,4 +17,10 @@ void um_model_scenario_environment(const struct um_scenario_environment *from,
   to->shadow_radius = from->shadow_radius_km * 1e3;
   to->disc = (enum um_environment_disc)from->disc;
   to->limb_darkening = from->limb_darkening;
+  if (from->shadow_air != NULL) {
+    to->ozone_dobson = from->shadow_air->ozone_DU;
+    to->haze = from->shadow_air->haze;
+    to->aerosol = from->shadow_air->stratospheric_aerosol;
+    to->cloud_top = from->shadow_air->cloud_top_km * 1e3;
+  }
 }

@@ -52,6 +52,23 @@ OBJECT(earth_object, struct um_scenario_earth, "earth",
        "What the Earth reflects and emits from place to place.", FIELDS(earth_fields),
        .scalar_key = "model");
 #define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_shadow_air, member, key, type, __VA_ARGS__)
+static const struct um_schema_field shadow_air_fields[] = {
+    F(ozone_DU, "ozone_DU", UM_SCHEMA_NUMBER, DEFAULT(300.0), BETWEEN(0, 1000),
+      HELP("vertical column of ozone, Dobson units")),
+    F(haze, "haze", UM_SCHEMA_NUMBER, DEFAULT(0.1), BETWEEN(0, 10),
+      HELP("vertical optical depth of tropospheric aerosol at 0.55 um")),
+    F(stratospheric_aerosol, "stratospheric_aerosol", UM_SCHEMA_NUMBER, DEFAULT(0.005),
+      BETWEEN(0, 1),
+      HELP("the same of the stratosphere; some 0.1 in the year after a large eruption")),
+    F(cloud_top_km, "cloud_top_km", UM_SCHEMA_NUMBER, DEFAULT(8.0), BETWEEN(-50, 30),
+      HELP("height at which clouds hide half of the rays that pass; -50: no clouds")),
+};
+#undef F
+OBJECT(shadow_air_object, struct um_scenario_shadow_air, "shadow_air",
+       "What sunlight passes through at the edge of the shadow (effect shadow_refraction).",
+       FIELDS(shadow_air_fields));
+#define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_environment, member, key, type, __VA_ARGS__)
 static const struct um_schema_field environment_fields[] = {
     F(solar_irradiance_W_m2, "solar_irradiance_W_m2", UM_SCHEMA_NUMBER, DEFAULT(1361.0),
@@ -77,6 +94,7 @@ static const struct um_schema_field environment_fields[] = {
     F(disc, "disc", UM_SCHEMA_CHOICE, DEFAULT(2), .choices = disc_choices, HELP("the solar disc")),
     F(limb_darkening, "limb_darkening", UM_SCHEMA_NUMBER, DEFAULT(0.6), BETWEEN(0, 1),
       HELP("u in 1 - u (1 - mu)")),
+    F(shadow_air, "shadow_air", UM_SCHEMA_MAP, .object = &shadow_air_object),
     F(sun, "sun", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = sun_choices,
       HELP("frozen: direction and distance of the start hold throughout")),
     F(sun_distance_au, "sun_distance_au", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0.1, 10),

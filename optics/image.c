@@ -272,6 +272,7 @@ static enum um_status render_all(struct um_context *context, struct render *r,
                        image));
   UM_TRY(image_create(context, r, image));
   UM_TRY(scratch_create(context, r));
+  for (size_t i = 0; i < r->nthread; i++) um_optics_light(r->spectra, scene, &now, &r->work[i]);
   int threads = (int)r->nthread;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
   for (size_t s = 0; s < mesh->nsurface; s++)

@@ -215,7 +215,7 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
   size_t material = mesh->surface[bounce->surface].material;
   struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, bounce->surface);
   double cos_i = um_vec3_dot(normal, instant->sun_body);
-  double sun = sunlit && cos_i > 0.0 ? instant->sun * cos_i / UM_PI : 0.0;
+  double sun = sunlit && cos_i > 0.0 ? cos_i / UM_PI : 0.0;
   double albedo = instant->earthshine * (double)scene->albedo[at] / UM_PI;
   double earth = instant->earth_reflection * (double)scene->view_factor[at];
   um_optics_spectra_planck(spectra, scene->temperature[at], work->planck);
@@ -228,7 +228,7 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
     earthlight = work->earth;
   }
   for (size_t b = 0; b < n; b++)
-    work->incoming[b] = diffuse[b] * (sun * spectra->sun[b] + albedo * spectra->share[b]) +
+    work->incoming[b] = diffuse[b] * (sun * work->sunlight[b] + albedo * spectra->share[b]) +
                         (1.0 - emissivity[b]) * earth * earthlight[b] +
                         emissivity[b] * work->planck[b];
 }

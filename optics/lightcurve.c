@@ -128,6 +128,7 @@ static void compute_time(const struct um_context *context, const struct job *all
   const struct um_optics_spectra *spectra = job->spectra;
   struct um_optics_instant now = um_optics_instant(job->scene, time);
   memset(work->specular_known, 0, spectra->nmaterial * sizeof *work->specular_known);
+  um_optics_light(spectra, job->scene, &now, work);
   for (size_t m = 0; m < spectra->nmaterial; m++) um_optics_sum_clear(spectra, &work->sum[m]);
   for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
     size_t at = time * view->nsurface + s, material = view->material[s];

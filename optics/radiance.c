@@ -1,6 +1,7 @@
 /* Radiance of surfaces toward the observer (D.1, D.3, D.5 of the physics notes):
  *
- *   sun      E_sun(lambda) nu (au/d)^2 f_r(i, o) cos_i, f_r of materials.h
+ *   sun      E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
+ *            and air leave of the Sun (environment/shadow_light.h)
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b)
  *   emitted  eps(lambda, cos_o) B_lambda(T)
  *
@@ -18,6 +19,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "environment/shadow_light.h"
 #include "materials/bsdf.h"
 
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
@@ -51,6 +53,7 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_sun));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_observer));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->sunlight));
   UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
   UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
@@ -89,13 +92,28 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
     void *const blocks[] = {
-        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known, w->bins,
-        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,  w->ray,
-        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer};
+        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
+        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
+        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
   }
   um_core_free(context, *work);
   *work = NULL;
+}
+
+void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                     const struct um_optics_instant *instant, struct um_optics_work *work)
+{
+  const struct um_environment_sample *s = &scene->samples[instant->time];
+  struct um_environment_shadow_light light = {.count = 0};
+  if (scene->environment->limb != NULL && instant->sun > 0.0)
+    um_environment_shadow_light(scene->environment, s->r, s->sun, s->sun_distance, s->pole, &light);
+  for (size_t b = 0; b < spectra->nbin; b++) {
+    work->sunlight[b] = instant->sun * spectra->sun[b];
+    if (light.count > 0)
+      work->sunlight[b] *=
+          um_environment_shadow_light_at(&light, spectra->wavelength[b]) / s->sunlit_fraction;
+  }
 }
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum)
@@ -191,14 +209,13 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
     for (size_t b = 0; b < n; b++) {
       double scattered = (diffuse[b] - mean[b]) * sum->lambert;
       if (mean[b] > 0.0) scattered += sum->masked[b] / mean[b];
-      spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] =
-          instant->sun * spectra->sun[b] * scattered / UM_PI;
+      spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] = work->sunlight[b] * scattered / UM_PI;
     }
     if (sum->lobe > 0.0) {
       const double *specular = um_optics_specular(spectra, scene, instant, material, work);
       for (size_t b = 0; b < n; b++)
         spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] +=
-            instant->sun * spectra->sun[b] * specular[b] * sum->lobe;
+            work->sunlight[b] * specular[b] * sum->lobe;
     }
   }
   double albedo = instant->earthshine * sum->albedo / UM_PI;

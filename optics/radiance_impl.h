@@ -46,6 +46,7 @@ struct um_optics_work {
   double *planck, *emissivity;          /* [nbin] */
   double *masked_sun, *masked_observer; /* [nbin] M toward both */
   double *earth;                        /* [nbin] the Earth before one surface, where it varies */
+  double *sunlight;                     /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
   double *spectral;                     /* [nbin][UM_MECHANISM_COUNT] */
   double *specular;             /* [nmaterial][nbin] F of the current instant, where known */
   bool *specular_known;         /* [nmaterial] */
@@ -63,6 +64,11 @@ enum um_status um_optics_work_create(struct um_context *context,
                                      const struct um_optics_spectra *spectra, size_t nray,
                                      size_t nwork, struct um_optics_work **out);
 void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_optics_work **work);
+
+/* Sunlight at an instant into the scratch: solar spectrum, distance, and what the shadow and the
+ * Earth's air leave of each wavelength. */
+void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                     const struct um_optics_instant *instant, struct um_optics_work *work);
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum);
 void um_optics_sum_add(const struct um_optics_spectra *spectra,

@@ -30,6 +30,7 @@ static const struct entry cases[] = {
     {"reflected_earth_ir", NULL, 0.0, "bus", "a switch"},
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
+    {"shadow_refraction", NULL, 0.0, "bus", "a switch"},
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},

@@ -81,6 +81,7 @@ static const struct {
                 {"reflected_earth_ir", true, true},
                 {"penumbra", true, true},
                 {"oblateness", true, true},
+                {"shadow_refraction", true, true},
                 {"absorptance_angle", true, false},
                 {"emittance_temperature", true, false},
                 {"bulk_temperature", true, false},

@@ -39,6 +39,7 @@ static const struct lab_world worlds[] = {
     WITHOUT("reflected_earth_ir"),
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
+    WITHOUT("shadow_refraction"),
     WITHOUT("mutual_radiation"),
     WITHOUT("solar_multiple_reflection"),
 

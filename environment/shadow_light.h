@@ -1,0 +1,41 @@
+/* Sunlight where the Earth's air bends, scatters and absorbs it: at the edge of the shadow. */
+#ifndef UMBRA_ENVIRONMENT_SHADOW_LIGHT_H
+#define UMBRA_ENVIRONMENT_SHADOW_LIGHT_H
+
+#include "environment/environment.h"
+#include "environment/limb_air.h"
+
+#define UM_LIMB_BANDS 24
+
+/* What sunlit fractions need of the air, for one environment; never written afterwards. */
+struct um_environment_limb {
+  struct um_environment_limb_air air;
+  double share[UM_LIMB_BANDS];                       /* of sunlight by wavelength; sum 1 */
+  double depth[UM_LIMB_BANDS][UM_LIMB_CONSTITUENTS]; /* of um_environment_limb_depth */
+};
+/* The standard air over the radius of the environment's shadow, before its Sun. */
+void um_environment_limb_make(const struct um_environment *environment,
+                              struct um_environment_limb *out);
+
+/* The light of the Sun at one place: bundles of rays by the height at which they pass. */
+struct um_environment_shadow_light {
+  double direct; /* share of the disc whose light meets no air, or all of it without refraction */
+  size_t count;
+  double share[UM_LIMB_NODES]; /* of the light of the disc, spread by refraction, not yet dimmed */
+  double depth[UM_LIMB_CONSTITUENTS][UM_LIMB_NODES]; /* column times what is stated of it */
+};
+
+/* Arguments of um_environment_sunlit_fraction. direct is 1 in full sunlight; in the full shadow it
+ * is 0, and count is 0. Without environment->limb, behind a cylinder, before a point and from
+ * beyond 450 000 km: direct is the sunlit fraction of the bare Earth. */
+void um_environment_shadow_light(const struct um_environment *environment, struct um_vec3 r,
+                                 struct um_vec3 sun, double distance, struct um_vec3 pole,
+                                 struct um_environment_shadow_light *out);
+
+/* Share of the Sun's light that arrives at a wavelength [m], and of all its energy [1]. */
+double um_environment_shadow_light_at(const struct um_environment_shadow_light *light,
+                                      double wavelength);
+double um_environment_shadow_light_mean(const struct um_environment_limb *limb,
+                                        const struct um_environment_shadow_light *light);
+
+#endif

@@ -1,0 +1,222 @@
+/* Sunlight through the Earth's limb, against the closed forms of PHYSICS B.4. */
+#include "environment/shadow_light.h"
+
+#include "core/constants.h"
+#include "environment/shadow_impl.h"
+#include "tests/environment/check.h"
+
+#define RADIUS 7136e3 /* [m] of the satellite */
+
+static const struct um_vec3 north = {0.0, 0.0, 1.0};
+
+static double exponential(const void *self, double height)
+{
+  (void)self;
+  return exp(-height / 8e3);
+}
+static double exponential_refractivity(const void *self, double height)
+{
+  return 2.92e-4 * exponential(self, height);
+}
+static double exponential_density(const void *self, enum um_environment_limb_constituent which,
+                                  double height)
+{
+  (void)which;
+  return exponential(self, height);
+}
+
+/* An exponential atmosphere that only scatters, over a sphere; no clouds. */
+static struct um_environment exponential_earth(struct um_environment_limb *limb)
+{
+  const struct um_environment_limb_profile profile = {exponential_refractivity, exponential_density,
+                                                      NULL};
+  struct um_environment e;
+  um_environment_defaults(&e);
+  um_environment_limb_make(&e, limb);
+  um_environment_limb_air_make(&profile, UM_EARTH_RADIUS, &limb->air);
+  e.limb = limb;
+  e.shadow = UM_SHADOW_SPHERE;
+  e.disc = UM_DISC_UNIFORM;
+  e.ozone_dobson = e.haze = e.aerosol = 0.0;
+  e.cloud_top = -100e3;
+  return e;
+}
+
+struct place {
+  struct um_vec3 r, sun;
+  double distance;
+};
+
+/* theta [deg] from the anti-solar direction, in parallel sunlight */
+static struct place place_at(double theta)
+{
+  return (struct place){um_vec3(-RADIUS * cos(theta * UM_DEG), RADIUS * sin(theta * UM_DEG), 0.0),
+                        um_vec3(1.0, 0.0, 0.0), UM_AU};
+}
+
+static double at(const struct um_environment *e, double theta, double wavelength)
+{
+  struct um_environment_shadow_light light;
+  struct place p = place_at(theta);
+  um_environment_shadow_light(e, p.r, p.sun, p.distance, north, &light);
+  return um_environment_shadow_light_at(&light, wavelength);
+}
+
+/* The same by plain sums: 4000 strips of the disc, each from the height whose ray is bent to it,
+ * found by bisection; columns and bending as PHYSICS B.4 has them, exponential. */
+static double by_strips(double theta, double wavelength)
+{
+  double depth[UM_LIMB_CONSTITUENTS], sum = 0.0, norm = 0.0;
+  double disc = asin(UM_SOLAR_RADIUS / UM_AU);
+  um_environment_limb_depth(wavelength, depth);
+  double mass = depth[UM_LIMB_AIR] * sqrt(2.0 * UM_PI * UM_EARTH_RADIUS / 8e3);
+  double bend = 2.92e-4 * sqrt(2.0 * UM_PI * UM_EARTH_RADIUS / 8e3);
+  for (int i = 0; i < 4000; i++) {
+    double v = (i + 0.5) / 2000.0 - 1.0, angle = theta * UM_DEG + disc * v;
+    double chord = sqrt(1.0 - v * v), low = 0.0, high = 200e3;
+    norm += chord;
+    if (asin(UM_EARTH_RADIUS / RADIUS) - bend > angle) continue;
+    for (int k = 0; k < 60; k++) {
+      double h = 0.5 * (low + high);
+      double true_angle = asin((UM_EARTH_RADIUS + h) / RADIUS) - bend * exp(-h / 8e3);
+      *(true_angle < angle ? &low : &high) = h;
+    }
+    double seen = asin((UM_EARTH_RADIUS + low) / RADIUS), alpha = bend * exp(-low / 8e3);
+    double way = RADIUS * cos(seen); /* dh/d theta' */
+    sum +=
+        chord * exp(-mass * exp(-low / 8e3)) / (1.0 + way * alpha / 8e3) * sin(seen) / sin(angle);
+  }
+  return sum / norm;
+}
+
+/* Strips: 6e-4, of which 5e-4 are columns to first order in H/R. B.4 prints what heights h - D
+ * alpha over a plane limb give, 0.006 above a fine sum of its own formula at 64 deg (0.8229). */
+static void exponential_disc(void **state)
+{
+  static struct um_environment_limb limb;
+  static const struct {
+    double theta, green, red;
+  } printed[] = {{63.000, 0.01806, 0.08631},
+                 {63.362, 0.12456, 0.25184},
+                 {63.600, 0.34275, 0.47537},
+                 {64.000, 0.82901, 0.87443}};
+  const struct um_environment e = exponential_earth(&limb);
+  (void)state;
+  for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
+    double theta = printed[i].theta;
+    double green = at(&e, theta, 550e-9), red = at(&e, theta, 700e-9);
+    printf("%.3f deg: %.5f (%.5f), %.5f (%.5f)\n", theta, green, printed[i].green, red,
+           printed[i].red);
+    check_close("550 nm, strips", green, by_strips(theta, 550e-9), 6e-4);
+    check_close("700 nm, strips", red, by_strips(theta, 700e-9), 6e-4);
+    check_close("550 nm, printed", green, printed[i].green, 0.006);
+    check_close("700 nm, printed", red, printed[i].red, 0.006);
+  }
+}
+
+/* One narrow beam: a Sun so far off that its disc spans 30 m at the limb is dimmed by transmission
+ * and dilution as printed for the height h at which it passes. The straight ray of that height is
+ * at (R + h) cos(alpha) - sqrt(r^2 - (R + h)^2) sin(alpha) from the axis, alpha = alpha_0
+ * exp(-h/H). 1 % for what the page takes to first order, 2 % at the two lowest for what the limb
+ * gathers. */
+static void narrow_beam(void **state)
+{
+  static struct um_environment_limb limb;
+  static const struct {
+    double height, green, red; /* [km] */
+  } printed[] = {
+      {5, 4.62e-3, 4.62e-2}, {10, 4.13e-2, 0.1416}, {20, 0.3385, 0.4819}, {50, 0.9713, 0.9794}};
+  const struct um_environment e = exponential_earth(&limb);
+  (void)state;
+  for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
+    double low = UM_EARTH_RADIUS + printed[i].height * 1e3;
+    double alpha = 0.02067 * exp(-printed[i].height / 8.0);
+    double y = low * cos(alpha) - sqrt(RADIUS * RADIUS - low * low) * sin(alpha);
+    struct um_vec3 r = um_vec3(-sqrt(RADIUS * RADIUS - y * y), y, 0.0);
+    struct um_environment_shadow_light light;
+    um_environment_shadow_light(&e, r, um_vec3(1.0, 0.0, 0.0), 1000.0 * UM_AU, north, &light);
+    double green = um_environment_shadow_light_at(&light, 550e-9);
+    double red = um_environment_shadow_light_at(&light, 700e-9);
+    printf("%.0f km: %.5f (%.5f), %.5f (%.5f)\n", printed[i].height, green, printed[i].green, red,
+           printed[i].red);
+    check_close("550 nm", green / printed[i].green, 1.0, 0.03);
+    check_close("700 nm", red / printed[i].red, 1.0, 0.03);
+  }
+}
+
+/* Air that neither bends nor dims leaves the sunlit fraction of the bare sphere, whose limb across
+ * the disc is exact there and to its mean here: 1e-4. */
+static void no_air(void **state)
+{
+  static struct um_environment_limb limb;
+  struct um_environment e = exponential_earth(&limb);
+  (void)state;
+  for (int k = 0; k < UM_LIMB_NODES; k++) limb.air.bending[k] = 0.0;
+  e.air_factor = 0.0;
+  for (int disc = UM_DISC_UNIFORM; disc <= UM_DISC_LIMB_DARKENED; disc++)
+    for (double theta = 62.8; theta < 64.2; theta += 0.037) {
+      struct place p = place_at(theta);
+      e.disc = (enum um_environment_disc)disc;
+      double bare = um_environment_airless_fraction(&e, p.r, p.sun, p.distance, north);
+      check_close("bare", at(&e, theta, 550e-9), bare, 3e-4);
+    }
+}
+
+/* With all that the air holds, light grows without a step from exactly none to exactly all of it,
+ * redder the lower the Sun, and never above what arrives without extinction. */
+static void standard_limb(void **state)
+{
+  static struct um_environment_limb limb;
+  struct um_environment e;
+  (void)state;
+  um_environment_defaults(&e);
+  um_environment_limb_make(&e, &limb);
+  e.limb = &limb;
+  double before = 0.0, sum = 0.0;
+  for (int k = 0; k < UM_LIMB_BANDS; k++) sum += limb.share[k];
+  check_close("shares", sum, 1.0, 1e-12);
+  assert_true(at(&e, 61.5, 650e-9) == 0.0);
+  assert_true(at(&e, 66.0, 450e-9) == 1.0);
+  for (double theta = 61.5; theta < 66.0; theta += 0.01) {
+    struct place p = place_at(theta);
+    double mean = um_environment_sunlit_fraction(&e, p.r, p.sun, p.distance, north);
+    double blue = at(&e, theta, 450e-9), red = at(&e, theta, 800e-9);
+    check_below("red is brighter", blue, red + 1e-12);
+    check_below("grows", before, mean + 1e-9);
+    check_below("no step", mean - before, 0.02);
+    check_below("a fraction", mean, 1.0);
+    before = mean;
+  }
+}
+
+/* The switch, a point and a cylinder leave the bare Earth, to the bit. */
+static void where_it_does_not_act(void **state)
+{
+  static struct um_environment_limb limb;
+  struct um_environment e = exponential_earth(&limb), bare = e;
+  (void)state;
+  bare.limb = NULL;
+  for (double theta = 63.0; theta < 64.0; theta += 0.05) {
+    struct place p = place_at(theta);
+    double expected = um_environment_sunlit_fraction(&bare, p.r, p.sun, p.distance, north);
+    struct um_environment off = e;
+    off.shadow_refraction_on = false;
+    assert_true(um_environment_sunlit_fraction(&off, p.r, p.sun, p.distance, north) == expected);
+    struct um_environment point = e;
+    point.disc = UM_DISC_POINT;
+    double f = um_environment_sunlit_fraction(&point, p.r, p.sun, p.distance, north);
+    assert_true(f == 0.0 || f == 1.0);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(exponential_disc),
+      cmocka_unit_test(narrow_beam),
+      cmocka_unit_test(no_air),
+      cmocka_unit_test(standard_limb),
+      cmocka_unit_test(where_it_does_not_act),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
