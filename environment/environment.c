@@ -39,6 +39,7 @@ void um_environment_defaults(struct um_environment *out)
       .earth_reflection_on = true,
       .earthshine_factor = 1.0,
       .earth_reflection_factor = 1.0,
+      .earthlight_lobe_on = true,
       .mutual_radiation_on = true,
       .solar_reflection_on = true,
       .absorptance_by_angle = true,

@@ -52,6 +52,7 @@ struct um_environment {
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */
   double earthshine_factor, earth_reflection_factor; /* of those two [1] */
+  bool earthlight_lobe_on; /* lobes reflect the Earth where they look; or as diffuse surfaces do */
   /* heat between surfaces of the satellite: of their own emission, of sunlight that they reflect */
   bool mutual_radiation_on, solar_reflection_on;
   /* how surfaces take what comes: at normal incidence for all angles and with the emittance of

@@ -62,6 +62,7 @@ static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size
       .cos_observer = (double)view->cos_observer[at],
       .cos_sun = (double)view->cos_sun[at],
       .cos_half = view->cos_half[at],
+      .cos_nadir = (double)view->cos_nadir[at],
       .temperature = scene->temperature[at],
       .albedo = (double)scene->albedo[at],
       .view_factor = (double)scene->view_factor[at],

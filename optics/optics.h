@@ -34,6 +34,7 @@ struct um_optics_view {
   /* [ntime][nsurface] cosine of the normal to the Sun-observer bisector; double, because narrow
    * lobes depend on 1 - cos; 0 where the Sun stands opposite to the observer */
   double *cos_half;
+  float *cos_nadir;          /* [ntime][nsurface] cosine of the normal to the geocentre */
   double *area;              /* [nsurface] [m^2] */
   uint32_t *material, *part; /* [nsurface] */
 };

@@ -2,7 +2,8 @@
  *
  *   sun      E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
  *            and air leave of the Sun (environment/shadow_light.h)
- *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b)
+ *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b), of
+ *            which the lobe's part is what the lobe sees of the Earth (earth_lobe.c)
  *   emitted  eps(lambda, cos_o) B_lambda(T)
  *
  * T_b is the brightness temperature of the Earth; where the Earth varies, of what of it lies before
@@ -21,6 +22,36 @@
 #include "core/constants.h"
 #include "environment/shadow_light.h"
 #include "materials/bsdf.h"
+#include "optics/stage_impl.h"
+
+/* Where the Earth stands, and how bright it is, for lobes that look at it. Where it varies it has
+ * the albedo of what lights a plate that faces it. */
+static void earth_before(const struct um_environment *environment,
+                         const struct um_environment_sample *sample, struct um_optics_instant *now)
+{
+  double r = um_vec3_norm(sample->r), albedo = environment->albedo;
+  now->earth_lobe = environment->earthlight_lobe_on && r > environment->earth_radius;
+  if (!now->earth_lobe) return;
+  now->nadir_body = um_optics_nadir(sample);
+  now->h_ratio = r / environment->earth_radius;
+  now->observer_nadir = um_vec3_dot(now->observer_body, now->nadir_body);
+  now->observer_sun = um_vec3_dot(now->observer_body, now->sun_body);
+  now->nadir_sun = um_vec3_dot(now->nadir_body, now->sun_body);
+  if (now->earth_varies) {
+    struct um_environment uniform = *environment;
+    struct um_environment_globe globe = {sample->t_tai, sample->pole, sample->greenwich};
+    struct um_environment_earth_flux varied, white;
+    struct um_vec3 nadir = um_vec3_scale(sample->r, -1.0 / r);
+    uniform.albedo = 1.0;
+    um_environment_earth_flux(environment, &globe, sample->r, sample->sun, sample->sun_distance,
+                              &nadir, 1, &varied);
+    um_environment_earth_flux(&uniform, NULL, sample->r, sample->sun, sample->sun_distance, &nadir,
+                              1, &white);
+    if (white.albedo > 0.0) albedo = varied.albedo / white.albedo;
+  }
+  now->earth_radiance =
+      albedo * um_environment_solar_irradiance(environment, sample->sun_distance) / UM_PI;
+}
 
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
@@ -41,6 +72,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.earth_reflection =
       environment->earth_reflection_on ? environment->earth_reflection_factor : 0.0;
   now.earth_varies = scene->brightness != NULL;
+  earth_before(environment, sample, &now);
   return now;
 }
 
@@ -54,10 +86,12 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_observer));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->sunlight));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_all));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_earth));
   UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
   UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
-  UM_TRY(um_core_allocate(context, (3 * nmaterial + 3) * nbin, sizeof(double), &work->bins));
+  UM_TRY(um_core_allocate(context, (4 * nmaterial + 4) * nbin, sizeof(double), &work->bins));
   UM_TRY(um_core_allocate(context, nmaterial, sizeof *work->sum, &work->sum));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->incoming));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->reflected));
@@ -68,9 +102,10 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nray, 1, &work->hidden));
   for (size_t m = 0; m <= nmaterial; m++) {
     struct um_optics_sum *sum = m < nmaterial ? &work->sum[m] : &work->single;
-    sum->emitted = work->bins + 3 * m * nbin;
+    sum->emitted = work->bins + 4 * m * nbin;
     sum->planet = sum->emitted + nbin;
     sum->masked = sum->planet + nbin;
+    sum->earthlit = sum->masked + nbin;
   }
   return UM_OK;
 }
@@ -91,10 +126,11 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   if (work == NULL || *work == NULL) return;
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
-    void *const blocks[] = {
-        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
-        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
-        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight};
+    void *const blocks[] = {w->planck,          w->emissivity, w->spectral,      w->specular,
+                            w->specular_known,  w->bins,       w->sum,           w->incoming,
+                            w->reflected,       w->band,       w->band_variance, w->ray,
+                            w->occluded,        w->hidden,     w->earth,         w->masked_sun,
+                            w->masked_observer, w->sunlight,   w->lobe_all,      w->lobe_earth};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
   }
   um_core_free(context, *work);
@@ -122,6 +158,7 @@ void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_opti
   memset(sum->emitted, 0, spectra->nbin * sizeof *sum->emitted);
   memset(sum->planet, 0, spectra->nbin * sizeof *sum->planet);
   memset(sum->masked, 0, spectra->nbin * sizeof *sum->masked);
+  memset(sum->earthlit, 0, spectra->nbin * sizeof *sum->earthlit);
 }
 
 /* M(i) M(o) of a sunlit surface. */
@@ -133,6 +170,71 @@ static void add_masked(const struct um_optics_spectra *spectra, size_t material,
   um_optics_spectra_masked(spectra, material, sight->cos_sun, work->masked_sun);
   um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
   for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
+}
+
+/* Sum over the nodes of a lobe's shares and F, per bin. */
+static void weigh(const struct um_optics_spectra *spectra, size_t material, const double *share,
+                  double *row)
+{
+  size_t n = spectra->nbin;
+  const double *fresnel = spectra->fresnel + material * UM_OPTICS_FRESNEL_NODES * n;
+  memset(row, 0, n * sizeof *row);
+  for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
+    for (size_t b = 0; b < n; b++) row[b] += share[k] * fresnel[k * n + b];
+}
+
+/* The Earth in the lobe of a surface that sees a share of it (earth_lobe_impl.h): earthshine, and
+ * for directional emitters the share of the lobe that the Earth fills, into work->lobe_earth. */
+static void add_earth_lobe(const struct um_optics_spectra *spectra,
+                           const struct um_optics_instant *instant, size_t material,
+                           const struct um_optics_sight *sight, double seen,
+                           struct um_optics_work *work, struct um_optics_sum *sum)
+{
+  const struct um_optics_earth_before before = {
+      sight->cos_observer,   sight->cos_nadir,   sight->cos_sun,  instant->observer_nadir,
+      instant->observer_sun, instant->nadir_sun, instant->h_ratio};
+  struct um_optics_earth_lobe lobe;
+  size_t n = spectra->nbin;
+  double whole = um_environment_plate_view_factor(instant->h_ratio,
+                                                  acos(fmin(fmax(sight->cos_nadir, -1.0), 1.0)));
+  double clear = whole > 0.0 ? fmin(1.0, sight->view_factor / whole) : 0.0;
+  um_optics_earth_lobe(&before, &spectra->facets[material], &lobe);
+  if (instant->earthshine > 0.0 && sight->albedo > 0.0) {
+    weigh(spectra, material, lobe.lit, work->lobe_earth);
+    for (size_t b = 0; b < n; b++) sum->earthlit[b] += seen * clear * work->lobe_earth[b];
+  }
+  if (spectra->diffuse_emitter[material]) return;
+  weigh(spectra, material, lobe.all, work->lobe_all);
+  weigh(spectra, material, lobe.earth, work->lobe_earth);
+  for (size_t b = 0; b < n; b++)
+    work->lobe_earth[b] =
+        work->lobe_all[b] > 0.0 ? clear * work->lobe_earth[b] / work->lobe_all[b] : 0.0;
+}
+
+/* Reflectance of a directional emitter for the Earth's own radiation, times the share of the Earth:
+ * the lobe is what 1 - eps leaves beside the diffuse parts, so that an Earth all round gives 1 -
+ * eps to the last digit. */
+static void add_planet(const struct um_optics_spectra *spectra,
+                       const struct um_optics_instant *instant, size_t material,
+                       const struct um_optics_sight *sight, double seen, const double *emissivity,
+                       struct um_optics_work *work, struct um_optics_sum *sum)
+{
+  size_t n = spectra->nbin;
+  const double *diffuse = spectra->diffuse + material * n;
+  const double *mean = spectra->masked_mean + material * n;
+  bool lobe = instant->earth_lobe && spectra->lobe[material];
+  if (lobe && spectra->masks[material])
+    um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
+  for (size_t b = 0; b < n; b++) {
+    double back = sight->view_factor * (1.0 - emissivity[b]);
+    if (lobe) {
+      double flat = diffuse[b] - mean[b];
+      if (spectra->masks[material]) flat += work->masked_observer[b];
+      flat = fmin(flat, 1.0 - emissivity[b]);
+      back = sight->view_factor * flat + work->lobe_earth[b] * (1.0 - emissivity[b] - flat);
+    }
+    sum->planet[b] += seen * back * (instant->earth_varies ? work->earth[b] : 1.0);
+  }
 }
 
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
@@ -160,6 +262,8 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   const double *planck = work->planck;
   double *emitted = sum->emitted, *planet = sum->planet;
   if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
+  if (instant->earth_lobe && spectra->lobe[material])
+    add_earth_lobe(spectra, instant, material, sight, seen, work, sum);
   if (spectra->diffuse_emitter[material]) {
     const double *row = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
     for (size_t b = 0; b < n && instant->earth_varies; b++)
@@ -170,11 +274,8 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   }
   const double *emissivity =
       um_optics_spectra_emissivity(spectra, material, cos_o, work->emissivity);
-  double earth = seen * sight->view_factor;
-  for (size_t b = 0; b < n; b++) {
-    emitted[b] += seen * emissivity[b] * planck[b];
-    planet[b] += earth * (1.0 - emissivity[b]) * (instant->earth_varies ? work->earth[b] : 1.0);
-  }
+  for (size_t b = 0; b < n; b++) emitted[b] += seen * emissivity[b] * planck[b];
+  add_planet(spectra, instant, material, sight, seen, emissivity, work, sum);
 }
 
 const double *um_optics_specular(const struct um_optics_spectra *spectra,
@@ -219,6 +320,7 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
     }
   }
   double albedo = instant->earthshine * sum->albedo / UM_PI;
+  double lobe = instant->earthshine * instant->earth_radiance;
   for (size_t b = 0; b < n; b++) {
     double planet = diffuse_emitter && !instant->earth_varies
                         ? (1.0 - emissivity[b]) * sum->view_factor
@@ -226,7 +328,8 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
     planet *= instant->earth_reflection;
     double earth = instant->earth_varies ? 1.0 : spectra->earth[b];
     double *to = spectral + b * UM_MECHANISM_COUNT;
-    to[UM_MECHANISM_EARTH] = diffuse[b] * spectra->share[b] * albedo + planet * earth;
+    to[UM_MECHANISM_EARTH] =
+        spectra->share[b] * (diffuse[b] * albedo + lobe * sum->earthlit[b]) + planet * earth;
     to[UM_MECHANISM_EMITTED] = (diffuse_emitter ? emissivity[b] : 1.0) * sum->emitted[b];
   }
 }

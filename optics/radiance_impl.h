@@ -16,6 +16,11 @@ struct um_optics_instant {
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
   double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
   bool earth_varies;                      /* every surface has an Earth of its own before it */
+  bool earth_lobe;                        /* lobes reflect it, where they look */
+  struct um_vec3 nadir_body;              /* unit */
+  double h_ratio;                         /* of the geocentre's distance [1] */
+  double observer_nadir, observer_sun, nadir_sun; /* cosines [1] */
+  double earth_radiance; /* of the Earth under an overhead Sun, all wavelengths [W/m^2/sr] */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
 
@@ -23,6 +28,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
 struct um_optics_sight {
   double area_seen, area_lit;             /* [m^2] */
   double cos_observer, cos_sun, cos_half; /* [1] */
+  double cos_nadir;                       /* [1] */
   double temperature;                     /* [K] */
   double albedo;                          /* incident albedo flux [W/m^2] */
   double view_factor;                     /* to the Earth [1] */
@@ -33,6 +39,7 @@ struct um_optics_sight {
 struct um_optics_sum {
   double lambert;     /* sum of area_lit cos_o cos_i [m^2] */
   double lobe;        /* sum of area_lit cos_o cos_i D G/(4 cos_i cos_o) [m^2/sr] */
+  double *earthlit;   /* [nbin] sum of area_seen cos_o times the lit Earth in the lobe [m^2] */
   double *masked;     /* [nbin] sum of area_lit cos_o cos_i M(i) M(o) [m^2] */
   double albedo;      /* sum of area_seen cos_o E_albedo [W] */
   double view_factor; /* sum of area_seen cos_o F [m^2], diffuse emitters */
@@ -46,6 +53,7 @@ struct um_optics_work {
   double *planck, *emissivity;          /* [nbin] */
   double *masked_sun, *masked_observer; /* [nbin] M toward both */
   double *earth;                        /* [nbin] the Earth before one surface, where it varies */
+  double *lobe_all, *lobe_earth;        /* [nbin] a lobe, and what of it the Earth fills */
   double *sunlight;                     /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
   double *spectral;                     /* [nbin][UM_MECHANISM_COUNT] */
   double *specular;             /* [nmaterial][nbin] F of the current instant, where known */

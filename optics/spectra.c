@@ -186,7 +186,32 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
   UM_TRY(um_core_allocate(context, n, sizeof *s->masks, &s->masks));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
-  return um_core_allocate(context, n, sizeof *s->alpha, &s->alpha);
+  UM_TRY(um_core_allocate(context, n, sizeof *s->alpha, &s->alpha));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->facets, &s->facets));
+  UM_TRY(um_core_allocate(context, n * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS, sizeof *s->half,
+                          &s->half));
+  return um_core_allocate(context, n * UM_OPTICS_FRESNEL_NODES * s->nbin, sizeof *s->fresnel,
+                          &s->fresnel);
+}
+
+/* The lobe of a material: its facets, and F at the nodes of their cosines. */
+static void lobe_fill(const struct um_context *context, const struct um_materials_record *record,
+                      const struct um_materials_adjustment *adjustment, size_t m,
+                      struct um_optics_spectra *s)
+{
+  s->lobe[m] = um_materials_has_lobe(record);
+  s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
+  if (!s->lobe[m]) return;
+  s->facets[m] =
+      (struct um_optics_lobe_facets){s->alpha[m], UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS,
+                                     s->half + m * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS};
+  um_optics_lobe_facets_fill(&s->facets[m]);
+  double *fresnel = s->fresnel + m * UM_OPTICS_FRESNEL_NODES * s->nbin;
+#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
+  for (size_t b = 0; b < s->nbin; b++)
+    for (int k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
+      fresnel[(size_t)k * s->nbin + b] = um_materials_specular_reflectance(
+          record, adjustment, s->wavelength[b], um_optics_fresnel_node(k));
 }
 
 static enum um_status materials_check(struct um_context *context,
@@ -207,8 +232,7 @@ void um_optics_spectra_materials(const struct um_context *context,
     const struct um_materials_record *record = scene->material[m];
     const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, m);
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
-    s->lobe[m] = um_materials_has_lobe(record);
-    s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
+    lobe_fill(context, record, adjustment, m, s);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
     s->masks[m] = s->lobe[m] && !um_materials_is_grey(record);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
@@ -240,6 +264,9 @@ enum um_status um_optics_spectra_share(struct um_context *context,
   *to = *from;
   to->diffuse = to->emissivity = to->alpha = to->masked = to->masked_mean = NULL;
   to->diffuse_emitter = to->lobe = to->masks = NULL;
+  to->facets = NULL;
+  to->half = NULL;
+  to->fresnel = NULL;
   return materials_allocate(context, to);
 }
 
@@ -247,7 +274,8 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
 {
   void *const blocks[] = {shared->diffuse,     shared->emissivity, shared->diffuse_emitter,
                           shared->lobe,        shared->alpha,      shared->masked,
-                          shared->masked_mean, shared->masks};
+                          shared->masked_mean, shared->masks,      shared->facets,
+                          shared->half,        shared->fresnel};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -313,7 +341,8 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   void *const blocks[] = {
       s->wavelength, s->width, s->from,   s->to,          s->band,       s->first,
       s->sun,        s->share, s->earth,  s->diffuse,     s->emissivity, s->diffuse_emitter,
-      s->lobe,       s->alpha, s->masked, s->masked_mean, s->masks,      s->planck};
+      s->lobe,       s->alpha, s->masked, s->masked_mean, s->masks,      s->planck,
+      s->facets,     s->half,  s->fresnel};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -3,6 +3,7 @@
 #ifndef UMBRA_OPTICS_SPECTRA_IMPL_H
 #define UMBRA_OPTICS_SPECTRA_IMPL_H
 
+#include "optics/earth_lobe_impl.h"
 #include "optics/optics.h"
 
 /* Nodes of the emissivity tables, uniform in the square root of the cosine, like those of records.
@@ -34,6 +35,9 @@ struct um_optics_spectra {
   bool *masks;                /* [nmaterial] M is not 0 */
   bool *lobe;                 /* [nmaterial] */
   double *alpha;              /* [nmaterial] Beckmann roughness [1] */
+  struct um_optics_lobe_facets *facets; /* [nmaterial] of the lobe */
+  struct um_vec3 *half;                 /* [nmaterial][rings][cells] behind facets */
+  double *fresnel; /* [nmaterial][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */
   struct um_optics_planck *planck; /* [nband] */
 };
 

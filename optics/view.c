@@ -46,6 +46,7 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_observer, &view->cos_observer));
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_sun, &view->cos_sun));
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_half, &view->cos_half));
+  UM_TRY(um_core_allocate(context, all, sizeof *view->cos_nadir, &view->cos_nadir));
   UM_TRY(um_core_allocate(context, n, sizeof *view->area, &view->area));
   UM_TRY(um_core_allocate(context, n, sizeof *view->material, &view->material));
   UM_TRY(um_core_allocate(context, n, sizeof *view->part, &view->part));
@@ -57,6 +58,13 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
   return UM_OK;
 }
 
+struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample)
+{
+  double r = um_vec3_norm(sample->r);
+  if (!(r > 0.0)) return um_vec3(0.0, 0.0, 0.0);
+  return um_quat_apply(sample->q, um_vec3_scale(sample->r, -1.0 / r));
+}
+
 /* scratch [4][nsurface] */
 static void trace_time(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
                        const struct um_environment_sample *sample, int nsample, double *scratch,
@@ -66,6 +74,7 @@ static void trace_time(const struct um_geometry_mesh *mesh, const struct um_opti
   struct um_vec3 o = um_quat_apply(sample->q, sample->to_observer);
   struct um_vec3 s = um_quat_apply(sample->q, sample->sun);
   struct um_vec3 half = um_vec3_add(o, s);
+  struct um_vec3 nadir = um_optics_nadir(sample);
   double length = um_vec3_norm(half);
   half = um_vec3_scale(half, length > 1e-9 ? 1.0 / length : 0.0);
   double *seen = scratch, *lit = seen + n, *seen_error = lit + n, *lit_error = seen_error + n;
@@ -82,6 +91,7 @@ static void trace_time(const struct um_geometry_mesh *mesh, const struct um_opti
     view->cos_observer[at] = (float)um_vec3_dot(normal, o);
     view->cos_sun[at] = (float)um_vec3_dot(normal, s);
     view->cos_half[at] = um_vec3_dot(normal, half);
+    view->cos_nadir[at] = (float)um_vec3_dot(normal, nadir);
   }
 }
 
@@ -139,8 +149,9 @@ void um_optics_view_destroy(struct um_context *context, struct um_optics_view **
 {
   if (view == NULL || *view == NULL) return;
   struct um_optics_view *v = *view;
-  void *const blocks[] = {v->seen,    v->lit,      v->seen_error, v->lit_error, v->cos_observer,
-                          v->cos_sun, v->cos_half, v->area,       v->material,  v->part};
+  void *const blocks[] = {v->seen,         v->lit,     v->seen_error, v->lit_error,
+                          v->cos_observer, v->cos_sun, v->cos_half,   v->area,
+                          v->material,     v->part,    v->cos_nadir};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, v);
   *view = NULL;

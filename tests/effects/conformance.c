@@ -28,6 +28,7 @@ static const struct entry cases[] = {
     {"earth_ir", NULL, 0.0, "bus", "a switch"},
     {"earthshine", NULL, 0.0, "bus", "a switch"},
     {"reflected_earth_ir", NULL, 0.0, "bus", "a switch"},
+    {"earthlight_lobe", NULL, 0.0, "bus", "a switch"},
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
     {"shadow_refraction", NULL, 0.0, "bus", "a switch"},
