@@ -249,7 +249,6 @@ static enum um_status grid_make(struct um_context *context, const struct um_mode
     if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
     for (int k = 1; k < PENUMBRA_POINTS; k++)
       grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
-    if (!model->environment.shadow_refraction_on) continue;
     n = air_rows(&precomputed->event[i], gap, end, grid, n);
     n = air_rows(&precomputed->event[i + 1], gap, end, grid, n);
   }

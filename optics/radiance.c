@@ -24,13 +24,15 @@
 #include "materials/bsdf.h"
 #include "optics/stage_impl.h"
 
+#define ALL_OF_IT (1.0 - 1e-9) /* view factor of a surface that sees nothing but the Earth */
+
 /* Where the Earth stands, and how bright it is, for lobes that look at it. Where it varies it has
  * the albedo of what lights a plate that faces it. */
 static void earth_before(const struct um_environment *environment,
                          const struct um_environment_sample *sample, struct um_optics_instant *now)
 {
   double r = um_vec3_norm(sample->r), albedo = environment->albedo;
-  now->earth_lobe = environment->earthlight_lobe_on && r > environment->earth_radius;
+  now->earth_lobe = environment->earthlight_lobe_on && r >= environment->earth_radius;
   if (!now->earth_lobe) return;
   now->nadir_body = um_optics_nadir(sample);
   now->h_ratio = r / environment->earth_radius;
@@ -205,7 +207,8 @@ static void add_earth_lobe(const struct um_optics_spectra *spectra,
   }
   if (spectra->diffuse_emitter[material]) return;
   weigh(spectra, material, lobe.all, work->lobe_all);
-  weigh(spectra, material, lobe.earth, work->lobe_earth);
+  /* before the whole of what the surface sees the edge of the Earth is its own horizon */
+  weigh(spectra, material, whole < ALL_OF_IT ? lobe.earth : lobe.all, work->lobe_earth);
   for (size_t b = 0; b < n; b++)
     work->lobe_earth[b] =
         work->lobe_all[b] > 0.0 ? clear * work->lobe_earth[b] / work->lobe_all[b] : 0.0;

@@ -56,6 +56,8 @@ static void no_reflection(struct um_environment *e) { e->earth_reflection_on = f
 static void no_penumbra(struct um_environment *e) { e->disc = UM_DISC_POINT; }
 static void no_oblateness(struct um_environment *e) { e->shadow = UM_SHADOW_SPHERE; }
 
+static void no_refraction(struct um_environment *e) { e->shadow_refraction_on = false; }
+static void no_lobe(struct um_environment *e) { e->earthlight_lobe_on = false; }
 static void no_mutual(struct um_environment *e) { e->mutual_radiation_on = false; }
 static void no_solar_reflection(struct um_environment *e) { e->solar_reflection_on = false; }
 
@@ -68,6 +70,8 @@ static void switches_change_one_field(void **state)
   check_switch("reflected_earth_ir", no_reflection);
   check_switch("penumbra", no_penumbra);
   check_switch("oblateness", no_oblateness);
+  check_switch("shadow_refraction", no_refraction);
+  check_switch("earthlight_lobe", no_lobe);
   check_switch("mutual_radiation", no_mutual);
   check_switch("solar_multiple_reflection", no_solar_reflection);
 }

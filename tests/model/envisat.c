@@ -118,25 +118,25 @@ static void light_returns_behind_a_sphere(void **state)
   um_model_destroy(pass->context, &sphere.model);
 }
 
-/* The point of the program: in the umbra VIS has no sunlight at all, LWIR glows on. */
+/* The point of the program: in the umbra VIS has no sunlight, but what the Earth's air bends into
+ * its edge and less than a thousandth of full light; LWIR glows on. */
 static void umbra_is_dark_in_vis_alone(void **state)
 {
   struct pass *pass = *state;
   size_t vis = um_model_band_find(pass->model, "vis");
   size_t lwir = um_model_band_find(pass->model, "lwir");
-  size_t umbra = 0, lit = 0;
+  size_t umbra = 0, dark = 0, lit = 0;
   for (size_t k = 0; k < pass->precomputed->nobs; k++) {
     double sun = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_SUN);
-    if (pass->precomputed->sunlit[k] > 0.0) {
-      lit += sun > 0.0;
-    } else {
-      assert_true(sun == 0.0);
-      umbra++;
-    }
+    lit += sun > 0.0;
+    dark += sun == 0.0 && pass->precomputed->sunlit[k] == 0.0;
+    umbra += pass->precomputed->sunlit[k] < 1e-3;
+    assert_true((sun > 0.0) <= (pass->precomputed->sunlit[k] > 0.0));
     assert_true(um_model_result_intensity(pass->result, k, lwir, UM_MECHANISM_EMITTED) > 100.0);
   }
-  assert_true(umbra >= 34 &&
-              lit >= 30); /* 350 s and 430 s at 10 s; some instants show no lit face */
+  print_message("%zu instants dark, %zu below 1e-3 of sunlight, %zu lit\n", dark, umbra, lit);
+  /* 350 s and 430 s at 10 s, 20 s of refracted light between; some instants show no lit face */
+  assert_true(dark >= 31 && umbra >= 33 && lit >= 30);
 }
 
 /* Spectra, mechanisms and materials are three cuts of one intensity. */

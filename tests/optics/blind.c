@@ -158,6 +158,7 @@ static void run_set(struct fixture *f, const struct set *set)
   f->environment.brightness_temperature = 270.0;
   f->environment.shadow = UM_SHADOW_OBLATE;
   f->environment.disc = UM_DISC_UNIFORM;
+  f->environment.earthlight_lobe_on = false; /* the reference reflects the Earth diffusely */
   fixture_scene(f, &set->part, 1, um_core_csv_rows(csv));
   fill_samples(f, set, csv);
   fill_loads(f, set, csv);

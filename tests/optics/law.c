@@ -174,6 +174,8 @@ static void test_isothermal(void **state)
     for (size_t t = 0; t < COUNT; t++) {
       double angle = 5.0 * UM_DEG * ((double)t + 0.1);
       f.samples[t].to_observer = um_vec3(sin(angle), 0.0, cos(angle));
+      /* on the ground, looking down */
+      f.samples[t].r = um_vec3(0.0, 0.0, -f.environment.earth_radius * (1.0 + 1e-15));
     }
     fixture_run(&f, 1, &fixture_lwir, 1);
     double worst = 0.0;
