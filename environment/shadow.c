@@ -25,7 +25,6 @@
 #include "environment/environment.h"
 #include "environment/quadrature_impl.h"
 #include "environment/shadow_impl.h"
-#include "environment/shadow_light.h"
 
 /* Earth and Sun as seen from one point; lengths in units of the shadow radius. */
 struct limb {
@@ -193,14 +192,6 @@ double um_environment_airless_fraction(const struct um_environment *environment,
   if (limb.edge < 3.0 * a) return fraction_plane(a, limb.edge, limb.sun);
   bool darkened = environment->disc == UM_DISC_LIMB_DARKENED;
   return fraction_cut(&limb, sun, pole, a, darkened ? environment->limb_darkening : 0.0);
-}
-
-double um_environment_sunlit_fraction(const struct um_environment *environment, struct um_vec3 r,
-                                      struct um_vec3 sun, double distance, struct um_vec3 pole)
-{
-  struct um_environment_shadow_light light;
-  um_environment_shadow_light(environment, r, sun, distance, pole, &light);
-  return um_environment_shadow_light_mean(environment->limb, &light);
 }
 
 double um_environment_limb_angle(const struct um_environment *environment, struct um_vec3 r,

@@ -192,3 +192,11 @@ double um_environment_shadow_light_mean(const struct um_environment_limb *limb,
   for (int k = 0; k < UM_LIMB_BANDS; k++) sum += limb->share[k] * through(light, limb->depth[k]);
   return sum;
 }
+
+double um_environment_sunlit_fraction(const struct um_environment *environment, struct um_vec3 r,
+                                      struct um_vec3 sun, double distance, struct um_vec3 pole)
+{
+  struct um_environment_shadow_light light;
+  um_environment_shadow_light(environment, r, sun, distance, pole, &light);
+  return um_environment_shadow_light_mean(environment->limb, &light);
+}

@@ -22,38 +22,6 @@
 #include "core/constants.h"
 #include "environment/shadow_light.h"
 #include "materials/bsdf.h"
-#include "optics/stage_impl.h"
-
-#define ALL_OF_IT (1.0 - 1e-9) /* view factor of a surface that sees nothing but the Earth */
-
-/* Where the Earth stands, and how bright it is, for lobes that look at it. Where it varies it has
- * the albedo of what lights a plate that faces it. */
-static void earth_before(const struct um_environment *environment,
-                         const struct um_environment_sample *sample, struct um_optics_instant *now)
-{
-  double r = um_vec3_norm(sample->r), albedo = environment->albedo;
-  now->earth_lobe = environment->earthlight_lobe_on && r >= environment->earth_radius;
-  if (!now->earth_lobe) return;
-  now->nadir_body = um_optics_nadir(sample);
-  now->h_ratio = r / environment->earth_radius;
-  now->observer_nadir = um_vec3_dot(now->observer_body, now->nadir_body);
-  now->observer_sun = um_vec3_dot(now->observer_body, now->sun_body);
-  now->nadir_sun = um_vec3_dot(now->nadir_body, now->sun_body);
-  if (now->earth_varies) {
-    struct um_environment uniform = *environment;
-    struct um_environment_globe globe = {sample->t_tai, sample->pole, sample->greenwich};
-    struct um_environment_earth_flux varied, white;
-    struct um_vec3 nadir = um_vec3_scale(sample->r, -1.0 / r);
-    uniform.albedo = 1.0;
-    um_environment_earth_flux(environment, &globe, sample->r, sample->sun, sample->sun_distance,
-                              &nadir, 1, &varied);
-    um_environment_earth_flux(&uniform, NULL, sample->r, sample->sun, sample->sun_distance, &nadir,
-                              1, &white);
-    if (white.albedo > 0.0) albedo = varied.albedo / white.albedo;
-  }
-  now->earth_radiance =
-      albedo * um_environment_solar_irradiance(environment, sample->sun_distance) / UM_PI;
-}
 
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
@@ -74,7 +42,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.earth_reflection =
       environment->earth_reflection_on ? environment->earth_reflection_factor : 0.0;
   now.earth_varies = scene->brightness != NULL;
-  earth_before(environment, sample, &now);
+  um_optics_instant_earth(environment, sample, &now);
   return now;
 }
 
@@ -174,72 +142,6 @@ static void add_masked(const struct um_optics_spectra *spectra, size_t material,
   for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
 }
 
-/* Sum over the nodes of a lobe's shares and F, per bin. */
-static void weigh(const struct um_optics_spectra *spectra, size_t material, const double *share,
-                  double *row)
-{
-  size_t n = spectra->nbin;
-  const double *fresnel = spectra->fresnel + material * UM_OPTICS_FRESNEL_NODES * n;
-  memset(row, 0, n * sizeof *row);
-  for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
-    for (size_t b = 0; b < n; b++) row[b] += share[k] * fresnel[k * n + b];
-}
-
-/* The Earth in the lobe of a surface that sees a share of it (earth_lobe_impl.h): earthshine, and
- * for directional emitters the share of the lobe that the Earth fills, into work->lobe_earth. */
-static void add_earth_lobe(const struct um_optics_spectra *spectra,
-                           const struct um_optics_instant *instant, size_t material,
-                           const struct um_optics_sight *sight, double seen,
-                           struct um_optics_work *work, struct um_optics_sum *sum)
-{
-  const struct um_optics_earth_before before = {
-      sight->cos_observer,   sight->cos_nadir,   sight->cos_sun,  instant->observer_nadir,
-      instant->observer_sun, instant->nadir_sun, instant->h_ratio};
-  struct um_optics_earth_lobe lobe;
-  size_t n = spectra->nbin;
-  double whole = um_environment_plate_view_factor(instant->h_ratio,
-                                                  acos(fmin(fmax(sight->cos_nadir, -1.0), 1.0)));
-  double clear = whole > 0.0 ? fmin(1.0, sight->view_factor / whole) : 0.0;
-  um_optics_earth_lobe(&before, &spectra->facets[material], &lobe);
-  if (instant->earthshine > 0.0 && sight->albedo > 0.0) {
-    weigh(spectra, material, lobe.lit, work->lobe_earth);
-    for (size_t b = 0; b < n; b++) sum->earthlit[b] += seen * clear * work->lobe_earth[b];
-  }
-  if (spectra->diffuse_emitter[material]) return;
-  weigh(spectra, material, lobe.all, work->lobe_all);
-  /* before the whole of what the surface sees the edge of the Earth is its own horizon */
-  weigh(spectra, material, whole < ALL_OF_IT ? lobe.earth : lobe.all, work->lobe_earth);
-  for (size_t b = 0; b < n; b++)
-    work->lobe_earth[b] =
-        work->lobe_all[b] > 0.0 ? clear * work->lobe_earth[b] / work->lobe_all[b] : 0.0;
-}
-
-/* Reflectance of a directional emitter for the Earth's own radiation, times the share of the Earth:
- * the lobe is what 1 - eps leaves beside the diffuse parts, so that an Earth all round gives 1 -
- * eps to the last digit. */
-static void add_planet(const struct um_optics_spectra *spectra,
-                       const struct um_optics_instant *instant, size_t material,
-                       const struct um_optics_sight *sight, double seen, const double *emissivity,
-                       struct um_optics_work *work, struct um_optics_sum *sum)
-{
-  size_t n = spectra->nbin;
-  const double *diffuse = spectra->diffuse + material * n;
-  const double *mean = spectra->masked_mean + material * n;
-  bool lobe = instant->earth_lobe && spectra->lobe[material];
-  if (lobe && spectra->masks[material])
-    um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
-  for (size_t b = 0; b < n; b++) {
-    double back = sight->view_factor * (1.0 - emissivity[b]);
-    if (lobe) {
-      double flat = diffuse[b] - mean[b];
-      if (spectra->masks[material]) flat += work->masked_observer[b];
-      flat = fmin(flat, 1.0 - emissivity[b]);
-      back = sight->view_factor * flat + work->lobe_earth[b] * (1.0 - emissivity[b] - flat);
-    }
-    sum->planet[b] += seen * back * (instant->earth_varies ? work->earth[b] : 1.0);
-  }
-}
-
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
                        const struct um_optics_instant *instant, size_t material,
                        const struct um_optics_sight *sight, struct um_optics_work *work,
@@ -266,7 +168,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   double *emitted = sum->emitted, *planet = sum->planet;
   if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
   if (instant->earth_lobe && spectra->lobe[material])
-    add_earth_lobe(spectra, instant, material, sight, seen, work, sum);
+    um_optics_add_earth_lobe(spectra, instant, material, sight, seen, work, sum);
   if (spectra->diffuse_emitter[material]) {
     const double *row = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
     for (size_t b = 0; b < n && instant->earth_varies; b++)
@@ -278,7 +180,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   const double *emissivity =
       um_optics_spectra_emissivity(spectra, material, cos_o, work->emissivity);
   for (size_t b = 0; b < n; b++) emitted[b] += seen * emissivity[b] * planck[b];
-  add_planet(spectra, instant, material, sight, seen, emissivity, work, sum);
+  um_optics_add_planet(spectra, instant, material, sight, seen, emissivity, work, sum);
 }
 
 const double *um_optics_specular(const struct um_optics_spectra *spectra,

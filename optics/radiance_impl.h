@@ -78,6 +78,27 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
 void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                      const struct um_optics_instant *instant, struct um_optics_work *work);
 
+/* Where the Earth stands at an instant, and how bright it is, for lobes that look at it. Where it
+ * varies it has the albedo of what lights a plate that faces it. */
+void um_optics_instant_earth(const struct um_environment *environment,
+                             const struct um_environment_sample *sample,
+                             struct um_optics_instant *now);
+/* The Earth in the lobe of a surface that sees a share of it (earth_lobe_impl.h): earthshine into
+ * the sum, and for directional emitters the share of the lobe that the Earth fills into
+ * work->lobe_earth. seen: area_seen cos_o [m^2]. */
+void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
+                              const struct um_optics_instant *instant, size_t material,
+                              const struct um_optics_sight *sight, double seen,
+                              struct um_optics_work *work, struct um_optics_sum *sum);
+/* The Earth's own radiation reflected by a directional emitter: the lobe is what 1 - eps leaves
+ * beside the diffuse parts, so that an Earth all round gives 1 - eps to the last digit. Behind
+ * um_optics_add_earth_lobe. */
+void um_optics_add_planet(const struct um_optics_spectra *spectra,
+                          const struct um_optics_instant *instant, size_t material,
+                          const struct um_optics_sight *sight, double seen,
+                          const double *emissivity, struct um_optics_work *work,
+                          struct um_optics_sum *sum);
+
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum);
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
                        const struct um_optics_instant *instant, size_t material,
