@@ -231,7 +231,7 @@ static void periodic_figures(struct bench *bench, const struct satellite *s, dou
   double began = bench_cpu();
   enum um_status status =
       um_thermal_solve_periodic_report(bench->context, s->body->network, s->loads, &options, 0.0,
-                                       s->period, DISTANCE, t, NULL, &report);
+                                       s->period, DISTANCE, t, NULL, NULL, &report);
   double time = bench_cpu() - began;
   um_core_free(bench->context, t);
   bool found = status == UM_OK;

@@ -68,10 +68,15 @@ enum um_status um_model_balance_steady(struct um_context *context, const struct 
                                        double *temperature)
 {
   struct um_model_heat_setting setting = {0};
-  enum um_status status = um_model_heat_setting_make(context, model, precomputed, &setting);
-  if (status == UM_OK)
-    status = um_thermal_solve_steady(context, model->body->network, precomputed->loads,
-                                     first_row(precomputed), &setting.options, temperature);
+  enum um_status status = um_model_heat_setting_make(context, model, precomputed, NULL, &setting);
+  double change = status == UM_OK ? INFINITY : 0.0;
+  for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
+    UM_CHECK(um_thermal_solve_steady(context, model->body->network, precomputed->loads,
+                                     first_row(precomputed), &setting.options, temperature));
+    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature, round, &setting,
+                                         &change));
+  }
+done:
   um_model_heat_setting_clear(context, &setting);
   return status;
 }
@@ -91,7 +96,7 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT,
                         "analysis orbit_mean: no whole orbit is computed; accepted: an orbit, and "
                         "thermal.start: periodic or thermal.orbits_before: 1");
-  UM_CHECK(um_model_heat_setting_make(context, model, precomputed, &setting));
+  UM_CHECK(um_model_heat_setting_make(context, model, precomputed, NULL, &setting));
   UM_CHECK(um_core_allocate(context, n, sizeof *power, &power));
   UM_CHECK(um_core_allocate(context, n, sizeof *mean, &mean));
   for (uint32_t i = 0; i < n; i++) {
@@ -100,7 +105,13 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
   }
   UM_CHECK(average(context, network, &setting.options, loads, from, period, temperature, mean));
   for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, mean[i]);
-  status = um_thermal_solve_steady(context, network, NULL, 0, &setting.options, temperature);
+  double change = INFINITY;
+  for (int round = 1; status == UM_OK && change > UM_MODEL_SAME_EMITTANCE; round++) {
+    status = um_thermal_solve_steady(context, network, NULL, 0, &setting.options, temperature);
+    if (status == UM_OK)
+      status = um_model_heat_setting_renew(context, model, precomputed, temperature, round,
+                                           &setting, &change);
+  }
   for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, power[i]);
 done:
   um_core_free(context, power);

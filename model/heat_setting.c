@@ -4,6 +4,8 @@
 #include "model/tolerances.h"
 #include "thermal/solve.h"
 
+#define ROUNDS 10 /* of a start and its exchange, each of which leaves a tenth or less */
+
 struct um_thermal_solve_options um_model_heat_options(const struct um_model *model)
 {
   struct um_thermal_solve_options options;
@@ -24,6 +26,7 @@ struct um_thermal_exchange_options um_model_exchange_options(const struct um_mod
 
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
                                           const struct um_model_precomputed *precomputed,
+                                          const struct um_thermal_exchange *like,
                                           struct um_model_heat_setting *out)
 {
   struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
@@ -31,11 +34,28 @@ enum um_status um_model_heat_setting_make(struct um_context *context, const stru
   if (!precomputed->points)
     UM_TRY(um_model_aging_create(context, model, precomputed->loads, &out->aging));
   if (out->aging != NULL) out->options.aging = &out->aging->table;
+  exchange.aging = out->options.aging;
+  exchange.like = like;
   if (precomputed->view_factors == NULL) return UM_OK;
   UM_TRY(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
                                     precomputed->view_factors, &exchange, &out->exchange));
   out->options.exchange = out->exchange;
   return UM_OK;
+}
+
+enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_precomputed *precomputed,
+                                           const double *temperature, int round,
+                                           struct um_model_heat_setting *setting, double *change)
+{
+  UM_TRY(um_thermal_exchange_renew(context, model->body->network, precomputed->view_factors,
+                                   setting->options.aging, temperature, UM_MODEL_SAME_EMITTANCE,
+                                   setting->exchange, change));
+  if (*change <= UM_MODEL_SAME_EMITTANCE || round < ROUNDS) return UM_OK;
+  return um_core_fail(context, UM_ERR_NUMERIC,
+                      "emittances of surfaces that see each other do not settle with their "
+                      "temperatures: after %d starts one moves by %.2g of 1; accepted: %.2g",
+                      round, *change, UM_MODEL_SAME_EMITTANCE);
 }
 
 void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting)

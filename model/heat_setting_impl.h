@@ -14,11 +14,24 @@ struct um_model_heat_setting {
   struct um_model_aging *aging;         /* behind options.aging; NULL: nothing ages */
   struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces */
 };
-/* With the optics that the model has. Model and geometry precomputation outlive it; cleared by the
- * caller, after a failure too. */
+/* With the optics that the model has. like: exchange of a model with the same surfaces, whose
+ * temperatures the exchange begins with, or NULL. Model and geometry precomputation outlive it;
+ * cleared by the caller, after a failure too. */
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
                                           const struct um_model_precomputed *precomputed,
+                                          const struct um_thermal_exchange *like,
                                           struct um_model_heat_setting *out);
+/* Emittances of an exchange that are the same [1]: a surface that receives nothing else is then
+ * within 40 mK at 300 K. */
+#define UM_MODEL_SAME_EMITTANCE 5e-4
+/* The exchange for nodes at temperature[nnode] [K] (um_thermal_exchange_renew). *change: of an
+ * emittance, largest [1]; above UM_MODEL_SAME_EMITTANCE the exchange is another, and what was
+ * solved with it is to be solved again. round: how often that was asked; UM_ERR_NUMERIC beyond a
+ * few. */
+enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_precomputed *precomputed,
+                                           const double *temperature, int round,
+                                           struct um_model_heat_setting *setting, double *change);
 void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting);
 
 /* Tolerances and switches alone. */

@@ -10,9 +10,12 @@
  *
  * with a symmetric B. Of emission e = eps sigma T^4, eps_p B_pq eps_q sigma T_q^4 is absorbed: the
  * radiative conductances of Gebhart (1961) and Hottel's total exchange areas. Where the emittance
- * goes with temperature, or surfaces age, what is emitted does; what is absorbed of it and
- * reflected is taken with the numbers of the network. A patch emits with the mean of T^4 over its
- * area and receives evenly. (A specular share would add exchange areas of mirrored paths to S.) */
+ * goes with temperature, or surfaces age, what is emitted does at every instant; what is absorbed
+ * of it and reflected is taken with one number a patch, as the network states it or, once
+ * temperatures are known, at the temperature of what arrives (um_thermal_exchange_renew). The
+ * Earth's infrared is absorbed and reflected with what laws say of its spectrum. A patch emits with
+ * the mean of T^4 over its area and receives evenly. (A specular share would add exchange areas of
+ * mirrored paths to S.) */
 #ifndef UMBRA_THERMAL_EXCHANGE_H
 #define UMBRA_THERMAL_EXCHANGE_H
 
@@ -22,9 +25,17 @@
 
 struct um_thermal_exchange;
 
+struct um_thermal_aging;
+
 struct um_thermal_exchange_options {
   bool infrared; /* emission between surfaces, and infrared of the Earth that they reflect */
   bool solar;    /* sunlight, direct and from the Earth, that they reflect to each other */
+  /* surfaces that age, borrowed, NULL: none. What patches absorb of each other, and reflect twice
+   * or more, is taken at its first row, what they reflect first of a load at the row of that load.
+   */
+  const struct um_thermal_aging *aging;
+  const struct um_thermal_exchange *like; /* take the temperatures of the last renewal from there,
+                                             borrowed, same patches; NULL: optics as stated */
 };
 
 /* Exchange of a network whose surfaces are those of the table, with the optics that they have now;
@@ -40,6 +51,23 @@ enum um_status um_thermal_exchange_create(struct um_context *context,
                                           const struct um_thermal_exchange_options *options,
                                           struct um_thermal_exchange **out);
 void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_exchange **exchange);
+
+/* The same with the nodes at temperature[nnode] [K], view factors and reflected loads kept: what a
+ * patch absorbs and reflects of others is then its emittance at the temperature of what arrives,
+ *
+ *   T_p,in^4 = sum_q (eps B eps)_pq T_q^4 / sum_q (eps B eps)_pq,
+ *
+ * one number a patch, so that B stays symmetric and a room of one temperature is in balance. What
+ * is emitted goes with the emitter's own temperature anyhow. *change: largest relative change of an
+ * emittance [1]; nothing is remade where it does not exceed `tolerance`. exchange NULL or without
+ * infrared: nothing to do. table, network, aging as at its creation. UM_ERR_NUMERIC as there,
+ * UM_ERR_MEMORY: the exchange is then only to be destroyed. */
+enum um_status um_thermal_exchange_renew(struct um_context *context,
+                                         const struct um_thermal_network *network,
+                                         const struct um_geometry_view_factor_table *table,
+                                         const struct um_thermal_aging *aging,
+                                         const double *temperature, double tolerance,
+                                         struct um_thermal_exchange *exchange, double *change);
 
 /* Total exchange area eps_p B_pq eps_q between patches in a pose of the table [m^2]; NaN where
  * infrared is off. */

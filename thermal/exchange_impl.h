@@ -23,9 +23,12 @@ struct um_thermal_between {
 
 struct um_thermal_exchange {
   size_t nsurface, npatch, npose;
-  size_t noutside;                    /* patches of the outside; those of rooms follow */
-  uint32_t *patch;                    /* [nsurface] or UM_THERMAL_NO_PATCH */
-  double *area;                       /* [npatch] [m^2] */
+  size_t noutside;   /* patches of the outside; those of rooms follow */
+  uint32_t *patch;   /* [nsurface] or UM_THERMAL_NO_PATCH */
+  double *area;      /* [npatch] [m^2] */
+  double *emittance; /* [nsurface] that `between` is made with; 0 where not attached [1] */
+  double *arriving;  /* [nsurface] temperature that these are taken at: of what arrives, where
+                        nothing does the surface's own [K]; NULL: they are as stated */
   struct um_thermal_between *between; /* [npose + 1]: of the outside in each pose, then of all
                                          rooms; NULL: infrared is off */
   struct um_thermal_between *strong;  /* [npose + 1] the larger ones, for Newton's matrix */
@@ -51,6 +54,14 @@ void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
                                const struct um_thermal_mix *mix, int threads, const double *x,
                                double *heat);
+/* arriving[nsurface] [K]: the fourth power is the mean of what a surface's patch receives of the
+ * satellite's own infrared, by total exchange area, reflections and itself included, nodes at
+ * temperature[nnode]; over the poses. The surface's own where nothing is received. UM_ERR_MEMORY.
+ */
+enum um_status um_thermal_exchange_arriving(struct um_context *context,
+                                            const struct um_thermal_exchange *exchange,
+                                            const struct um_thermal_network *network,
+                                            const double *temperature, double *arriving);
 /* A reflected load on surface s at a row; 0 without. table: a member of `reflected`. */
 static inline double um_thermal_reflected_at(const struct um_thermal_exchange *exchange,
                                              const double *table, size_t row, size_t s)

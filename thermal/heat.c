@@ -5,6 +5,7 @@
 #include "core/constants.h"
 #include "thermal/load_row_impl.h"
 #include "thermal/solve.h"
+#include "thermal/surface_aging_impl.h"
 #include "thermal/system_impl.h"
 
 /* u times the emission to space at a row. */
@@ -98,15 +99,32 @@ static void links_add(const struct um_thermal_network *network, const double *te
   }
 }
 
+/* Emittance of a surface without its law at t over that of the exchange. */
+static double emittance_ratio(const struct um_thermal_network *network,
+                              const struct um_irradiation_loads *loads,
+                              const struct um_thermal_solve_options *options, double t, size_t s)
+{
+  const struct um_thermal_surface *surface = &network->surface[s];
+  double made = options->exchange->emittance[s];
+  if (!(made > 0.0)) return 0.0;
+  if (loads == NULL || options->aging == NULL || surface->inside) return surface->emittance / made;
+  struct um_thermal_load_interval at = um_thermal_load_interval_find(loads, t);
+  double aged = (1.0 - at.u) * um_thermal_aged_emittance(options->aging, at.low, s) +
+                at.u * um_thermal_aged_emittance(options->aging, at.high, s);
+  return surface->emittance * aged / made;
+}
+
 /* What patches receive of each other, and what of their emission is received: that is exchanged,
  * and not lost to space as surfaces_add has it. */
 static enum um_status exchange_add(struct um_context *context,
                                    const struct um_thermal_network *network,
-                                   const struct um_thermal_exchange *x, double t,
+                                   const struct um_irradiation_loads *loads,
+                                   const struct um_thermal_solve_options *options, double t,
                                    const double *temperature, double space4,
                                    struct um_thermal_heat *out)
 {
   enum um_status status;
+  const struct um_thermal_exchange *x = options->exchange;
   struct um_thermal_mix mix;
   double *work = NULL;
   size_t n = x->npatch;
@@ -119,11 +137,14 @@ static enum um_status exchange_add(struct um_context *context,
     for (size_t s = 0; s < network->nsurface; s++) {
       const struct um_thermal_surface *surface = &network->surface[s];
       uint32_t p = x->patch[s];
+      double ratio = p != UM_THERMAL_NO_PATCH && network->attached[s]
+                         ? emittance_ratio(network, loads, options, t, s)
+                         : 0.0;
       for (int c = 0; c < 3 && network->attached[s] && p != UM_THERMAL_NO_PATCH; c++) {
         uint32_t node = surface->node[c];
         if (node == UM_THERMAL_SPACE) continue;
         double share = surface->weight[c] * surface->area / x->area[p];
-        double slope, own = pow(temperature[node], 4) - space4;
+        double slope, own = ratio * (pow(temperature[node], 4) - space4);
         own *= um_thermal_surface_law_emittance(surface->law, temperature[node], &slope);
         if (pass == 0) {
           power4[p] += share * own;
@@ -176,7 +197,7 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
   links_add(network, temperature, space4, out);
   UM_TRY(surfaces_add(context, network, loads, options, t, temperature, space4, out));
   if (options->exchange != NULL && options->exchange->between != NULL)
-    UM_TRY(exchange_add(context, network, options->exchange, t, temperature, space4, out));
+    UM_TRY(exchange_add(context, network, loads, options, t, temperature, space4, out));
   for (size_t i = 0; i < network->nnode; i++) {
     struct um_thermal_heat *h = &out[i];
     h->stored =

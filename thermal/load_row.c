@@ -6,19 +6,7 @@
 #include "core/constants.h"
 #include "core/interpolation.h"
 #include "thermal/load_angle_impl.h"
-
-static double absorptance_of(const struct um_thermal_network *network,
-                             const struct um_thermal_aging *aging, size_t row, size_t s)
-{
-  double own = network->surface[s].absorptance;
-  return aging == NULL ? own
-                       : own + aging->absorptance[row * aging->nmaterial + aging->material[s]];
-}
-
-static double aged_emittance(const struct um_thermal_aging *aging, size_t row, size_t s)
-{
-  return aging == NULL ? 1.0 : aging->emittance[row * aging->nmaterial + aging->material[s]];
-}
+#include "thermal/surface_aging_impl.h"
 
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
@@ -34,8 +22,8 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
   for (size_t s = 0; s < network->noutside; s++) {
     const struct um_thermal_surface *surface = &network->surface[s];
     if (!network->attached[s]) continue;
-    double absorptance = absorptance_of(network, aging, row, s);
-    double emittance = surface->emittance * aged_emittance(aging, row, s);
+    double absorptance = um_thermal_aged_absorptance(network, aging, row, s);
+    double emittance = surface->emittance * um_thermal_aged_emittance(aging, row, s);
     double taken = absorptance - surface->extraction;
     if (surface->law != NULL) {
       taken *= um_thermal_load_angle(surface->law, loads, at + s);
@@ -69,7 +57,7 @@ double um_thermal_load_row_emission(const struct um_thermal_network *network,
 {
   const struct um_thermal_surface *at = &network->surface[surface];
   return UM_STEFAN_BOLTZMANN * at->weight[k] * um_thermal_surface_emission(at) *
-         (at->inside ? 1.0 : aged_emittance(aging, row, surface));
+         (at->inside ? 1.0 : um_thermal_aged_emittance(aging, row, surface));
 }
 
 struct um_thermal_load_interval

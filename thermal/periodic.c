@@ -369,7 +369,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 const struct um_irradiation_loads *loads,
                                                 const struct um_thermal_solve_options *options,
                                                 double from, double period, double tolerance,
-                                                double *temperature, double *drift,
+                                                double *temperature, double *drift, double *mean,
                                                 struct um_thermal_periodic *report)
 {
   enum um_status status;
@@ -384,6 +384,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
   memcpy(periodic.start, periodic.system->temperature, n * sizeof(double));
   UM_CHECK(kinsol_run(&periodic, tolerance));
   memcpy(temperature, periodic.end, n * sizeof(double));
+  for (size_t i = 0; i < n && mean != NULL; i++) mean[i] = cbrt(periodic.mean_cube[i]);
   for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = periodic.end[i] - periodic.start[i];
   if (report != NULL) *report = report_make(&periodic);
 done:
@@ -401,7 +402,7 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
 {
   struct um_thermal_periodic report;
   UM_TRY(um_thermal_solve_periodic_report(context, network, loads, options, from, period, tolerance,
-                                          temperature, NULL, &report));
+                                          temperature, NULL, NULL, &report));
   *drift = report.distance;
   return UM_OK;
 }

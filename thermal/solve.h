@@ -57,14 +57,14 @@ struct um_thermal_periodic {
   double distance;   /* estimated largest distance of a node from the periodic state [K] */
   size_t orbits;     /* integrated */
 };
-/* The same with the signed change of every node over that orbit [nnode] [K] (or NULL) and a report
- * (or NULL). */
+/* The same with the signed change of every node over that orbit [nnode] [K], its mean temperature,
+ * of the third power [nnode] [K], and a report; each may be NULL. */
 enum um_status um_thermal_solve_periodic_report(struct um_context *context,
                                                 const struct um_thermal_network *network,
                                                 const struct um_irradiation_loads *loads,
                                                 const struct um_thermal_solve_options *options,
                                                 double from, double period, double tolerance,
-                                                double *temperature, double *drift,
+                                                double *temperature, double *drift, double *mean,
                                                 struct um_thermal_periodic *report);
 /* Steady state of the network under constant loads (row `time` of loads), thermostats by their mean
  * power; KINSOL Newton. */

@@ -2,19 +2,21 @@
 #include "thermal/surface_reflectance_impl.h"
 
 #include "thermal/load_angle_impl.h"
+#include "thermal/surface_aging_impl.h"
 
 struct um_thermal_reflectances
 um_thermal_surface_reflectances(const struct um_thermal_network *network,
-                                const struct um_irradiation_loads *loads, size_t row,
-                                size_t surface)
+                                const struct um_irradiation_loads *loads,
+                                const struct um_thermal_aging *aging, size_t row, size_t surface)
 {
   const struct um_thermal_surface *at = &network->surface[surface];
-  struct um_thermal_reflectances r = {1.0 - at->absorptance, 1.0 - at->absorptance,
-                                      1.0 - at->emittance};
+  double absorptance = um_thermal_aged_absorptance(network, aging, row, surface);
+  double emittance = at->emittance * um_thermal_aged_emittance(aging, row, surface);
+  struct um_thermal_reflectances r = {1.0 - absorptance, 1.0 - absorptance, 1.0 - emittance};
   if (at->law == NULL) return r;
-  r.sun = 1.0 -
-          at->absorptance * um_thermal_load_angle(at->law, loads, row * loads->nsurface + surface);
-  r.albedo = 1.0 - at->absorptance * at->law->albedo;
-  r.planet = 1.0 - at->emittance * at->law->planet;
+  r.sun =
+      1.0 - absorptance * um_thermal_load_angle(at->law, loads, row * loads->nsurface + surface);
+  r.albedo = 1.0 - absorptance * at->law->albedo;
+  r.planet = 1.0 - emittance * at->law->planet;
   return r;
 }

@@ -49,28 +49,30 @@ static enum um_status shares_build(struct um_thermal_system *system,
   return UM_OK;
 }
 
-/* Emission of the outer surfaces of each node at the emittances that the network states, and what
- * else the node radiates by itself. */
+/* Emission of the outer surfaces of each node at the emittances that the exchange is made with, and
+ * what else the node radiates by itself. */
 static void stated_fill(struct um_thermal_system *system)
 {
   const struct um_thermal_network *network = system->network;
   struct um_thermal_system_exchange *x = system->exchange;
   for (size_t s = 0; s < network->nsurface; s++) {
-    double *sum = network->surface[s].inside ? x->rest : x->stated;
+    const struct um_thermal_surface *surface = &network->surface[s];
+    double *sum = surface->inside ? x->rest : x->stated;
+    double ratio = surface->emittance > 0.0 ? x->exchange->emittance[s] / surface->emittance : 1.0;
     for (int k = 0; k < 3 && network->attached[s]; k++)
-      if (network->surface[s].node[k] != UM_THERMAL_SPACE)
-        sum[network->surface[s].node[k]] += um_thermal_load_row_emission(network, NULL, 0, s, k);
+      if (surface->node[k] != UM_THERMAL_SPACE)
+        sum[surface->node[k]] += ratio * um_thermal_load_row_emission(network, NULL, 0, s, k);
   }
   for (size_t r = 0; r < network->nradiator; r++)
     if (network->radiator[r].b == UM_THERMAL_SPACE)
       x->rest[network->radiator[r].a] += UM_STEFAN_BOLTZMANN * network->radiator[r].value;
 }
 
-/* Emittance now over the stated one: 1 where nothing changes it. */
+/* Emittance now over that of the exchange: 1 where nothing changes it. */
 static double ratio_of(const struct um_thermal_system *system, size_t node)
 {
   const struct um_thermal_system_exchange *x = system->exchange;
-  if (system->emission_held == NULL || !(x->stated[node] > 0.0)) return 1.0;
+  if (!(x->stated[node] > 0.0)) return 1.0;
   return (system->space[node] - x->rest[node]) / x->stated[node];
 }
 

@@ -76,8 +76,8 @@ struct um_thermal_system_exchange {
   double *made;                               /* [n] emitted over sigma eps of gain [K^4] */
   double *made_inside, *slope_inside;         /* [n] the same of surfaces inside, whose emittance is
                                                  constant; NULL: there are none */
-  double *stated;                             /* [n] emission of outer surfaces as stated, of which
-                                                 system->space is the one now [W/K^4] */
+  double *stated;                             /* [n] emission of outer surfaces as the exchange has
+                                                 it; system->space has the one now [W/K^4] */
   double *rest;                               /* [n] other emission in system->space [W/K^4] */
   bool strong;                                /* the tangent has the larger areas alone */
   bool fresh;                                 /* gain is of `made` and mix */

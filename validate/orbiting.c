@@ -336,7 +336,8 @@ static enum um_status interior_converges(struct um_context *context,
     UM_CHECK(um_validate_surface(network, 0, skin, 150.0, 0.38, 0.78));
     UM_CHECK(um_thermal_network_radiator_add(network, skin, interior, 0.005 * 150.0));
     UM_CHECK(um_thermal_solve_periodic_report(context, network, loads, &options, 0.0,
-                                              orbit_period(), 1e-2, temperature, drift, &periodic));
+                                              orbit_period(), 1e-2, temperature, drift, NULL,
+                                              &periodic));
     found[i] = temperature[interior];
     distance = fmax(distance, periodic.distance);
   }

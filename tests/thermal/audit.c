@@ -197,7 +197,7 @@ static void test_incommensurate_spin(void **state)
   assert_non_null(temperature);
   struct um_thermal_periodic report;
   OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
-                                      temperature, drift, &report));
+                                      temperature, drift, NULL, &report));
   print_message("%zu orbits, drift %.1e K, distance %.1e K, interior %.4f K\n", report.orbits,
                 report.drift, report.distance, temperature[interior]);
   assert_true(report.orbits <= 10);
@@ -206,7 +206,7 @@ static void test_incommensurate_spin(void **state)
    * state that was found must lead back to it, to twice the distance asked for */
   um_thermal_network_temperatures_set(network, temperature);
   OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
-                                      temperature + n, drift, &report));
+                                      temperature + n, drift, NULL, &report));
   NEAR("drift from the state found", report.drift, 0.0, 0.02);
   for (size_t i = 0; i < n; i++) temperature[n + i] = 200.0;
   um_thermal_network_temperatures_set(network, temperature + n);

@@ -195,7 +195,7 @@ static void test_wrapped_interior(void **state)
       double temperature[2], drift[2];
       struct um_thermal_periodic report;
       OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0,
-                                          orbit_period(), 1e-2, temperature, drift, &report));
+                                          orbit_period(), 1e-2, temperature, drift, NULL, &report));
       found[s] = temperature[1];
       print_message("e* %.3f from %.0f K: %.4f K after %zu orbits, drift %.1e K, distance %.1e K\n",
                     emittance[e], starts[s], found[s], report.orbits, report.drift,

@@ -178,7 +178,7 @@ static void orbits_repeat(void **state)
   double *t = calloc(network->nnode, sizeof *t), end = 6000.0;
   assert_non_null(t);
   OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, end, 1e-3, t,
-                                      NULL, &report));
+                                      NULL, NULL, &report));
   print_message("periodic after %zu orbits\n", report.orbits);
   assert_true(report.orbits <= 12); /* each correction leaves a tenth */
   um_thermal_network_temperatures_set(network, t);

@@ -281,7 +281,7 @@ static void test_periodic(void **state)
       network = wall_and_interior(starts[s], interior_power[p], node);
       struct um_thermal_periodic report;
       OK(um_thermal_solve_periodic_report(help_context, network, NULL, &options, 0.0, 6000.0, 0.01,
-                                          found[s], NULL, &report));
+                                          found[s], NULL, NULL, &report));
       print_message("%5.0f W from %.0f K: wall %.3f K, interior %.3f K after %zu orbits\n",
                     interior_power[p], starts[s], found[s][node[0]], found[s][node[1]],
                     report.orbits);

@@ -1,0 +1,115 @@
+/* What surfaces absorb of each other is taken at temperatures that the start gives: of a stated
+ * start its own, of a periodic one those of its orbit, as settled as its state; variants of a model
+ * begin with the model's. */
+#include <math.h>
+
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/thermal_solution.h"
+#include "model/thermal_solution_impl.h"
+#include "tests/support/cmocka_all.h"
+#include "thermal/exchange_impl.h"
+
+#define ELBOW UMBRA_SOURCE_DIR "/tests/scenarios/data/elbow"
+
+#define OK(call)                                                                                   \
+  do {                                                                                             \
+    if ((call) != UM_OK) fail_msg("%s", um_core_message(context));                                 \
+  } while (0)
+
+static struct um_context *context;
+
+struct run {
+  struct um_model *model;
+  struct um_model_precomputed *precomputed;
+  struct um_model_thermal_solution *heat;
+};
+
+static void compute(const char *const *overrides, size_t noverride, struct run *run)
+{
+  const struct um_model_options options = {.overrides = overrides, .noverride = noverride};
+  *run = (struct run){0};
+  OK(um_model_create(context, ELBOW, &options, &run->model));
+  OK(um_model_precompute(context, run->model, &run->precomputed));
+  OK(um_model_thermal_solution_create(context, run->model, run->precomputed, NULL, 1.0,
+                                      &run->heat));
+}
+
+static void release(struct run *run)
+{
+  um_model_thermal_solution_destroy(context, &run->heat);
+  um_model_precomputed_destroy(context, &run->precomputed);
+  um_model_destroy(context, &run->model);
+}
+
+static void stated_start(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"parts.array.front=mli_kapton", "thermal.start=isothermal",
+                                    "thermal.start_temperature_K=230"};
+  struct run run;
+  compute(set, 3, &run);
+  const struct um_thermal_exchange *x = run.heat->setting.exchange;
+  size_t seen = 0;
+  assert_non_null(x->arriving);
+  for (size_t s = 0; s < x->nsurface; s++) {
+    if (x->patch[s] == UM_THERMAL_NO_PATCH) continue;
+    assert_close(x->arriving[s], 230.0, 1e-9);
+    seen++;
+  }
+  assert_true(seen > 10);
+  release(&run);
+}
+
+static void periodic_start(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"parts.array.front=mli_kapton"};
+  struct run run;
+  struct um_model_thermal_solution *again = NULL;
+  struct um_thermal_periodic report;
+  double change = NAN;
+  compute(set, 1, &run);
+  struct um_thermal_network *network = run.model->body->network;
+  struct um_thermal_exchange *x = run.heat->setting.exchange;
+  size_t n = um_thermal_network_nodes(network);
+  double *mean = test_calloc(n, sizeof *mean), *end = test_calloc(n, sizeof *end);
+  um_thermal_network_temperatures_set(network, run.heat->start);
+  OK(um_thermal_solve_periodic_report(context, network, run.precomputed->loads,
+                                      &run.heat->setting.options, run.precomputed->t_start,
+                                      run.precomputed->period, 0.01, end, NULL, mean, &report));
+  /* variants begin with what is settled, bit for bit, and stay with it where nothing moves */
+  OK(um_model_thermal_solution_create(context, run.model, run.precomputed, run.heat, 1.0, &again));
+  for (size_t s = 0; s < x->nsurface; s++)
+    assert_true(again->setting.exchange->arriving[s] == x->arriving[s]);
+  um_model_thermal_solution_destroy(context, &again);
+  OK(um_thermal_exchange_renew(context, network, run.precomputed->view_factors, NULL, mean, 0.0, x,
+                               &change));
+  print_message("periodic start: an emittance moves by %.1e\n", change);
+  assert_true(change > 0.0 && change <= 1.1 * UM_MODEL_SAME_EMITTANCE);
+  test_free(mean);
+  test_free(end);
+  release(&run);
+}
+
+static int set_up(void **state)
+{
+  (void)state;
+  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+  (void)state;
+  um_core_context_destroy(&context);
+  return 0;
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(stated_start),
+      cmocka_unit_test(periodic_start),
+  };
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}

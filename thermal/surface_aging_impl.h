@@ -1,0 +1,14 @@
+/* Optics of surfaces that age. Private to thermal/. */
+#ifndef UMBRA_THERMAL_SURFACE_AGING_IMPL_H
+#define UMBRA_THERMAL_SURFACE_AGING_IMPL_H
+
+#include "thermal/network_impl.h"
+#include "thermal/solve_options.h"
+
+/* At a row of the loads: absorptance of a surface, factor on its emittance; aging NULL: as stated.
+ */
+double um_thermal_aged_absorptance(const struct um_thermal_network *network,
+                                   const struct um_thermal_aging *aging, size_t row, size_t s);
+double um_thermal_aged_emittance(const struct um_thermal_aging *aging, size_t row, size_t s);
+
+#endif
