@@ -73,8 +73,8 @@ enum um_status um_model_balance_steady(struct um_context *context, const struct 
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_solve_steady(context, model->body->network, precomputed->loads,
                                      first_row(precomputed), &setting.options, temperature));
-    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature, round, &setting,
-                                         &change));
+    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature,
+                                         UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
   }
 done:
   um_model_heat_setting_clear(context, &setting);
@@ -109,8 +109,8 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
   for (int round = 1; status == UM_OK && change > UM_MODEL_SAME_EMITTANCE; round++) {
     status = um_thermal_solve_steady(context, network, NULL, 0, &setting.options, temperature);
     if (status == UM_OK)
-      status = um_model_heat_setting_renew(context, model, precomputed, temperature, round,
-                                           &setting, &change);
+      status = um_model_heat_setting_renew(context, model, precomputed, temperature,
+                                           UM_MODEL_SAME_EMITTANCE, round, &setting, &change);
   }
   for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, power[i]);
 done:

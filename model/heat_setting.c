@@ -45,17 +45,17 @@ enum um_status um_model_heat_setting_make(struct um_context *context, const stru
 
 enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
                                            const struct um_model_precomputed *precomputed,
-                                           const double *temperature, int round,
+                                           const double *temperature, double tolerance, int round,
                                            struct um_model_heat_setting *setting, double *change)
 {
   UM_TRY(um_thermal_exchange_renew(context, model->body->network, precomputed->view_factors,
-                                   setting->options.aging, temperature, UM_MODEL_SAME_EMITTANCE,
+                                   setting->options.aging, temperature, tolerance,
                                    setting->exchange, change));
-  if (*change <= UM_MODEL_SAME_EMITTANCE || round < ROUNDS) return UM_OK;
+  if (*change <= tolerance || round < ROUNDS) return UM_OK;
   return um_core_fail(context, UM_ERR_NUMERIC,
                       "emittances of surfaces that see each other do not settle with their "
                       "temperatures: after %d starts one moves by %.2g of 1; accepted: %.2g",
-                      round, *change, UM_MODEL_SAME_EMITTANCE);
+                      round, *change, tolerance);
 }
 
 void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting)

@@ -25,12 +25,11 @@ enum um_status um_model_heat_setting_make(struct um_context *context, const stru
  * within 40 mK at 300 K. */
 #define UM_MODEL_SAME_EMITTANCE 5e-4
 /* The exchange for nodes at temperature[nnode] [K] (um_thermal_exchange_renew). *change: of an
- * emittance, largest [1]; above UM_MODEL_SAME_EMITTANCE the exchange is another, and what was
- * solved with it is to be solved again. round: how often that was asked; UM_ERR_NUMERIC beyond a
- * few. */
+ * emittance, largest [1]; above tolerance [1] the exchange is another, and what was solved with it
+ * is to be solved again. round: how often that was asked; UM_ERR_NUMERIC beyond a few. */
 enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
                                            const struct um_model_precomputed *precomputed,
-                                           const double *temperature, int round,
+                                           const double *temperature, double tolerance, int round,
                                            struct um_model_heat_setting *setting, double *change);
 void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting);
 

@@ -1,4 +1,4 @@
-/* Temperatures: periodic or isothermal start, then through the observations. */
+/* Temperatures: from the start through the observations. */
 #include "model/thermal_solution.h"
 
 #include <math.h>
@@ -8,81 +8,6 @@
 #include "model/start_offset_impl.h"
 #include "model/thermal_solution_impl.h"
 #include "thermal/ripple.h"
-
-#define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
-#define DRAFT_TOLERANCE    0.1  /* the same while emittances are not known [K] */
-#define DRAFT_FACTOR       30.0 /* then on the tolerances of the integration */
-#define DRAFT_EMITTANCE    0.01 /* an emittance that moves by less is known: the next is the same */
-
-/* From heat->start toward the start that the scenario wants, surfaces exchanging what they do now.
- * draft: roughly. mean[nnode]: temperatures over the orbit, the start's where there is none [K]. */
-static enum um_status search(struct um_context *context, struct um_model_thermal_solution *heat,
-                             bool draft, double *mean)
-{
-  const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_network *network = heat->model->body->network;
-  struct um_thermal_solve_options options = heat->setting.options;
-  struct um_thermal_periodic report;
-  if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
-    um_thermal_network_temperatures_set(network, heat->start);
-    if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-    if (!isnan(precomputed->period)) {
-      UM_TRY(um_thermal_solve_periodic_report(
-          context, network, precomputed->loads, &options, precomputed->t_start, precomputed->period,
-          draft ? DRAFT_TOLERANCE : PERIODIC_TOLERANCE, heat->start, NULL, mean, &report));
-      heat->periodic_drift = report.distance;
-      return UM_OK;
-    }
-    UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start));
-  }
-  memcpy(mean, heat->start, um_thermal_network_nodes(network) * sizeof *mean);
-  return UM_OK;
-}
-
-/* Start and exchange by turns until the emittances are the same. Means over the orbit serve it in
- * sunlight and in shadow. Drafts come first where emittances go with temperature and nothing is
- * known of it. */
-static enum um_status settle(struct um_context *context, struct um_model_thermal_solution *heat,
-                             bool warm, double *mean)
-{
-  const struct um_model *model = heat->model;
-  bool periodic = model->scenario->thermal->start == UM_START_PERIODIC;
-  double change = 0.0;
-  if (!warm || !periodic)
-    UM_TRY(um_model_heat_setting_renew(context, model, heat->precomputed, heat->start, 0,
-                                       &heat->setting, &change));
-  if (!periodic) return UM_OK; /* what is stated stays */
-  bool draft = change > 0.0;
-  for (int round = 1; round == 1 || draft || change > UM_MODEL_SAME_EMITTANCE; round++) {
-    if (round > 1) draft = change > DRAFT_EMITTANCE && draft;
-    UM_TRY(search(context, heat, draft, mean));
-    UM_TRY(um_model_heat_setting_renew(context, model, heat->precomputed, mean, round,
-                                       &heat->setting, &change));
-  }
-  return UM_OK;
-}
-
-/* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
- * as built, and the exchange between surfaces that goes with them. */
-static enum um_status start(struct um_context *context, struct um_model_thermal_solution *heat,
-                            const struct um_model_thermal_solution *warm)
-{
-  struct um_thermal_network *network = heat->model->body->network;
-  size_t n = um_thermal_network_nodes(network);
-  double *mean = NULL;
-  heat->periodic_drift = NAN;
-  if (heat->precomputed->points) return UM_OK;
-  if (heat->model->scenario->thermal->start != UM_START_PERIODIC ||
-      (warm != NULL && um_thermal_network_nodes(warm->model->body->network) != n))
-    warm = NULL;
-  for (size_t i = 0; i < n && warm != NULL; i++)
-    if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
-      heat->start[i] = warm->start[i];
-  UM_TRY(um_core_allocate(context, n, sizeof *mean, &mean));
-  enum um_status status = settle(context, heat, warm != NULL, mean);
-  um_core_free(context, mean);
-  return status;
-}
 
 /* The paper's reduction: every surface of a material at the material's mean temperature. */
 static enum um_status to_material_means(struct um_context *context, const struct um_model *model,
@@ -213,17 +138,19 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
   size_t n = um_thermal_network_nodes(network);
   struct um_model_thermal_solution *heat = NULL;
   double *built = NULL;
+  bool periodic = model->scenario->thermal->start == UM_START_PERIODIC;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
   *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
-  UM_CHECK(um_model_heat_setting_make(
-      context, model, precomputed, warm != NULL ? warm->setting.exchange : NULL, &heat->setting));
+  UM_CHECK(um_model_heat_setting_make(context, model, precomputed,
+                                      warm != NULL && periodic ? warm->setting.exchange : NULL,
+                                      &heat->setting));
   heat->setting.options.tolerance_factor = tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
-  status = start(context, heat, warm);
+  status = um_model_thermal_start(context, warm, heat);
   if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
   /* temperatures that are stated are those of that instant, not means over its turn */
   if (status == UM_OK && precomputed->ripple != NULL &&

@@ -24,4 +24,13 @@ struct um_model_thermal_solution {
   struct um_model_heat_run run;
 };
 
+/* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
+ * as built, and heat->setting.exchange for what follows. warm: NULL, or heat of a model with the
+ * same nodes: a periodic state is looked for from there, and surfaces exchange as they do there
+ * unless that state says otherwise; a stated start is not touched. Errors of the thermal solvers.
+ */
+enum um_status um_model_thermal_start(struct um_context *context,
+                                      const struct um_model_thermal_solution *warm,
+                                      struct um_model_thermal_solution *heat);
+
 #endif

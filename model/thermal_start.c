@@ -1,0 +1,126 @@
+/* Where temperatures begin: stated or periodic, and the exchange between surfaces with the
+ * emittances that go with what follows. */
+#include <math.h>
+#include <string.h>
+
+#include "model/thermal_solution_impl.h"
+
+#define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
+#define DRAFT_TOLERANCE    0.1  /* the same while emittances are not known [K] */
+#define DRAFT_FACTOR       30.0 /* then on the tolerances of the integration */
+#define DRAFT_INSTANTS     128  /* that a mean of a stated start's run is made of */
+#define DRAFT_EMITTANCE    0.01 /* an emittance that moves by less is known: the next is the same */
+
+/* From heat->start toward the periodic start, surfaces exchanging what they do now. draft: roughly.
+ * mean[nnode]: temperatures over the orbit, or of the steady state where there is none [K]. */
+static enum um_status search(struct um_context *context, struct um_model_thermal_solution *heat,
+                             bool draft, double *mean)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  struct um_thermal_network *network = heat->model->body->network;
+  struct um_thermal_solve_options options = heat->setting.options;
+  struct um_thermal_periodic report;
+  um_thermal_network_temperatures_set(network, heat->start);
+  if (isnan(precomputed->period)) {
+    UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start));
+    memcpy(mean, heat->start, um_thermal_network_nodes(network) * sizeof *mean);
+    return UM_OK;
+  }
+  if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
+  UM_TRY(um_thermal_solve_periodic_report(
+      context, network, precomputed->loads, &options, precomputed->t_start, precomputed->period,
+      draft ? DRAFT_TOLERANCE : PERIODIC_TOLERANCE, heat->start, NULL, mean, &report));
+  heat->periodic_drift = report.distance;
+  return UM_OK;
+}
+
+/* mean[nnode]: temperatures of a rough run from a stated start over its last orbit, or all of it
+ * where it is shorter, of the fourth power [K]. */
+static enum um_status run_roughly(struct um_context *context,
+                                  const struct um_model_thermal_solution *heat, double *mean)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  struct um_thermal_network *network = heat->model->body->network;
+  struct um_thermal_solve_options options = heat->setting.options;
+  struct um_thermal_history *h = NULL;
+  size_t n = um_thermal_network_nodes(network);
+  double end = precomputed->loads->t[precomputed->loads->ntime - 1], time[DRAFT_INSTANTS];
+  if (!(end > precomputed->t_start)) {
+    memcpy(mean, heat->start, n * sizeof *mean);
+    return UM_OK;
+  }
+  double from = fmax(precomputed->t_start, end - fmax(precomputed->period, 0.0));
+  if (!(from < end)) from = precomputed->t_start;
+  for (size_t k = 0; k < DRAFT_INSTANTS; k++)
+    time[k] = from + (end - from) * ((double)k + 0.5) / DRAFT_INSTANTS;
+  options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
+  um_thermal_network_temperatures_set(network, heat->start);
+  UM_TRY(um_thermal_solve(context, network, precomputed->loads, &options, precomputed->t_start,
+                          time, DRAFT_INSTANTS, &h));
+  memset(mean, 0, n * sizeof *mean);
+  for (size_t k = 0; k < DRAFT_INSTANTS; k++)
+    for (size_t i = 0; i < n; i++) mean[i] += pow(h->temperature[k * n + i], 4) / DRAFT_INSTANTS;
+  for (size_t i = 0; i < n; i++) mean[i] = pow(mean[i], 0.25);
+  um_thermal_history_destroy(context, &h);
+  return UM_OK;
+}
+
+/* Of a stated start one rough run and one renewal, whatever is known of other models: results are
+ * smooth in what the model is made of, and the same bits from anywhere. */
+static enum um_status settle_stated(struct um_context *context,
+                                    struct um_model_thermal_solution *heat, double *mean)
+{
+  double change;
+  UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, 0.0, 0,
+                                     &heat->setting, &change));
+  if (!(change > 0.0)) return UM_OK; /* emittances do not go with temperature */
+  UM_TRY(run_roughly(context, heat, mean));
+  return um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, 0.0, 0,
+                                     &heat->setting, &change);
+}
+
+/* Periodic start and exchange by turns until the emittances are the same. Means over the orbit
+ * serve it in sunlight and in shadow. Drafts come first where emittances go with temperature and
+ * nothing is known of it. */
+static enum um_status settle_periodic(struct um_context *context,
+                                      struct um_model_thermal_solution *heat, bool warm,
+                                      double *mean)
+{
+  const double same = UM_MODEL_SAME_EMITTANCE;
+  double change = 0.0;
+  if (!warm)
+    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
+                                       0, &heat->setting, &change));
+  bool draft = change > 0.0;
+  change = INFINITY;
+  for (int round = 1; change > same; round++) {
+    UM_TRY(search(context, heat, draft, mean));
+    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, same, round,
+                                       &heat->setting, &change));
+    if (!draft) continue;
+    draft = change > DRAFT_EMITTANCE;
+    change = INFINITY; /* the search itself is to come */
+  }
+  return UM_OK;
+}
+
+enum um_status um_model_thermal_start(struct um_context *context,
+                                      const struct um_model_thermal_solution *warm,
+                                      struct um_model_thermal_solution *heat)
+{
+  struct um_thermal_network *network = heat->model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  double *mean = NULL;
+  heat->periodic_drift = NAN;
+  if (heat->precomputed->points) return UM_OK;
+  bool periodic = heat->model->scenario->thermal->start == UM_START_PERIODIC;
+  if (warm != NULL && um_thermal_network_nodes(warm->model->body->network) != n) warm = NULL;
+  for (size_t i = 0; i < n && periodic && warm != NULL; i++)
+    if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
+      heat->start[i] = warm->start[i];
+  UM_TRY(um_core_allocate(context, n, sizeof *mean, &mean));
+  enum um_status status = periodic ? settle_periodic(context, heat, warm != NULL, mean)
+                                   : settle_stated(context, heat, mean);
+  um_core_free(context, mean);
+  return status;
+}
