@@ -16,7 +16,8 @@ const struct um_effect um_effects_mutual_radiation = {
     .name = "mutual_radiation",
     .summary = "Surfaces of the satellite heat each other by their thermal radiation",
     .reference = "Gebhart 1961, Int. J. Heat Mass Transfer 3:341; Hottel & Sarofim 1967",
-    .validity = "grey and diffuse surfaces, all orders of reflection, inside closed parts with "
+    .validity = "diffuse surfaces, all orders of reflection, what is absorbed by emittances at the "
+                "temperature of what arrives, mean over the orbit; inside closed parts with "
                 "inside_emittance too; nothing else on a convex satellite",
     .separated_by =
         "internal_power and emittance: a surface that looks at another follows the "

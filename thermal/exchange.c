@@ -4,7 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "thermal/exchange_impl.h"
 #include "thermal/exchange_maker_impl.h"
+#include "thermal/network_impl.h"
 #include "thermal/surface_aging_impl.h"
 #include "thermal/surface_reflectance_impl.h"
 

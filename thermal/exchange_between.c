@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "thermal/exchange_impl.h"
 #include "thermal/exchange_maker_impl.h"
+#include "thermal/network_impl.h"
 #include "thermal/surface_aging_impl.h"
 
 /* Of what a patch emits, in small exchange areas: below 10 mK at 300 K [1]; and in Newton's matrix,

@@ -2,8 +2,13 @@
 #ifndef UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 #define UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 
-#include "thermal/exchange_impl.h"
-#include "thermal/network_impl.h"
+#include "geometry/view_factor_table.h"
+#include "irradiation/loads.h"
+
+struct um_thermal_aging;
+struct um_thermal_between;
+struct um_thermal_exchange;
+struct um_thermal_network;
 
 struct um_thermal_exchange_maker {
   struct um_context *context;
