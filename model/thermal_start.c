@@ -8,6 +8,7 @@
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
 #define DRAFT_TOLERANCE    0.1  /* the same while emittances are not known [K] */
 #define DRAFT_FACTOR       30.0 /* then on the tolerances of the integration */
+#define ROUNDING           1e-9 /* an emittance that moves by less is constant */
 #define DRAFT_INSTANTS     128  /* that a mean of a stated start's run is made of */
 #define DRAFT_EMITTANCE    0.01 /* an emittance that moves by less is known: the next is the same */
 
@@ -73,7 +74,7 @@ static enum um_status settle_stated(struct um_context *context,
   double change;
   UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, 0.0, 0,
                                      &heat->setting, &change));
-  if (!(change > 0.0)) return UM_OK; /* emittances do not go with temperature */
+  if (!(change > ROUNDING)) return UM_OK; /* emittances do not go with temperature */
   UM_TRY(run_roughly(context, heat, mean));
   return um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, 0.0, 0,
                                      &heat->setting, &change);
@@ -91,7 +92,7 @@ static enum um_status settle_periodic(struct um_context *context,
   if (!warm)
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
                                        0, &heat->setting, &change));
-  bool draft = change > 0.0;
+  bool draft = change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
     UM_TRY(search(context, heat, draft, mean));
