@@ -32,6 +32,7 @@ struct tracer {
   int nsample;
   size_t njoint;
   bool moves;
+  bool earth;          /* there is something of it to be traced */
   uint32_t *normal_of; /* [nsurface] class of surfaces of one part that share a normal */
   uint32_t *example;   /* [nnormal] a surface of each class */
   size_t nnormal;
@@ -123,7 +124,7 @@ static enum um_status tracer_prepare(struct tracer *t)
   UM_TRY(um_core_allocate(t->context, BATCH * nsurface, sizeof *t->fraction, &t->fraction));
   find_bright(t);
   um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->angles);
-  UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, !t->moves, &t->fixed));
+  UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, t->earth && !t->moves, &t->fixed));
   UM_TRY(classify_normals(t, t->fixed.pose));
   UM_TRY(um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->normal, &t->normal));
   return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
@@ -187,7 +188,7 @@ static void trace_row(const struct tracer *t, const struct um_environment_sample
 {
   double *fraction = &t->fraction[slot * t->mesh->nsurface];
   if (bright) trace_sun(t, sample, scene, fraction, out);
-  trace_earth(t, sample, scene, slot, out);
+  if (t->earth) trace_earth(t, sample, scene, slot, out);
   if (out->gas != NULL)
     um_irradiation_gas_trace(t->environment, sample, t->mesh, scene, t->nsample, fraction,
                              out->gas);
@@ -287,6 +288,13 @@ static enum um_status check_samples(struct um_context *context,
   return UM_OK;
 }
 
+/* Does the Earth shine at all? */
+static bool earth_shines(const struct um_environment *e)
+{
+  return um_environment_earth_varies(e) || e->albedo > 0.0 || e->outgoing_longwave > 0.0 ||
+         e->brightness_temperature > 0.0;
+}
+
 /* What a table holds beside that of um_irradiation_loads_create. */
 static enum um_status columns_add(const struct tracer *t, struct um_irradiation_loads *loads)
 {
@@ -331,7 +339,8 @@ static enum um_status trace(struct um_context *context, const struct um_geometry
                      .turn = turn,
                      .nsample = nsample,
                      .njoint = um_geometry_joint_count(geometry),
-                     .moves = um_geometry_joint_moves(geometry)};
+                     .moves = um_geometry_joint_moves(geometry),
+                     .earth = earth_shines(environment)};
   UM_TRY(um_irradiation_loads_create(context, ntime, t.mesh->nsurface, nedge, &t.loads));
   um_core_progress_begin(context, "orbital loads", ntime);
   enum um_status status;

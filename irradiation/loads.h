@@ -34,7 +34,8 @@ struct um_irradiation_loads {
 /* samples[ntime] ascending; sun samples per facet nsample. Poses follow the joints of each sample.
  * Earth loads: exact unobstructed flux per normal times the free share of the cap (rigid body: its
  * sky; moving joints: rays in the pose of the sample; about 1 % of the hemisphere on covered
- * surfaces, exact on open ones); Sun: rays, left 0 farther than 120 s and one sample from sunlight.
+ * surfaces, exact on open ones); nothing of it is traced and left 0 where albedo, longwave and
+ * brightness temperature are; Sun: rays, left 0 farther than 120 s and one sample from sunlight.
  * Parallel over times. Progress is reported. */
 enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const struct um_geometry *geometry,

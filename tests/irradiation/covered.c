@@ -84,6 +84,27 @@ static void view_factor_is_that_of_the_heat(void **state)
   }
 }
 
+/* An Earth that neither reflects nor radiates brings nothing, and the Sun what it did. */
+static void dark_earth(void **state)
+{
+  (void)state;
+  struct help_satellite s = {0}, dark = {0};
+  struct um_environment shining = environment;
+  struct um_irradiation_loads *lit = trace(0.6, false, &s);
+  environment.albedo = environment.outgoing_longwave = environment.brightness_temperature = 0.0;
+  struct um_irradiation_loads *unlit = trace(0.6, false, &dark);
+  environment = shining;
+  for (size_t i = 0; i < lit->nsurface; i++) {
+    assert_true(unlit->sun[i] == lit->sun[i] && unlit->incidence[i] == lit->incidence[i]);
+    assert_true(unlit->albedo[i] == 0.0f && unlit->planet[i] == 0.0f);
+  }
+  assert_true(of_plate(&s, lit->planet) > 100.0);
+  um_irradiation_loads_destroy(help_context, &lit);
+  um_irradiation_loads_destroy(help_context, &unlit);
+  help_end(&s);
+  help_end(&dark);
+}
+
 static int setup(void **state)
 {
   um_environment_defaults(&environment);
@@ -94,6 +115,7 @@ static int setup(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(view_factor_is_that_of_the_heat)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(view_factor_is_that_of_the_heat),
+                                     cmocka_unit_test(dark_earth)};
   return cmocka_run_group_tests(tests, setup, help_teardown);
 }
