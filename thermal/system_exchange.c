@@ -17,6 +17,26 @@
 #define ROUNDS  100
 #define SETTLED 1e-10 /* change of an eliminated node, of the largest of the unknowns [1] */
 
+/* The same in rows per patch, nodes ascending. */
+static enum um_status shares_turn(struct um_thermal_system *system,
+                                  struct um_thermal_system_exchange *x)
+{
+  struct um_context *context = system->context;
+  size_t n = system->n, nshare = x->start[n], npatch = x->exchange->npatch;
+  UM_TRY(um_core_allocate(context, npatch + 2, sizeof *x->patch_start, &x->patch_start));
+  UM_TRY(um_core_allocate(context, nshare, sizeof *x->patch_node, &x->patch_node));
+  UM_TRY(um_core_allocate(context, nshare, sizeof *x->patch_share, &x->patch_share));
+  for (size_t e = 0; e < nshare; e++) x->patch_start[x->patch[e] + 2]++;
+  for (size_t p = 2; p <= npatch + 1; p++) x->patch_start[p] += x->patch_start[p - 1];
+  for (size_t i = 0; i < n; i++)
+    for (size_t e = x->start[i]; e < x->start[i + 1]; e++) {
+      size_t at = x->patch_start[x->patch[e] + 1]++;
+      x->patch_node[at] = (uint32_t)i;
+      x->patch_share[at] = x->share[e];
+    }
+  return UM_OK;
+}
+
 /* Shares of nodes in patches, in rows per node. */
 static enum um_status shares_build(struct um_thermal_system *system,
                                    struct um_thermal_system_exchange *x)
@@ -46,7 +66,7 @@ static enum um_status shares_build(struct um_thermal_system *system,
     UM_TRY(um_core_allocate(context, x->start[n + 1], sizeof *x->patch, &x->patch));
     UM_TRY(um_core_allocate(context, x->start[n + 1], sizeof *x->share, &x->share));
   }
-  return UM_OK;
+  return shares_turn(system, x);
 }
 
 /* Emission of the outer surfaces of each node at the emittances that the exchange is made with, and
@@ -106,10 +126,11 @@ void um_thermal_system_exchange_destroy(struct um_thermal_system *system)
 {
   struct um_thermal_system_exchange *x = system->exchange;
   if (x == NULL) return;
-  void *const block[] = {x->stated,       x->rest,       x->made,   x->follow,  x->warm,
-                         x->start,        x->patch,      x->share,  x->power4,  x->heat,
-                         x->gain,         x->slope,      x->change, x->cluster, x->made_inside,
-                         x->slope_inside, x->warm_inside};
+  void *const block[] = {x->stated,      x->rest,        x->made,        x->follow,
+                         x->warm,        x->start,       x->patch,       x->share,
+                         x->power4,      x->heat,        x->gain,        x->slope,
+                         x->change,      x->cluster,     x->made_inside, x->slope_inside,
+                         x->warm_inside, x->patch_start, x->patch_node,  x->patch_share};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++)
     um_core_free(system->context, block[k]);
   um_core_free(system->context, x);
@@ -125,17 +146,39 @@ void um_thermal_system_exchange_at(struct um_thermal_system *system, double t)
   um_thermal_exchange_mix(x->exchange, system->from + t, &x->mix);
 }
 
+/* `sum` and share times value of entries [e, end), one after the other. */
+static double sum_over(const struct um_thermal_system_exchange *x, size_t e, size_t end,
+                       const double *of, double sum)
+{
+  for (; e < end; e++) sum += x->patch_share[e] * of[x->patch_node[e]];
+  return sum;
+}
+
+/* Four patches from p on, each in its own order: one sum alone would wait for itself. */
+static void four_sums(const struct um_thermal_system_exchange *x, size_t p, const double *of)
+{
+  const size_t *start = x->patch_start + p;
+  double sum[4] = {0.0, 0.0, 0.0, 0.0};
+  size_t shortest = SIZE_MAX;
+  for (size_t s = 0; s < 4; s++)
+    if (start[s + 1] - start[s] < shortest) shortest = start[s + 1] - start[s];
+  for (size_t k = 0; k < shortest; k++)
+    for (size_t s = 0; s < 4; s++)
+      sum[s] += x->patch_share[start[s] + k] * of[x->patch_node[start[s] + k]];
+  for (size_t s = 0; s < 4; s++)
+    x->power4[p + s] = sum_over(x, start[s] + shortest, start[s + 1], of, sum[s]);
+}
+
 /* Means over patches of what nodes have, outside and inside, then what patches absorb. */
 static void gather(struct um_thermal_system *system, const struct um_thermal_between *between,
                    const struct um_thermal_mix *mix, const double *of_node, const double *inside)
 {
   struct um_thermal_system_exchange *x = system->exchange;
-  memset(x->power4, 0, x->exchange->npatch * sizeof *x->power4);
-  for (size_t i = 0; i < system->n; i++)
-    for (size_t e = x->start[i]; e < x->start[i + 1]; e++) {
-      const double *of = x->patch[e] < x->exchange->noutside ? of_node : inside;
-      x->power4[x->patch[e]] += x->share[e] * of[i];
-    }
+  size_t npatch = x->exchange->npatch, outside = x->exchange->noutside, p = 0;
+  for (; p + 4 <= outside; p += 4) four_sums(x, p, of_node);
+  for (; p < npatch; p++)
+    x->power4[p] =
+        sum_over(x, x->patch_start[p], x->patch_start[p + 1], p < outside ? of_node : inside, 0.0);
   um_thermal_pace_apply(&x->pace, x->exchange, between, mix, x->power4, x->heat);
 }
 
@@ -165,8 +208,8 @@ double um_thermal_system_exchange_make(struct um_thermal_system *system)
   x->fresh = true;
   gather(system, x->exchange->between, &x->mix, x->made, x->made_inside);
   for (size_t i = 0; i < system->n; i++) {
-    double gain = received(x, i);
-    largest = fmax(largest, fabs(gain - x->gain[i]));
+    double gain = received(x, i), change = fabs(gain - x->gain[i]);
+    largest = change > largest || isnan(change) ? change : largest;
     x->gain[i] = gain;
   }
   return largest;
@@ -246,7 +289,7 @@ void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double
   memset(follow, 0, system->n * sizeof *follow);
   for (size_t k = 0; k < system->nunknown; k++) {
     change[system->node[k]] = x[k] * um_thermal_system_warming(system, system->node[k]);
-    size = fmax(size, fabs(x[k]));
+    size = fabs(x[k]) > size ? fabs(x[k]) : size;
   }
   clusters_follow(system, x, change);
   for (int round = 0; round < ROUNDS; round++) {

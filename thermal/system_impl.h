@@ -69,6 +69,9 @@ struct um_thermal_system_exchange {
   size_t *start;                              /* [n + 1] shares of a node */
   uint32_t *patch;                            /* [nshare] */
   double *share;                              /* [nshare] of the patch's area [1] */
+  size_t *patch_start;                        /* [npatch + 1] the same in rows per patch */
+  uint32_t *patch_node;                       /* [nshare] */
+  double *patch_share;                        /* [nshare] */
   double *power4;                             /* [npatch] mean of T^4 - T_space^4 [K^4] */
   double *heat;                               /* [npatch] absorbed of the others' emission [W] */
   double *gain;                               /* [n] the same at the last state [W] */
