@@ -13,7 +13,7 @@
 #include "core/context.h"
 
 #define BENCH_RUNS    64
-#define BENCH_FIGURES 64
+#define BENCH_FIGURES 96
 
 /* Repeated measurements of one thing. */
 struct bench_series {
