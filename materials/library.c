@@ -26,6 +26,14 @@ enum um_status um_materials_library_create(struct um_context *context,
   return UM_OK;
 }
 
+bool um_materials_library_is_of(const struct um_materials_library *library,
+                                const struct um_materials_sun *sun)
+{
+  const struct um_materials_sun *own = &library->sun;
+  return memcmp(own->wavelength, sun->wavelength, sizeof own->wavelength) == 0 &&
+         memcmp(own->share, sun->share, sizeof own->share) == 0 && own->measured == sun->measured;
+}
+
 void um_materials_library_destroy(struct um_materials_library **library)
 {
   if (library == NULL || *library == NULL) return;

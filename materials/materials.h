@@ -47,6 +47,9 @@ enum um_status um_materials_library_create(struct um_context *context,
                                            const struct um_materials_sun *sun, /* copied */
                                            struct um_materials_library **out);
 void um_materials_library_destroy(struct um_materials_library **library);
+/* Was it made for this Sun, number for number? */
+bool um_materials_library_is_of(const struct um_materials_library *library,
+                                const struct um_materials_sun *sun);
 enum um_status um_materials_library_read_folder(struct um_context *context,
                                                 struct um_materials_library *library,
                                                 const char *folder);

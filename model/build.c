@@ -96,7 +96,8 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   struct um_model *m = *model;
   um_thermal_body_destroy(context, &m->body);
   um_geometry_destroy(&m->geometry);
-  um_materials_library_destroy(&m->library);
+  if (m->origin == NULL || m->library != m->origin->library)
+    um_materials_library_destroy(&m->library);
   um_orbit_attitude_destroy(&m->attitude);
   um_orbit_trajectory_destroy(&m->trajectory);
   um_orbit_trajectory_destroy(&m->observer_trajectory);

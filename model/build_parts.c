@@ -190,11 +190,17 @@ static enum um_status check_parent(struct um_context *context, const struct um_m
                        names[0] == '\0' ? "none, there is no other part" : names);
 }
 
+/* Records hang on the scenario and on the spectrum of the Sun alone: a variant borrows those of its
+ * origin. */
 static enum um_status build_library(struct um_context *context, struct um_model *model)
 {
   char *folder = NULL;
   struct um_materials_sun sun;
   um_environment_sun_shares(&model->environment, &sun);
+  if (model->origin != NULL && um_materials_library_is_of(model->origin->library, &sun)) {
+    model->library = model->origin->library;
+    return UM_OK;
+  }
   UM_TRY(um_materials_library_create(context, &sun, &model->library));
   UM_TRY(um_materials_library_folder(context, &folder));
   enum um_status status = um_materials_library_read_folder(context, model->library, folder);

@@ -77,8 +77,8 @@ struct um_model {
   struct um_vec3 pole;      /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */
   struct um_vec3 greenwich; /* prime meridian at the equator, GCRS, at the start */
   bool sun_frozen;
-  struct um_vec3 frozen_sun_position; /* geocentric, GCRS [m], when sun_frozen */
-  struct um_materials_library *library;
+  struct um_vec3 frozen_sun_position;   /* geocentric, GCRS [m], when sun_frozen */
+  struct um_materials_library *library; /* a variant may borrow that of its origin */
   struct um_geometry *geometry;
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment
