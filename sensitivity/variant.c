@@ -28,6 +28,15 @@ static bool same_earth(const struct um_environment *a, const struct um_environme
          same_region(&a->region, &b->region);
 }
 
+/* The same air at the edge of the shadow; the table of the limb is the scenario's in both. */
+static bool same_air(const struct um_environment *a, const struct um_environment *b)
+{
+  if (a->shadow_refraction_on != b->shadow_refraction_on) return false;
+  return !a->shadow_refraction_on ||
+         (a->air_factor == b->air_factor && a->ozone_dobson == b->ozone_dobson &&
+          a->haze == b->haze && a->aerosol == b->aerosol && a->cloud_top == b->cloud_top);
+}
+
 /* Do both environments give the same geometry precomputation? */
 static bool same_light(const struct um_environment *a, const struct um_environment *b)
 {
@@ -35,7 +44,7 @@ static bool same_light(const struct um_environment *a, const struct um_environme
          a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
          a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
          a->limb_darkening == b->limb_darkening && a->gas_density_factor == b->gas_density_factor &&
-         same_earth(a, b);
+         same_air(a, b) && same_earth(a, b);
 }
 
 size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,
