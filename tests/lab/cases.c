@@ -79,6 +79,7 @@ static const struct {
                 {"earth_ir", true, true},
                 {"earthshine", true, false},
                 {"reflected_earth_ir", true, true},
+                {"earthlight_lobe", true, true},
                 {"penumbra", true, true},
                 {"oblateness", true, true},
                 {"shadow_refraction", true, true},

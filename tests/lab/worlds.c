@@ -37,6 +37,7 @@ static const struct lab_world worlds[] = {
     WITHOUT("earth_ir"),
     WITHOUT("earthshine"),
     WITHOUT("reflected_earth_ir"),
+    WITHOUT("earthlight_lobe"),
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
     WITHOUT("shadow_refraction"),
