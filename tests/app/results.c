@@ -53,7 +53,8 @@ static const char *band_text(const struct table *t, size_t row, const char *band
 }
 
 /* The Sun is down behind the Earth until 18:10:04.9 (umbra passes); the satellite rises at
- * 18:07:50. In the umbra the Sun term is exactly zero and the heat is not. */
+ * 18:07:50. Without the Earth's air the Sun term is exactly zero until then and the heat is not;
+ * 5 s before, air bends a few percent of sunlight in, and 55 s after hides less than 1e-5 of it. */
 static void test_lightcurve(void **state)
 {
   (void)state;
@@ -64,10 +65,13 @@ static void test_lightcurve(void **state)
     char time[32];
     snprintf(time, sizeof time, "2016-09-06T18:%02zu:00.000Z", 7 + k);
     assert_string_equal(table_text(&t, k, "time_utc"), time);
-    bool up = table_number(&t, k, "elevation_deg") > 0.0, lit = k == 4;
+    bool up = table_number(&t, k, "elevation_deg") > 0.0, lit = k >= 3;
     assert_int_equal(up, k >= 1);
     assert_int_equal(table_text(&t, k, "airmass")[0] != '\0', up);
-    assert_true(table_number(&t, k, "sunlit_fraction") == (lit ? 1.0 : 0.0));
+    double sunlit = table_number(&t, k, "sunlit_fraction");
+    if (!lit) assert_true(sunlit == 0.0);
+    if (k == 3) assert_true(sunlit > 0.01 && sunlit < 0.1);
+    if (k == 4) assert_close(sunlit, 1.0, 1e-5);
     double range = 1e3 * table_number(&t, k, "range_km");
     for (int b = 0; b < 2; b++) {
       double intensity = band_number(&t, k, bands[b], "intensity_W_sr");

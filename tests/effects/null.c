@@ -46,7 +46,8 @@ static struct case_run step_from_null(const char *scenario, size_t i, double sha
   snprintf(text, sizeof text, "%s,%s=%.17g", slopes[i].use, slopes[i].parameter,
            slopes[i].null_value + share * slopes[i].step);
   const char *const with[] = {text, NULL};
-  return case_compute(scenario, with, NULL, set);
+  static const char *const lobe[] = {"earthlight_lobe", NULL};
+  return case_compute(scenario, with, scenario == case_spinner ? lobe : NULL, set);
 }
 
 /* All of them at once. */
@@ -70,7 +71,9 @@ static void null_values_change_nothing(void **state)
 
 /* Irradiances of both bands, scaled to their own mean, change by d(h) at a step h; the curvature
  * that is left in d(h) - 2 d(h/2) is small beside d(h). On the spinner, because shadows that are
- * sampled move by whole samples; its steps are a few percent of the plausible range. */
+ * sampled move by whole samples; its steps are a few percent of the plausible range. There without
+ * the Earth in the lobe, whose facets leave kinks of 3e-5 of the light where they pass the Earth's
+ * edge: too many for what an exposure changes at second order. */
 static void every_parameter_has_a_slope(void **state)
 {
   (void)state;
