@@ -100,6 +100,45 @@ static void standard_air(void **state)
   }
 }
 
+/* Logistic layer n = e^x/(1 + e^x)^2, x = (z - z0)/w; vertical column w (1 - 1/(1 + e^(z0/w))). */
+struct layer {
+  double centre, width; /* [m] */
+};
+static double layer_density(const struct layer *l, double height)
+{
+  double c = cosh(0.5 * (height - l->centre) / l->width);
+  return 0.25 / (c * c);
+}
+
+/* Slant over vertical column by heights: 2 int n (R + z)/sqrt((R + z)^2 - (R + h)^2) dz, with z = h
+ * + u^2 against the pole; 20000 midpoints. */
+static double layer_column(const struct layer *l, double h)
+{
+  enum { N = 20000 };
+  double sum = 0.0, top = sqrt(200e3), low = UM_EARTH_RADIUS + h;
+  for (int i = 0; i < N; i++) {
+    double u = (i + 0.5) * top / N;
+    double r = low + u * u;
+    sum += layer_density(l, h + u * u) * 2.0 * r / sqrt(r + low) * top / N;
+  }
+  return 2.0 * sum / (l->width * (1.0 - 1.0 / (1.0 + exp(l->centre / l->width))));
+}
+
+/* Ozone at 20 km, 5 km (Lacis & Hansen 1974) and the stratosphere's aerosol at 16 km, 2.5 km. */
+static void layers(void **state)
+{
+  static struct um_environment_limb_air air;
+  static const struct layer ozone = {20e3, 5e3}, aerosol = {16e3, 2.5e3};
+  const struct um_environment_limb_profile profile = um_environment_limb_standard();
+  (void)state;
+  um_environment_limb_air_make(&profile, UM_EARTH_RADIUS, &air);
+  for (int k = 0; k <= 80; k += 10) {
+    double h = k * UM_LIMB_STEP;
+    check_close("ozone", air.column[UM_LIMB_OZONE][k] / layer_column(&ozone, h), 1.0, 1e-3);
+    check_close("aerosol", air.column[UM_LIMB_AEROSOL][k] / layer_column(&aerosol, h), 1.0, 1e-3);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -107,6 +146,7 @@ int main(void)
       cmocka_unit_test(exponential_air),
       cmocka_unit_test(depths),
       cmocka_unit_test(standard_air),
+      cmocka_unit_test(layers),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -162,6 +162,56 @@ static void no_air(void **state)
     }
 }
 
+/* Clouds alone, before a Sun so far off that its disc spans 30 m at the limb: the share of clear
+ * sight (1 + erf((h - h_cloud)/(sqrt 2 s)))/2 of the straight ray's height, s = 2.5 km. Heights lie
+ * in steps of 0.5 km: 1e-3. */
+static void clouds(void **state)
+{
+  static struct um_environment_limb limb;
+  static const struct {
+    double over, share; /* the clouds' tops [2.5 km]; normal distribution function, tables */
+  } printed[] = {{-2, 0.02275}, {-1, 0.15866}, {0, 0.5}, {1, 0.84134}, {3, 0.99865}};
+  struct um_environment e = exponential_earth(&limb);
+  (void)state;
+  for (int k = 0; k < UM_LIMB_NODES; k++) limb.air.bending[k] = 0.0;
+  e.air_factor = 0.0;
+  e.cloud_top = 12e3;
+  for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
+    double y = UM_EARTH_RADIUS + e.cloud_top + printed[i].over * 2.5e3;
+    struct um_vec3 r = um_vec3(-sqrt(RADIUS * RADIUS - y * y), y, 0.0);
+    struct um_environment_shadow_light light;
+    um_environment_shadow_light(&e, r, um_vec3(1.0, 0.0, 0.0), 1000.0 * UM_AU, north, &light);
+    check_close("clear sight", um_environment_shadow_light_at(&light, 550e-9), printed[i].share,
+                1e-3);
+  }
+}
+
+/* Heat takes int E(lambda) F(lambda) dlambda / int E dlambda: here over 2000 wavelengths, there in
+ * 24 bands, 0.25 to 4 um of both. */
+static void mean_of_the_spectrum(void **state)
+{
+  static struct um_environment_limb limb;
+  struct um_environment e;
+  (void)state;
+  um_environment_defaults(&e);
+  um_environment_limb_make(&e, &limb);
+  e.limb = &limb;
+  for (double theta = 62.0; theta < 65.0; theta += 0.25) {
+    struct um_environment_shadow_light light;
+    struct place p = place_at(theta);
+    double sum = 0.0, all = 0.0;
+    um_environment_shadow_light(&e, p.r, p.sun, p.distance, north, &light);
+    for (int i = 0; i < 2000; i++) {
+      double wavelength = 0.25e-6 * pow(16.0, (i + 0.5) / 2000.0);
+      double energy = wavelength * um_environment_solar_spectrum(&e, wavelength);
+      all += energy;
+      sum += energy * um_environment_shadow_light_at(&light, wavelength);
+    }
+    check_close("mean", um_environment_sunlit_fraction(&e, p.r, p.sun, p.distance, north),
+                sum / all, 2e-3);
+  }
+}
+
 /* With all that the air holds, light grows without a step from exactly none to exactly all of it,
  * redder the lower the Sun, and never above what arrives without extinction. */
 static void standard_limb(void **state)
@@ -215,6 +265,8 @@ int main(void)
       cmocka_unit_test(exponential_disc),
       cmocka_unit_test(narrow_beam),
       cmocka_unit_test(no_air),
+      cmocka_unit_test(clouds),
+      cmocka_unit_test(mean_of_the_spectrum),
       cmocka_unit_test(standard_limb),
       cmocka_unit_test(where_it_does_not_act),
   };
