@@ -347,7 +347,8 @@ static enum um_status reflected_earth(struct um_context *context, struct um_vali
 }
 
 /* Kirchhoff: a plate at 300 K before surroundings at 300 K sends out B(300 K), whatever its optics.
- * Float cosine at 80 deg: 0.5 ulp of 0.17, 9e-8 of it. */
+ * The Earth is all that it sees: it lies on the ground and looks down. Float cosine at 80 deg: 0.5
+ * ulp of 0.17, 9e-8 of it. */
 static enum um_status isothermal(struct um_context *context, struct um_validate_report *report)
 {
   static const struct {
@@ -368,6 +369,7 @@ static enum um_status isothermal(struct um_context *context, struct um_validate_
     UM_CHECK(stage_set(&s, context, &shape, 1));
     s.environment.brightness_temperature = 300.0;
     s.samples[0].to_observer = polar(80.0 * UM_DEG, 0.3);
+    s.samples[0].r = um_vec3(0.0, 0.0, -s.environment.earth_radius * (1.0 + 1e-15));
     for (size_t i = 0; i < um_geometry_mesh(s.geometry)->nsurface; i++) s.view_factor[i] = 1.0F;
     UM_CHECK(stage_run(&s, &lwir));
     um_validate_report_add(
