@@ -21,13 +21,11 @@
           "thermal.orbits_before=0"}
 #define WITHOUT(s)                                                                                 \
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
+#define SPECTRA                                                                                    \
+  .set = {"parts.bus.outside=mli_kapton", "parts.array.front=cell_silicon", "parts.array.back=cfrp"}
 #define SPECTRAL(s)                                                                                \
   {                                                                                                \
-    .name = "dusk-" s, DUSK, .without = s, .set = {                                                \
-      "parts.bus.outside=mli_kapton",                                                              \
-      "parts.array.front=cell_silicon",                                                            \
-      "parts.array.back=cfrp"                                                                      \
-    }                                                                                              \
+    .name = "dusk-" s, DUSK, .without = s, SPECTRA                                                 \
   }
 
 static const struct lab_world worlds[] = {
@@ -37,7 +35,6 @@ static const struct lab_world worlds[] = {
     WITHOUT("earth_ir"),
     WITHOUT("earthshine"),
     WITHOUT("reflected_earth_ir"),
-    WITHOUT("earthlight_lobe"),
     WITHOUT("penumbra"),
     WITHOUT("oblateness"),
     WITHOUT("shadow_refraction"),
@@ -47,6 +44,10 @@ static const struct lab_world worlds[] = {
     /* Only materials with spectra go with angle and temperature. */
     SPECTRAL("absorptance_angle"),
     SPECTRAL("emittance_temperature"),
+
+    /* Grey records emit, and so reflect in 8-12 um, alike toward all sides. */
+    SPECTRAL("earthlight_lobe"),
+    {.name = "dawn-earthlight_lobe", DAWN, PLACES, .without = "earthlight_lobe", SPECTRA},
 
     /* Only records with tables store by temperature: an array of sheet aluminium. */
     {.name = "dusk-bulk_temperature",
