@@ -1,8 +1,10 @@
-/* Sunlit, penumbra, umbra from the sunlit fraction, which is exactly 1 and 0 outside the penumbra;
- * rising and setting from the sign of the elevation's central difference. */
+/* Sunlit, penumbra, umbra from the sunlit fraction by the limits of core/constants.h; rising and
+ * setting from the sign of the elevation's central difference. */
 #include "compare/segments.h"
 
 #include <math.h>
+
+#include "core/constants.h"
 
 #define HALF_STEP 0.5 /* of the difference [s] */
 #define LIGHT     1.0 /* longest light time that is allowed for where an orbit ends [s] */
@@ -22,8 +24,8 @@ static enum um_compare_segment light_of(const struct um_model_precomputed *preco
 {
   size_t full = 0, none = 0;
   for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
-    if (precomputed->sample[i].sunlit_fraction >= 1.0) full++;
-    if (precomputed->sample[i].sunlit_fraction <= 0.0) none++;
+    if (precomputed->sample[i].sunlit_fraction >= UM_SUNLIGHT_LEAST) full++;
+    if (precomputed->sample[i].sunlit_fraction <= UM_UMBRA_MOST) none++;
   }
   if (full == precomputed->nsub) return UM_SEGMENT_SUNLIT;
   return none == precomputed->nsub ? UM_SEGMENT_UMBRA : UM_SEGMENT_PENUMBRA;

@@ -28,4 +28,9 @@
 #define UM_SPACE_TEMPERATURE 2.7    /* deep space [K], Fixsen 2009 rounded */
 #define UM_AB_ZERO_JY        3631.0 /* AB zero point [Jy], Oke & Gunn 1983 */
 
+/* What is called umbra, penumbra and sunlight, by the sunlit fraction [1]. The Earth's air has no
+ * edge: from both sides it leads to exactly 0 and 1 over half a minute of next to nothing. */
+#define UM_UMBRA_MOST     1e-3
+#define UM_SUNLIGHT_LEAST 0.999
+
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "output/output.h"
 #include "plot/plot.h"
 
@@ -142,7 +143,7 @@ static void name(struct um_plot *plot, size_t label, const char *text, const cha
 static void compass(struct um_plot *plot, const struct um_output_panel *panel, double span)
 {
   const struct um_environment_sample *s = panel->sample;
-  bool dark = !(s->sunlit_fraction > 0.0);
+  bool dark = !(s->sunlit_fraction > UM_UMBRA_MOST);
   struct direction d[] = {direction_of(s, um_vec3_scale(um_vec3_unit(s->r), -1.0), "nadir"),
                           direction_of(s, s->pole, "N"),
                           direction_of(s, s->sun, dark ? "(Sun)" : "Sun")};

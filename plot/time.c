@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "plot/plot_impl.h"
 
 #define HOUR   3600.0
@@ -55,9 +56,10 @@ void um_plot_shade(struct um_plot *plot, const struct um_plot_time *time, size_t
                    const double *t_tai, const double *sunlit)
 {
   for (size_t k = 0, end; k < count; k = end) {
-    bool lit = sunlit[k] >= 1.0, dark = sunlit[k] <= 0.0;
+    bool lit = sunlit[k] >= UM_SUNLIGHT_LEAST, dark = sunlit[k] <= UM_UMBRA_MOST;
     for (end = k + 1; end < count; end++)
-      if ((sunlit[end] >= 1.0) != lit || (sunlit[end] <= 0.0) != dark) break;
+      if ((sunlit[end] >= UM_SUNLIGHT_LEAST) != lit || (sunlit[end] <= UM_UMBRA_MOST) != dark)
+        break;
     if (lit) continue;
     double from = k == 0 ? t_tai[0] : 0.5 * (t_tai[k - 1] + t_tai[k]);
     double to = end == count ? t_tai[end - 1] : 0.5 * (t_tai[end - 1] + t_tai[end]);
