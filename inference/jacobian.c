@@ -83,12 +83,16 @@ enum um_status um_inference_descent_differences(struct um_context *context,
 void um_inference_descent_update(struct um_inference_descent *descent)
 {
   size_t n = descent->n, nobservation = descent->nobservation;
-  double *u = descent->v, square = 0.0;
+  double *u = descent->v, square = 0.0, moved = 0.0;
   for (size_t j = 0; j < n; j++) {
     u[j] = (descent->x_trial[j] - descent->x[j]) / descent->scale[j];
     square += u[j] * u[j];
   }
   if (!(square > 0.0)) return;
+  for (size_t i = 0; i < nobservation; i++)
+    moved += (descent->r[i] - descent->r_trial[i]) * (descent->r[i] - descent->r_trial[i]);
+  /* what is lost in the model's own noise says nothing of the slope */
+  if (!(moved > NOT_MOVED * NOT_MOVED * um_inference_descent_tolerance(descent))) return;
   if (n == 1) keep_base(descent); /* the next update tells how far the secant bends */
   for (size_t i = 0; i < nobservation; i++) {
     double missed = descent->r[i] - descent->r_trial[i];
