@@ -1,6 +1,7 @@
 /* How the heat of a model is solved. */
 #include "model/heat_setting_impl.h"
 
+#include "model/thermal_equal_impl.h"
 #include "model/tolerances.h"
 #include "thermal/solve.h"
 
@@ -24,22 +25,67 @@ struct um_thermal_exchange_options um_model_exchange_options(const struct um_mod
                                               .solar = model->environment.solar_reflection_on};
 }
 
+/* Is the radiation between surfaces that of a setting which is at hand, for surfaces that age so?
+ */
+static bool exchanges_alike(const struct um_model_heat_like *like, const struct um_model *model,
+                            const struct um_model_precomputed *precomputed,
+                            const struct um_model_aging *aging)
+{
+  if (like->setting->options.exchange == NULL) return false;
+  struct um_thermal_exchange_options a = um_model_exchange_options(like->model),
+                                     b = um_model_exchange_options(model);
+  return a.infrared == b.infrared && a.solar == b.solar &&
+         um_model_aging_equal(like->setting->aging, aging) &&
+         um_thermal_network_optics_equal(like->model->body->network, model->body->network) &&
+         um_model_view_factors_equal(like->precomputed->view_factors, precomputed->view_factors) &&
+         um_model_loads_equal(like->precomputed->loads, precomputed->loads);
+}
+
+/* All but the exchange. */
+static enum um_status begin(struct um_context *context, const struct um_model *model,
+                            const struct um_model_precomputed *precomputed,
+                            struct um_model_heat_setting *out)
+{
+  *out = (struct um_model_heat_setting){.options = um_model_heat_options(model)};
+  if (!precomputed->points)
+    UM_TRY(um_model_aging_create(context, model, precomputed->loads, &out->aging));
+  if (out->aging != NULL) out->options.aging = &out->aging->table;
+  return UM_OK;
+}
+
+static enum um_status exchange_make(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_thermal_exchange *like,
+                                    struct um_model_heat_setting *out)
+{
+  struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
+  if (precomputed->view_factors == NULL) return UM_OK;
+  exchange.aging = out->options.aging;
+  exchange.like = like;
+  UM_TRY(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
+                                    precomputed->view_factors, &exchange, &out->exchange));
+  out->options.exchange = out->exchange;
+  return UM_OK;
+}
+
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
                                           const struct um_model_precomputed *precomputed,
                                           const struct um_thermal_exchange *like,
                                           struct um_model_heat_setting *out)
 {
-  struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
-  *out = (struct um_model_heat_setting){.options = um_model_heat_options(model)};
-  if (!precomputed->points)
-    UM_TRY(um_model_aging_create(context, model, precomputed->loads, &out->aging));
-  if (out->aging != NULL) out->options.aging = &out->aging->table;
-  exchange.aging = out->options.aging;
-  exchange.like = like;
-  if (precomputed->view_factors == NULL) return UM_OK;
-  UM_TRY(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
-                                    precomputed->view_factors, &exchange, &out->exchange));
-  out->options.exchange = out->exchange;
+  UM_TRY(begin(context, model, precomputed, out));
+  return exchange_make(context, model, precomputed, like, out);
+}
+
+enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_heat_like *like,
+                                           struct um_model_heat_setting *out)
+{
+  UM_TRY(begin(context, model, precomputed, out));
+  if (!exchanges_alike(like, model, precomputed, out->aging))
+    return exchange_make(context, model, precomputed, like->setting->options.exchange, out);
+  out->options.exchange = like->setting->options.exchange;
   return UM_OK;
 }
 

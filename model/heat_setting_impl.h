@@ -12,7 +12,8 @@
 struct um_model_heat_setting {
   struct um_thermal_solve_options options;
   struct um_model_aging *aging;         /* behind options.aging; NULL: nothing ages */
-  struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces */
+  struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces, or
+                                           that of another setting */
 };
 /* With the optics that the model has. like: exchange of a model with the same surfaces, whose
  * temperatures the exchange begins with, or NULL. Model and geometry precomputation outlive it;
@@ -21,6 +22,18 @@ enum um_status um_model_heat_setting_make(struct um_context *context, const stru
                                           const struct um_model_precomputed *precomputed,
                                           const struct um_thermal_exchange *like,
                                           struct um_model_heat_setting *out);
+/* A setting that is at hand, and what it is of. */
+struct um_model_heat_like {
+  const struct um_model *model;
+  const struct um_model_precomputed *precomputed;
+  const struct um_model_heat_setting *setting;
+};
+/* The same for a model that was moved from that of `like`, which outlives it: its exchange where it
+ * would be the same, else one at the same temperatures, so that what differs is the move's. */
+enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_heat_like *like,
+                                           struct um_model_heat_setting *out);
 /* Emittances of an exchange that are the same [1]: a surface that receives nothing else is then
  * within 40 mK at 300 K. */
 #define UM_MODEL_SAME_EMITTANCE 5e-4

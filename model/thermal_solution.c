@@ -6,6 +6,7 @@
 
 #include "model/heat_setting_impl.h"
 #include "model/start_offset_impl.h"
+#include "model/thermal_equal_impl.h"
 #include "model/thermal_solution_impl.h"
 #include "thermal/ripple.h"
 
@@ -78,6 +79,7 @@ static enum um_status follow(struct um_context *context, struct um_model_thermal
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
   double before = precomputed->t_first - precomputed->period, from = precomputed->t_start;
   if (goes_on(heat)) from = fmin(precomputed->t_periodic_end, precomputed->sample[0].t_tai);
+  run->from = from;
   run->before = from <= precomputed->t_start && before >= precomputed->t_start - 1e-6;
   if (run->before) times[0] = fmax(before, precomputed->t_start);
   for (size_t i = 0; i < ninstant; i++)
@@ -107,9 +109,8 @@ static enum um_status swing(struct um_context *context, struct um_model_thermal_
   return UM_OK;
 }
 
-/* Temperatures of the surfaces at every instant, as the optics want them. */
-static enum um_status keep_surfaces(struct um_context *context,
-                                    struct um_model_thermal_solution *heat)
+enum um_status um_model_heat_run_surfaces(struct um_context *context,
+                                          struct um_model_thermal_solution *heat)
 {
   const struct um_model *model = heat->model;
   size_t nsurface = um_geometry_mesh(model->geometry)->nsurface;
@@ -143,9 +144,9 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
   *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
-  UM_CHECK(um_model_heat_setting_make(context, model, precomputed,
-                                      warm != NULL && periodic ? warm->setting.exchange : NULL,
-                                      &heat->setting));
+  UM_CHECK(um_model_heat_setting_make(
+      context, model, precomputed, warm != NULL && periodic ? warm->setting.options.exchange : NULL,
+      &heat->setting));
   heat->setting.options.tolerance_factor = tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   for (size_t i = 0; i < n; i++)
@@ -162,7 +163,7 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
     status = precomputed->points ? hold_start(context, heat) : follow(context, heat);
   }
   if (status == UM_OK) status = swing(context, heat);
-  if (status == UM_OK) status = keep_surfaces(context, heat);
+  if (status == UM_OK) status = um_model_heat_run_surfaces(context, heat);
   /* a run leaves the model as it was */
   um_thermal_network_temperatures_set(network, built);
   if (status != UM_OK) goto done;
@@ -186,60 +187,6 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   *heat = NULL;
 }
 
-static bool same(const void *a, const void *b, size_t count, size_t size)
-{
-  return a == b || count == 0 || memcmp(a, b, count * size) == 0;
-}
-
-static bool loads_equal(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
-{
-  if (a == b) return true;
-  if (a == NULL || b == NULL || a->ntime != b->ntime || a->nsurface != b->nsurface ||
-      a->nedge != b->nedge || (a->by_cosine == NULL) != (b->by_cosine == NULL))
-    return false;
-  size_t n = a->ntime * a->nsurface, ncosine = a->by_cosine != NULL ? UM_IRRADIATION_COSINES : 0;
-  return same(a->t, b->t, a->ntime, sizeof *a->t) &&
-         same(a->sunlit, b->sunlit, a->ntime, sizeof *a->sunlit) &&
-         same(a->irradiance, b->irradiance, a->ntime, sizeof *a->irradiance) &&
-         same(a->edge, b->edge, a->nedge, sizeof *a->edge) &&
-         same(a->sun, b->sun, n, sizeof *a->sun) &&
-         same(a->incidence, b->incidence, n, sizeof *a->incidence) &&
-         same(a->by_cosine, b->by_cosine, n * ncosine, sizeof *a->by_cosine) &&
-         same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
-         same(a->planet, b->planet, n, sizeof *a->planet) && (a->gas == NULL) == (b->gas == NULL) &&
-         (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas));
-}
-
-static bool factors_equal(const struct um_geometry_view_factors *a,
-                          const struct um_geometry_view_factors *b)
-{
-  size_t n = a->npatch, nentry = a->begin[n];
-  return a->npatch == b->npatch && same(a->begin, b->begin, n + 1, sizeof *a->begin) &&
-         same(a->other, b->other, nentry, sizeof *a->other) &&
-         same(a->area, b->area, nentry, sizeof *a->area);
-}
-
-static bool tables_equal(const struct um_geometry_view_factor_table *a,
-                         const struct um_geometry_view_factor_table *b)
-{
-  if (a == b) return true;
-  if (a == NULL || b == NULL || a->npose != b->npose || a->ntime != b->ntime ||
-      a->ncorner != b->ncorner || a->nroom != b->nroom || a->noutside != b->noutside ||
-      a->patches->npatch != b->patches->npatch || a->patches->nsurface != b->patches->nsurface)
-    return false;
-  size_t n = a->ntime * a->ncorner;
-  for (size_t k = 0; k < a->npose; k++)
-    if (!factors_equal(a->pose[k], b->pose[k])) return false;
-  for (size_t k = 0; k < a->nroom; k++)
-    if (a->room[k].first != b->room[k].first ||
-        !factors_equal(a->room[k].factors, b->room[k].factors))
-      return false;
-  return same(a->corner, b->corner, n, sizeof *a->corner) &&
-         same(a->weight, b->weight, n, sizeof *a->weight) &&
-         same(a->patches->patch, b->patches->patch, a->patches->nsurface,
-              sizeof *a->patches->patch);
-}
-
 /* Optics stand in the networks, which are compared themselves. */
 static bool exchange_equal(const struct um_model_thermal_solution *heat,
                            const struct um_model *model,
@@ -248,27 +195,7 @@ static bool exchange_equal(const struct um_model_thermal_solution *heat,
   struct um_thermal_exchange_options a = um_model_exchange_options(heat->model),
                                      b = um_model_exchange_options(model);
   return a.infrared == b.infrared && a.solar == b.solar &&
-         tables_equal(heat->precomputed->view_factors, precomputed->view_factors);
-}
-
-static bool times_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
-{
-  if (a == b) return true;
-  if (a->nobs != b->nobs || a->nsub != b->nsub || a->t_start != b->t_start ||
-      a->t_first != b->t_first || !(a->period == b->period || isnan(a->period + b->period)))
-    return false;
-  for (size_t i = 0; i < a->nobs * a->nsub; i++)
-    if (a->sample[i].t_tai != b->sample[i].t_tai) return false;
-  return true;
-}
-
-static bool options_equal(const struct um_thermal_solve_options *a,
-                          const struct um_thermal_solve_options *b)
-{
-  return a->relative_tolerance == b->relative_tolerance &&
-         a->absolute_tolerance == b->absolute_tolerance &&
-         a->space_temperature == b->space_temperature && a->albedo_on == b->albedo_on &&
-         a->planet_on == b->planet_on;
+         um_model_view_factors_equal(heat->precomputed->view_factors, precomputed->view_factors);
 }
 
 enum um_status um_model_thermal_solution_matches(struct um_context *context,
@@ -281,13 +208,13 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
   struct um_model_aging *aging = NULL;
-  *out = options_equal(&options, &heat->setting.options) && a->start == b->start &&
+  *out = um_model_heat_options_equal(&options, &heat->setting.options) && a->start == b->start &&
          a->temperature_in_optics == b->temperature_in_optics &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
-         times_equal(heat->precomputed, precomputed) &&
-         loads_equal(heat->precomputed->loads, precomputed->loads) &&
-         loads_equal(heat->precomputed->ripple, precomputed->ripple) &&
+         um_model_times_equal(heat->precomputed, precomputed) &&
+         um_model_loads_equal(heat->precomputed->loads, precomputed->loads) &&
+         um_model_loads_equal(heat->precomputed->ripple, precomputed->ripple) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
          exchange_equal(heat, model, precomputed) &&
          um_model_start_offset_equal(heat->model, model);

@@ -13,6 +13,7 @@
 struct um_model_heat_run {
   struct um_thermal_history *history;
   bool before;
+  double from;     /* where the history begins, t_tai [s]; NaN: it is not followed */
   double *surface; /* [ninstant][nsurface] [K] */
 };
 struct um_model_thermal_solution {
@@ -32,5 +33,8 @@ struct um_model_thermal_solution {
 enum um_status um_model_thermal_start(struct um_context *context,
                                       const struct um_model_thermal_solution *warm,
                                       struct um_model_thermal_solution *heat);
+/* Temperatures of the surfaces at every instant, as the optics want them, from the history. */
+enum um_status um_model_heat_run_surfaces(struct um_context *context,
+                                          struct um_model_thermal_solution *heat);
 
 #endif

@@ -166,6 +166,14 @@ void um_thermal_network_temperatures_set(struct um_thermal_network *network,
  * The same loads then give the same temperatures, bit by bit. */
 bool um_thermal_network_equal(const struct um_thermal_network *a,
                               const struct um_thermal_network *b);
+/* True when values alone differ: the same kinds of nodes, as many thermostats, power histories of
+ * the same times. */
+bool um_thermal_network_alike(const struct um_thermal_network *a,
+                              const struct um_thermal_network *b);
+/* True when surfaces take and give radiation alike: areas, absorptances, emittances and their laws,
+ * what exchange between them is made of. */
+bool um_thermal_network_optics_equal(const struct um_thermal_network *a,
+                                     const struct um_thermal_network *b);
 /* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */
 enum um_status um_thermal_network_read(struct um_context *context, const char *nodes_csv,
                                        const char *conductors_csv, struct um_thermal_network **out);

@@ -81,3 +81,32 @@ bool um_thermal_network_equal(const struct um_thermal_network *a,
   }
   return um_thermal_network_laws_equal(a, b) && heat_equal(a, b);
 }
+
+bool um_thermal_network_optics_equal(const struct um_thermal_network *a,
+                                     const struct um_thermal_network *b)
+{
+  if (a->nsurface != b->nsurface) return false;
+  for (size_t s = 0; s < a->nsurface; s++) {
+    const struct um_thermal_surface *x = &a->surface[s], *y = &b->surface[s];
+    if (a->attached[s] != b->attached[s]) return false;
+    if (a->attached[s] && !(x->area == y->area && x->emittance == y->emittance &&
+                            x->absorptance == y->absorptance && laws_equal(x->law, y->law)))
+      return false;
+  }
+  return true;
+}
+
+bool um_thermal_network_alike(const struct um_thermal_network *a,
+                              const struct um_thermal_network *b)
+{
+  if (a->nnode != b->nnode || a->nthermostat != b->nthermostat || a->nsource != b->nsource)
+    return false;
+  for (size_t i = 0; i < a->nnode; i++)
+    if (a->node[i].kind != b->node[i].kind) return false;
+  for (size_t k = 0; k < a->nsource; k++) {
+    const struct um_thermal_network_source *x = &a->source[k], *y = &b->source[k];
+    if (x->nrow != y->nrow || x->stepwise != y->stepwise || !numbers_equal(x->t, y->t, x->nrow))
+      return false;
+  }
+  return true;
+}

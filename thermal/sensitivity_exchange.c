@@ -5,20 +5,6 @@
 #include "thermal/exchange_solve_impl.h"
 #include "thermal/sensitivity_impl.h"
 
-/* The optics that an exchange is made of. */
-static bool optics_same(const struct um_thermal_network *a, const struct um_thermal_network *b)
-{
-  if (a->nsurface != b->nsurface) return false;
-  for (size_t s = 0; s < a->nsurface; s++) {
-    const struct um_thermal_surface *x = &a->surface[s], *y = &b->surface[s];
-    if (a->attached[s] != b->attached[s]) return false;
-    if (a->attached[s] && !(x->area == y->area && x->emittance == y->emittance &&
-                            x->absorptance == y->absorptance && x->law == y->law))
-      return false;
-  }
-  return true;
-}
-
 enum um_status
 um_thermal_sensitivity_exchange_check(const struct um_thermal_sensitivity_subject *of,
                                       const struct um_thermal_variant *variant, size_t nvariant)
@@ -32,7 +18,7 @@ um_thermal_sensitivity_exchange_check(const struct um_thermal_sensitivity_subjec
                           "heat sensitivity %zu: radiation between surfaces is %s the base and %s "
                           "the variant; accepted: in both or in none",
                           k, own != NULL ? "in" : "not in", x != NULL ? "in" : "not in");
-    if (x != NULL && x == own && !optics_same(of->network, variant[k].network))
+    if (x != NULL && x == own && !um_thermal_network_optics_equal(of->network, variant[k].network))
       return um_core_fail(
           of->context, UM_ERR_INPUT,
           "heat sensitivity %zu: the variant has other optics and the base's "

@@ -1,0 +1,230 @@
+/* Sensitivities of a model's temperatures: networks, loads and exchange of the moved models become
+ * variants of the base's (thermal/sensitivity.h). Start offsets are of both alike, so that of a
+ * periodic start S is that of the periodic state. */
+#include "model/thermal_sensitivity.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/start_offset_impl.h"
+#include "model/thermal_equal_impl.h"
+#include "model/thermal_solution_impl.h"
+#include "thermal/sensitivity.h"
+
+/* Of a step over the largest answer. Thin walls follow loads that are kinked at every row of their
+ * grid, where a step's own error says less: 1e-4 leaves 5e-3 of what the capacity of such a wall
+ * does, 2e-5 leaves 7e-4 (tests/model/thermal_sensitivity.c). */
+#define TOLERANCE 2e-5
+#define PATCHES   32 /* that exchange radiation, at most: for few it is measured (hidden-effect) */
+
+struct um_model_thermal_sensitivity {
+  size_t nmove, nrow, nnode;
+  double *value; /* [nmove][nrow][nnode] dT/dp at the rows of the history */
+};
+
+/* --- what serves ----------------------------------------------------------------------------- */
+
+/* The same instants and edges; what falls in between may differ. */
+static bool grids_alike(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
+{
+  return a == b || (a->ntime == b->ntime && a->nedge == b->nedge && a->nsurface == b->nsurface &&
+                    memcmp(a->t, b->t, a->ntime * sizeof *a->t) == 0 &&
+                    (a->nedge == 0 || memcmp(a->edge, b->edge, a->nedge * sizeof *a->edge) == 0));
+}
+
+/* Is the exchange between surfaces little work beside a run? */
+static bool exchange_small(const struct um_geometry_view_factor_table *table)
+{
+  return table == NULL || (table->npose == 1 && table->patches->npatch <= PATCHES);
+}
+
+enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
+                                                   const struct um_model_thermal_solution *heat,
+                                                   const struct um_model *model,
+                                                   const struct um_model_precomputed *precomputed,
+                                                   bool *out)
+{
+  (void)context;
+  struct um_thermal_solve_options options = um_model_heat_options(model);
+  const struct um_scenario_thermal *a = heat->model->scenario->thermal,
+                                   *b = model->scenario->thermal;
+  const struct um_model_precomputed *own = heat->precomputed;
+  struct um_thermal_exchange_options x = um_model_exchange_options(heat->model),
+                                     y = um_model_exchange_options(model);
+  *out = !own->points && !precomputed->points && own->ripple == NULL &&
+         exchange_small(own->view_factors) && precomputed->ripple == NULL &&
+         (a->start != UM_START_PERIODIC || !isnan(own->period)) && a->start == b->start &&
+         um_model_heat_options_equal(&options, &heat->setting.options) &&
+         um_model_times_equal(own, precomputed) && grids_alike(own->loads, precomputed->loads) &&
+         um_thermal_network_thermostats(model->body->network) == 0 &&
+         um_thermal_network_alike(heat->model->body->network, model->body->network) &&
+         x.infrared == y.infrared && x.solar == y.solar &&
+         um_model_view_factors_equal(own->view_factors, precomputed->view_factors) &&
+         um_geometry_mesh(heat->model->geometry)->nsurface ==
+             um_geometry_mesh(model->geometry)->nsurface &&
+         um_model_start_offset_equal(heat->model, model);
+  return UM_OK;
+}
+
+/* --- sensitivities --------------------------------------------------------------------------- */
+
+struct work {
+  struct um_context *context;
+  const struct um_model_thermal_solution *heat;
+  struct um_model_heat_setting *setting; /* [nmove] */
+  struct um_thermal_variant *variant;    /* [nmove] */
+  double *start;                         /* [nmove][nnode] */
+  struct um_model_thermal_sensitivity *to;
+};
+
+static enum um_status keep(void *user, size_t row, const double *temperature, const double *s)
+{
+  struct um_model_thermal_sensitivity *to = user;
+  (void)temperature;
+  for (size_t k = 0; k < to->nmove; k++)
+    memcpy(to->value + (k * to->nrow + row) * to->nnode, s + k * to->nnode, to->nnode * sizeof *s);
+  return UM_OK;
+}
+
+static enum um_status variants_make(struct work *w, const struct um_model_thermal_move *move,
+                                    size_t nmove)
+{
+  const struct um_model_thermal_solution *heat = w->heat;
+  const struct um_model_heat_like like = {heat->model, heat->precomputed, &heat->setting};
+  for (size_t k = 0; k < nmove; k++) {
+    bool serves;
+    UM_TRY(um_model_thermal_sensitivity_serves(w->context, heat, move[k].model, move[k].precomputed,
+                                               &serves));
+    if (!serves)
+      return um_core_fail(w->context, UM_ERR_INPUT,
+                          "heat sensitivity %zu: the model has other nodes, heaters, times or "
+                          "views; accepted: the base's, with other values",
+                          k);
+    UM_TRY(um_model_heat_setting_moved(w->context, move[k].model, move[k].precomputed, &like,
+                                       &w->setting[k]));
+    w->variant[k] = (struct um_thermal_variant){.network = move[k].model->body->network,
+                                                .loads = move[k].precomputed->loads,
+                                                .options = &w->setting[k].options,
+                                                .step = move[k].step};
+  }
+  return UM_OK;
+}
+
+/* The base's network has its start temperatures meanwhile. */
+static enum um_status follow(struct work *w)
+{
+  const struct um_model_thermal_solution *heat = w->heat;
+  const struct um_model_precomputed *p = heat->precomputed;
+  const struct um_thermal_network *network = heat->model->body->network;
+  struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
+  if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
+    UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->setting.options,
+                                           p->t_start, p->period, w->variant, w->to->nmove, &how,
+                                           w->start));
+    how.start = w->start;
+  }
+  return um_thermal_sensitivity(w->context, network, p->loads, &heat->setting.options,
+                                heat->run.from, heat->run.history->t, w->to->nrow, w->variant,
+                                w->to->nmove, &how, keep, w->to);
+}
+
+enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
+                                                   const struct um_model_thermal_solution *heat,
+                                                   const struct um_model_thermal_move *move,
+                                                   size_t nmove,
+                                                   struct um_model_thermal_sensitivity **out)
+{
+  enum um_status status;
+  struct um_thermal_network *network = heat->model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  struct work w = {.context = context, .heat = heat};
+  double *built = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *w.to, &w.to));
+  *w.to = (struct um_model_thermal_sensitivity){
+      .nmove = nmove, .nrow = heat->run.history->ntime, .nnode = n};
+  UM_CHECK(um_core_allocate(context, nmove, w.to->nrow * n * sizeof(double), &w.to->value));
+  UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.start));
+  UM_CHECK(um_core_allocate(context, nmove, sizeof *w.setting, &w.setting));
+  UM_CHECK(um_core_allocate(context, nmove, sizeof *w.variant, &w.variant));
+  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
+  UM_CHECK(variants_make(&w, move, nmove));
+  for (uint32_t i = 0; i < n; i++) built[i] = um_thermal_network_temperature(network, i);
+  um_thermal_network_temperatures_set(network, heat->start);
+  status = follow(&w);
+  um_thermal_network_temperatures_set(network, built);
+  if (status != UM_OK) goto done;
+  *out = w.to;
+  w.to = NULL;
+done:
+  for (size_t k = 0; w.setting != NULL && k < nmove; k++)
+    um_model_heat_setting_clear(context, &w.setting[k]);
+  um_core_free(context, w.setting);
+  um_core_free(context, w.variant);
+  um_core_free(context, w.start);
+  um_core_free(context, built);
+  um_model_thermal_sensitivity_destroy(context, &w.to);
+  return status;
+}
+
+void um_model_thermal_sensitivity_destroy(struct um_context *context,
+                                          struct um_model_thermal_sensitivity **sensitivity)
+{
+  if (sensitivity == NULL || *sensitivity == NULL) return;
+  um_core_free(context, (*sensitivity)->value);
+  um_core_free(context, *sensitivity);
+  *sensitivity = NULL;
+}
+
+/* --- a solution that is moved ---------------------------------------------------------------- */
+
+static enum um_status history_move(struct um_context *context,
+                                   const struct um_thermal_history *from, const double *s,
+                                   double step, struct um_thermal_history *to)
+{
+  size_t n = from->ntime * from->nnode;
+  to->ntime = from->ntime;
+  to->nnode = from->nnode;
+  to->audit = from->audit;
+  to->audit_error = from->audit_error;
+  UM_TRY(um_core_allocate(context, to->ntime, sizeof *to->t, &to->t));
+  UM_TRY(um_core_allocate(context, n, sizeof *to->temperature, &to->temperature));
+  memcpy(to->t, from->t, to->ntime * sizeof *to->t);
+  for (size_t i = 0; i < n; i++) {
+    to->temperature[i] = from->temperature[i] + step * s[i];
+    if (!(to->temperature[i] > 0.0))
+      return um_core_fail(context, UM_ERR_NUMERIC,
+                          "a parameter moved by %g moves a temperature of %.4g K to %.4g K", step,
+                          from->temperature[i], to->temperature[i]);
+  }
+  return UM_OK;
+}
+
+enum um_status um_model_thermal_solution_move(
+    struct um_context *context, const struct um_model_thermal_solution *heat,
+    const struct um_model_thermal_sensitivity *sensitivity, size_t which, double step,
+    const struct um_model *model, const struct um_model_precomputed *precomputed,
+    struct um_model_thermal_solution **out)
+{
+  enum um_status status;
+  const struct um_model_heat_like like = {heat->model, heat->precomputed, &heat->setting};
+  const double *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
+  struct um_model_thermal_solution *moved = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *moved, &moved));
+  *moved = (struct um_model_thermal_solution){
+      .model = model,
+      .precomputed = precomputed,
+      .periodic_drift = heat->periodic_drift,
+      .run = {.before = heat->run.before, .from = heat->run.from}};
+  UM_CHECK(um_model_heat_setting_moved(context, model, precomputed, &like, &moved->setting));
+  moved->setting.options.tolerance_factor = heat->setting.options.tolerance_factor;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *moved->run.history, &moved->run.history));
+  UM_CHECK(history_move(context, heat->run.history, s, step, moved->run.history));
+  UM_CHECK(um_model_heat_run_surfaces(context, moved));
+  *out = moved;
+  moved = NULL;
+done:
+  um_model_thermal_solution_destroy(context, &moved);
+  return status;
+}

@@ -1,0 +1,265 @@
+/* Temperatures of a scenario by forward sensitivities against central differences of runs of their
+ * own, over effects that act on every kind of number of the heat network and of its loads: the
+ * small satellite of hidden-effect in its pass into the shadow, from the periodic state.
+ *
+ * Asked: 1e-3 of the largest answer. Differences: periodic states to 1e-5 K, runs with tolerances
+ * of 1e-9 and 1e-7 K, both sides moved by a hundredth of a prior width or so: 1e-4 of curvature,
+ * and what 1e-5 K of a periodic state are over the width, added. */
+#include <math.h>
+#include <string.h>
+
+#include "effects/effects.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/thermal_sensitivity.h"
+#include "model/thermal_solution_impl.h"
+#include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
+
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/hidden-effect/dusk"
+#define ASKED    1e-3
+#define PERIODIC 1e-5 /* [K] */
+
+struct moved {
+  const char *effect, *target;
+  size_t parameter;
+  double at, width; /* moved to at + width and at - width; sensitivities by `small` of it */
+  double small;     /* 1 where loads move, which are kept to 24 bits */
+};
+static const struct moved moves[] = {
+    {"emittance", "white", 0, NAN, 0.01, 1e-3},
+    {"solar_absorptance", "mli", 0, NAN, 0.01, 1e-3},
+    {"internal_power", "bus", 0, NAN, 1.0, 1e-3},
+    {"contact_conductance", "array", 0, NAN, 0.02, 1e-3},
+    {"mli_emittance", "bus", 0, NAN, 0.01, 1e-3},
+    {"heat_capacity", "array", 0, NAN, 0.01, 1e-3},
+    {"interior_capacity", "bus", 0, NAN, 30.0, 1e-3},
+    {"panel_extraction", "array", 0, 0.1, 0.01, 1e-3},
+    {"earth_ir_level", NULL, 0, NAN, 0.02, 1.0},
+    {"solar_irradiance", NULL, 0, NAN, 0.01, 1.0},
+};
+enum { MOVES = sizeof moves / sizeof moves[0] };
+
+struct world {
+  struct um_model *model;
+  struct um_model_precomputed *precomputed;
+  bool borrowed; /* of the base: loads that do not move */
+};
+
+static double value_of(const struct moved *m, const struct um_effect *effect)
+{
+  return isnan(m->at) ? effect->parameters[m->parameter].null_value : m->at;
+}
+
+/* The model with a parameter moved by `by` from where it stands. */
+static struct world variant(const struct world *base, const struct moved *m, double by)
+{
+  struct world w = {0};
+  struct um_model_addition a = {.effect = um_effects_find(m->effect), .target = m->target};
+  assert_non_null(a.effect);
+  for (size_t p = 0; p < a.effect->nparameter; p++) a.value[p] = a.effect->parameters[p].null_value;
+  a.value[m->parameter] = value_of(m, a.effect) + by;
+  assert_int_equal(um_model_variant_create(context, base->model, &a, 1, &w.model), UM_OK);
+  w.borrowed = (um_effects_reach(a.effect) & (UM_REACH_PRECOMPUTED | UM_REACH_LIGHT)) == 0;
+  w.precomputed = base->precomputed;
+  if (!w.borrowed) assert_int_equal(um_model_precompute(context, w.model, &w.precomputed), UM_OK);
+  return w;
+}
+
+static void world_release(struct world *w)
+{
+  if (!w->borrowed) um_model_precomputed_destroy(context, &w->precomputed);
+  um_model_destroy(context, &w->model);
+}
+
+/* Temperatures of all nodes at the times of `like`, from the periodic state, which is looked for
+ * from `guess`. */
+static struct um_thermal_history *
+solved(const struct world *w, const struct um_model_thermal_solution *like, const double *guess)
+{
+  struct um_model_heat_setting setting;
+  struct um_thermal_history *h;
+  struct um_thermal_network *network = w->model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  double start[512], drift;
+  assert_true(n <= 512);
+  assert_int_equal(um_model_heat_setting_make(context, w->model, w->precomputed, NULL, &setting),
+                   UM_OK);
+  setting.options.relative_tolerance = 1e-9;
+  setting.options.absolute_tolerance = 1e-7;
+  um_thermal_network_temperatures_set(network, guess);
+  assert_int_equal(um_thermal_solve_periodic(context, network, w->precomputed->loads,
+                                             &setting.options, w->precomputed->t_start,
+                                             w->precomputed->period, PERIODIC, start, &drift),
+                   UM_OK);
+  um_thermal_network_temperatures_set(network, start);
+  assert_int_equal(um_thermal_solve(context, network, w->precomputed->loads, &setting.options,
+                                    w->precomputed->t_start, like->run.history->t,
+                                    like->run.history->ntime, &h),
+                   UM_OK);
+  um_model_heat_setting_clear(context, &setting);
+  return h;
+}
+
+/* Temperatures of the two sides against what the sensitivity says of the step. */
+static void compare(const struct world *scenario, const struct moved *m,
+                    const struct um_model_thermal_solution *heat,
+                    const struct um_model_thermal_solution *moved)
+{
+  struct um_thermal_history *h[2];
+  double largest = 0.0, worst = 0.0, guess[512];
+  assert_true(heat->run.before && heat->run.history->nnode <= 512);
+  for (int side = 0; side < 2; side++) {
+    struct world w = variant(scenario, m, side == 0 ? m->width : -m->width);
+    const double *t = heat->run.history->temperature, *to = moved->run.history->temperature;
+    for (size_t i = 0; i < heat->run.history->nnode; i++)
+      guess[i] = side == 0 ? to[i] : 2.0 * t[i] - to[i]; /* an orbit before the first instant */
+    h[side] = solved(&w, heat, guess);
+    world_release(&w);
+  }
+  for (size_t i = 0; i < h[0]->ntime * h[0]->nnode; i++) {
+    double central = 0.5 * (h[0]->temperature[i] - h[1]->temperature[i]);
+    double own = moved->run.history->temperature[i] - heat->run.history->temperature[i];
+    largest = fmax(largest, fabs(central));
+    worst = fmax(worst, fabs(own - central));
+  }
+  print_message("%-20s at most %9.4f K a step, off by %.1e of it\n", m->effect, largest,
+                worst / largest);
+  assert_true(largest > 0.01);
+  if (!(worst <= ASKED * largest + PERIODIC))
+    fail_msg("%s: off by %g K of %g K", m->effect, worst, largest);
+  for (int side = 0; side < 2; side++) um_thermal_history_destroy(context, &h[side]);
+}
+
+/* All moves in one run. */
+static void test_differences(void **state)
+{
+  (void)state;
+  static const char *const overrides[] = {"time.step_s=60", "time.exposure_s=0",
+                                          "parts.bus.interior.capacity_J_K=3000"};
+  static const char *const with[] = {"panel_extraction:array,efficiency=0.1"};
+  const struct um_model_options options = {
+      .overrides = overrides, .noverride = 3, .with = with, .nwith = 1};
+  struct world base = {0}, small[MOVES];
+  struct um_model_thermal_move move[MOVES];
+  struct um_model_thermal_solution *heat, *moved;
+  struct um_model_thermal_sensitivity *s;
+  bool serves;
+  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
+      UM_OK);
+  for (size_t k = 0; k < MOVES; k++) {
+    double step = moves[k].small * moves[k].width;
+    small[k] = variant(&base, &moves[k], step);
+    move[k] = (struct um_model_thermal_move){small[k].model, small[k].precomputed, step};
+    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, small[k].model,
+                                                         small[k].precomputed, &serves),
+                     UM_OK);
+    assert_true(serves);
+  }
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, MOVES, &s), UM_OK);
+  for (size_t k = 0; k < MOVES; k++) {
+    assert_int_equal(um_model_thermal_solution_move(context, heat, s, k, moves[k].width,
+                                                    small[k].model, small[k].precomputed, &moved),
+                     UM_OK);
+    compare(&base, &moves[k], heat, moved);
+    um_model_thermal_solution_destroy(context, &moved);
+    world_release(&small[k]);
+  }
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  world_release(&base);
+}
+
+/* What comes or goes, and edges that move, have no derivative here; a temperature of 0 K none to
+ * go on to. */
+static void test_refused(void **state)
+{
+  (void)state;
+  static const struct moved others[] = {{"heater", "bus", 0, 5.0, 0.0, 0.0},
+                                        {"shadow_radius", NULL, 0, NAN, 1.0, 0.0},
+                                        {"time_tag", NULL, 0, 1.0, 0.0, 0.0},
+                                        {"stored_heat", "bus", 0, 1.0, 0.0, 0.0}};
+  static const char *const overrides[] = {"time.step_s=60", "time.exposure_s=0"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 2};
+  struct world base = {0};
+  struct um_model_thermal_solution *heat, *moved;
+  struct um_model_thermal_sensitivity *s;
+  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 6.0, &heat),
+      UM_OK);
+  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
+    struct world w = variant(&base, &others[k], others[k].width);
+    const struct um_model_thermal_move move = {w.model, w.precomputed, 1.0};
+    bool serves;
+    assert_int_equal(
+        um_model_thermal_sensitivity_serves(context, heat, w.model, w.precomputed, &serves), UM_OK);
+    if (serves) fail_msg("%s serves", others[k].effect);
+    assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s),
+                     UM_ERR_INPUT);
+    assert_null(s);
+    assert_string_equal(um_core_message(context),
+                        "heat sensitivity 0: the model has other nodes, heaters, times or views; "
+                        "accepted: the base's, with other values");
+    um_core_message_clear(context);
+    world_release(&w);
+  }
+  const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
+  struct world w = variant(&base, &power, 1e-3);
+  const struct um_model_thermal_move move = {w.model, w.precomputed, 1e-3};
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_move(context, heat, s, 0, -1e5, w.model, w.precomputed, &moved),
+      UM_ERR_NUMERIC);
+  assert_null(moved);
+  assert_non_null(strstr(um_core_message(context), "a parameter moved by -100000 moves a "));
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  world_release(&w);
+  world_release(&base);
+}
+
+/* A turn's swing is not in the derivative; exchange of many patches is left to runs. */
+static void test_left_to_runs(void **state)
+{
+  (void)state;
+  static const char *const spin[] = {"attitude.0.spin.period_s=5", "thermal.spin_loads=averaged",
+                                     "time.step_s=60", "time.exposure_s=0"};
+  static const char *const many[] = {"parts.array.lumped=false", "parts.bus.lumped=false",
+                                     "thermal.facet_size_m=0.4", "time.step_s=60",
+                                     "time.exposure_s=0"};
+  const struct um_model_options options[] = {{.overrides = spin, .noverride = 4},
+                                             {.overrides = many, .noverride = 5}};
+  const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1.0};
+  for (size_t i = 0; i < 2; i++) {
+    struct world base = {0};
+    struct um_model_thermal_solution *heat;
+    bool serves;
+    assert_int_equal(um_model_create(context, SCENARIO, &options[i], &base.model), UM_OK);
+    assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+    if (i == 0) assert_non_null(base.precomputed->ripple);
+    if (i == 1) assert_true(base.precomputed->view_factors->patches->npatch > 32);
+    assert_int_equal(
+        um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 30.0, &heat),
+        UM_OK);
+    struct world w = variant(&base, &power, 1.0);
+    assert_int_equal(
+        um_model_thermal_sensitivity_serves(context, heat, w.model, w.precomputed, &serves), UM_OK);
+    assert_false(serves);
+    um_model_thermal_solution_destroy(context, &heat);
+    world_release(&w);
+    world_release(&base);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_differences),
+                                     cmocka_unit_test(test_refused),
+                                     cmocka_unit_test(test_left_to_runs)};
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
+}
