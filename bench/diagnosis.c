@@ -46,10 +46,9 @@ static double spend(char *const arguments[])
   return children() - before;
 }
 
-/* "candidates": 119 of diagnosis.json. */
-static double candidates(void)
+/* The number under a key of diagnosis.json, `"candidates": ` 119. */
+static double number(const char *key)
 {
-  static const char key[] = "\"candidates\": ";
   char line[4096];
   double count = NAN;
   FILE *file = fopen(OUT "/diagnosis.json", "r");
@@ -88,12 +87,17 @@ int main(int argc, char **argv)
                             "--out",       OUT,        "--force", "--no-plots", NULL};
   bench_begin(&bench, argc, argv, "diagnosis: umbra diagnose on ENVISAT's pass");
   spend(synth);
-  double one = spend(run), all = spend(diagnose), count = candidates();
+  double one = spend(run), all = spend(diagnose), count = number("\"candidates\": ");
   bench_number(&bench, "one forward run", "s", one, NAN, NAN);
   bench_number(&bench, "candidates, effect x target", "1", count, NAN, NAN);
   bench_number(&bench, "a diagnosis over all of them, in 30 forward runs", "s", all, RUNS * one,
                1.0);
   bench_number(&bench, "its share for 60 candidates, in 30 forward runs", "s", all * ASKED / count,
                RUNS * one, 1.0);
+  bench_number(&bench, "heat integrations of variants", "1", number("\"heat_integrations\": "), NAN,
+               NAN);
+  bench_number(&bench, "forward sensitivities in place of more", "1",
+               number("\"heat_sensitivities\": "), NAN, NAN);
+  bench_number(&bench, "runs that gave them", "1", number("\"heat_batches\": "), NAN, NAN);
   return bench_end(&bench);
 }

@@ -25,8 +25,7 @@ struct um_thermal_exchange_options um_model_exchange_options(const struct um_mod
                                               .solar = model->environment.solar_reflection_on};
 }
 
-/* Is the radiation between surfaces that of a setting which is at hand, for surfaces that age so?
- */
+/* Is the radiation between surfaces that of a setting which is at hand? aging: of this model. */
 static bool exchanges_alike(const struct um_model_heat_like *like, const struct um_model *model,
                             const struct um_model_precomputed *precomputed,
                             const struct um_model_aging *aging)

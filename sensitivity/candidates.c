@@ -7,7 +7,7 @@
 #include "core/words.h"
 #include "effects/effects.h"
 #include "model/effect_files.h"
-#include "sensitivity/forward_impl.h"
+#include "sensitivity/moves_impl.h"
 #include "sensitivity/scan_impl.h"
 #include "sensitivity/signature_impl.h"
 #include "sensitivity/stated.h"
@@ -169,6 +169,23 @@ static bool is_repeated(const struct um_sensitivity_candidates *list, size_t whi
   return false;
 }
 
+/* Heat of the first steps of all candidates. */
+static enum um_status find_moves(struct um_context *context,
+                                 const struct um_sensitivity_point *point,
+                                 const struct um_sensitivity_candidates *list)
+{
+  struct um_sensitivity_move *move = NULL;
+  size_t n = 0;
+  if (point->naddition > 0) return UM_OK; /* the heat at hand is the scenario's */
+  UM_TRY(
+      um_core_allocate(context, list->count + 1, UM_EFFECT_PARAMETERS_MAX * sizeof *move, &move));
+  for (size_t i = 0; i < list->count; i++)
+    n += um_sensitivity_signature_moves(&list->candidate[i], move + n);
+  enum um_status status = um_sensitivity_moves_find(context, point->forward, move, n);
+  um_core_free(context, move);
+  return status;
+}
+
 static enum um_status make_signatures(struct um_context *context,
                                       const struct um_sensitivity_point *point,
                                       struct um_sensitivity_candidates *list)
@@ -177,8 +194,10 @@ static enum um_status make_signatures(struct um_context *context,
   size_t kept = 0, count = list->count;
   struct um_sensitivity_forward_run base = {0};
   um_core_progress_begin(context, "signatures of effects", count);
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, point->forward, &list->candidate[i], &base));
+  UM_CHECK(find_moves(context, point, list));
+  for (size_t i = 0; i < count; i++) {
     UM_CHECK(um_sensitivity_signature_create(context, point, &list->candidate[i]));
     UM_CHECK(um_core_progress_step(context, 1));
   }
@@ -196,6 +215,7 @@ static enum um_status make_signatures(struct um_context *context,
   }
   list->count = kept;
 done:
+  um_sensitivity_moves_clear(context, point->forward);
   um_sensitivity_forward_run_release(context, &base);
   um_core_progress_end(context);
   return status;

@@ -18,15 +18,6 @@
 #include "sensitivity/observations_impl.h"
 #include "sensitivity/variant_impl.h"
 
-static void cached_clear(struct um_context *context, struct um_sensitivity_cached *cached)
-{
-  um_core_free(context, cached->key);
-  um_model_thermal_solution_destroy(context, &cached->heat);
-  um_model_precomputed_destroy(context, &cached->precomputed);
-  um_model_destroy(context, &cached->model);
-  *cached = (struct um_sensitivity_cached){0};
-}
-
 void um_sensitivity_forward_null(const struct um_sensitivity_forward *forward,
                                  const struct um_effect *effect, const char *target, double *value)
 {
@@ -67,13 +58,15 @@ static enum um_status find_precomputed(struct um_context *context,
   struct um_sensitivity_cached *oldest = &cache->kept[0];
   *out = &cache->own;
   if (nkey == 0) return UM_OK;
+  *out = um_sensitivity_moves_precomputed(forward->cache->moves, *key, nkey);
+  if (*out != NULL) return UM_OK;
   for (size_t i = 0; i < UM_SENSITIVITY_CACHED; i++) {
     struct um_sensitivity_cached *t = *out = &cache->kept[i];
     if (t->model != NULL && um_sensitivity_variant_same_key(t->key, t->nkey, *key, nkey))
       return UM_OK;
     if (t->used < oldest->used) oldest = t;
   }
-  cached_clear(context, oldest);
+  um_sensitivity_cached_clear(context, oldest);
   UM_TRY(um_compare_plan_trace(context, v->model, forward->plan, &oldest->precomputed));
   oldest->key = *key;
   oldest->nkey = nkey;
@@ -84,14 +77,15 @@ static enum um_status find_precomputed(struct um_context *context,
   return UM_OK;
 }
 
-/* Heat that is at hand or new; new heat on a geometry precomputation that has none stays with it.
- */
+/* Heat that is at hand, by the answer to a move (or NULL), or new; new heat on a geometry
+ * precomputation that has none stays with it. */
 static enum um_status find_heat(struct um_context *context, struct um_sensitivity_forward *forward,
+                                const struct um_sensitivity_move *move,
                                 struct um_sensitivity_cached *cached, struct variant *v)
 {
   struct um_sensitivity_forward_cache *cache = forward->cache;
   struct um_model_thermal_solution *heat = NULL;
-  cache->fresh_heat = false;
+  cache->fresh_heat = cache->moved_heat = false;
   v->heat = cached->heat;
   bool matches = false;
   if (v->heat != NULL)
@@ -101,8 +95,20 @@ static enum um_status find_heat(struct um_context *context, struct um_sensitivit
   UM_TRY(um_model_thermal_solution_matches(context, v->heat, v->used, v->precomputed, &matches));
   if (matches) return UM_OK;
   cache->fresh_heat = true;
+  const struct um_sensitivity_moved *moved = um_sensitivity_moves_of(cache->moves, move);
+  if (moved != NULL) {
+    cache->moved_heat = true;
+    UM_TRY(um_model_thermal_solution_move(context, cache->own.heat, moved->sensitivity,
+                                          moved->which, move->step, v->used, v->precomputed,
+                                          &v->own_heat));
+    v->heat = v->own_heat;
+    return UM_OK;
+  }
+  double begin = omp_get_wtime();
   UM_TRY(um_model_thermal_solution_create(context, v->used, v->precomputed, cache->own.heat,
                                           forward->tolerance_factor, &heat));
+  forward->heat_runs++;
+  forward->heat_seconds += omp_get_wtime() - begin;
   v->heat = heat;
   if (v->used == cached->model && cached->heat == NULL)
     cached->heat = heat;
@@ -114,7 +120,7 @@ static enum um_status find_heat(struct um_context *context, struct um_sensitivit
 static enum um_status variant_make(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    const struct um_model_addition *addition, size_t naddition,
-                                   struct variant *v)
+                                   const struct um_sensitivity_move *move, struct variant *v)
 {
   enum um_status status;
   struct um_sensitivity_cached *cached = NULL;
@@ -128,7 +134,7 @@ static enum um_status variant_make(struct um_context *context,
   UM_CHECK(find_precomputed(context, forward, &key, nkey, v, &cached));
   cached->used = forward->evaluations + 1;
   v->precomputed = cached->precomputed;
-  UM_CHECK(find_heat(context, forward, cached, v));
+  UM_CHECK(find_heat(context, forward, move, cached, v));
 done:
   um_core_free(context, key);
   return status;
@@ -170,11 +176,11 @@ static enum um_status gather(struct um_context *context,
 
 static enum um_status evaluate(struct um_context *context, struct um_sensitivity_forward *forward,
                                const struct um_model_addition *addition, size_t naddition,
-                               double *value)
+                               const struct um_sensitivity_move *move, double *value)
 {
   enum um_status status;
   struct variant v = {0};
-  UM_CHECK(variant_make(context, forward, addition, naddition, &v));
+  UM_CHECK(variant_make(context, forward, addition, naddition, move, &v));
   UM_CHECK(predict(context, forward, v.used, v.precomputed, v.heat));
   UM_CHECK(gather(context, forward, value));
 done:
@@ -183,24 +189,43 @@ done:
   return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
 }
 
-enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
-                                               struct um_sensitivity_forward *forward,
-                                               const struct um_model_addition *addition,
-                                               size_t naddition, double *value)
+static enum um_status evaluate_timed(struct um_context *context,
+                                     struct um_sensitivity_forward *forward,
+                                     const struct um_model_addition *addition, size_t naddition,
+                                     const struct um_sensitivity_move *move, double *value)
 {
   double begin = omp_get_wtime();
   enum um_status status = UM_OK;
   if (naddition == 0) {
-    forward->cache->fresh_heat = false;
+    forward->cache->fresh_heat = forward->cache->moved_heat = false;
     memcpy(value, forward->cache->base, forward->observations.count * sizeof *value);
   } else {
     um_core_quiet_begin(context);
-    status = evaluate(context, forward, addition, naddition, value);
+    status = evaluate(context, forward, addition, naddition, move, value);
     um_core_quiet_end(context);
   }
   forward->evaluations++;
   forward->seconds += omp_get_wtime() - begin;
   return status;
+}
+
+enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
+                                               struct um_sensitivity_forward *forward,
+                                               const struct um_model_addition *addition,
+                                               size_t naddition, double *value)
+{
+  return evaluate_timed(context, forward, addition, naddition, NULL, value);
+}
+
+enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,
+                                                    struct um_sensitivity_forward *forward,
+                                                    const struct um_sensitivity_move *move,
+                                                    double *value)
+{
+  struct um_model_addition a = {.effect = move->effect, .target = move->target};
+  memcpy(a.value, move->at, move->effect->nparameter * sizeof *a.value);
+  a.value[move->parameter] += move->step;
+  return evaluate_timed(context, forward, &a, 1, move, value);
 }
 
 static enum um_status repeat(struct um_context *context, struct um_sensitivity_forward *forward,
@@ -331,8 +356,10 @@ void um_sensitivity_forward_destroy(struct um_context *context,
   if (forward == NULL || *forward == NULL) return;
   struct um_sensitivity_forward *f = *forward;
   if (f->cache != NULL) {
-    for (size_t i = 0; i < UM_SENSITIVITY_CACHED; i++) cached_clear(context, &f->cache->kept[i]);
-    cached_clear(context, &f->cache->own);
+    um_sensitivity_moves_destroy(context, &f->cache->moves);
+    for (size_t i = 0; i < UM_SENSITIVITY_CACHED; i++)
+      um_sensitivity_cached_clear(context, &f->cache->kept[i]);
+    um_sensitivity_cached_clear(context, &f->cache->own);
     um_core_free(context, f->cache->predicted);
     um_core_free(context, f->cache->base);
     um_core_free(context, f->cache);

@@ -24,6 +24,10 @@ struct um_sensitivity_forward {
   double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and
                            of the search for samples [s] */
   double seconds;       /* of all [s] */
+  size_t heat_runs;     /* how often heat was integrated for a variant */
+  size_t heat_sensitivities, heat_batches;    /* parameters whose heat came by forward sensitivities
+                                                 in place of that, and runs that gave them */
+  double heat_seconds;                        /* wall time of both [s] */
   struct um_sensitivity_forward_cache *cache; /* private */
 };
 

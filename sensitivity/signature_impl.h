@@ -2,18 +2,12 @@
 #ifndef UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 #define UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 
-#include "sensitivity/candidate.h"
-#include "sensitivity/forward.h"
+#include "sensitivity/difference_impl.h"
 
-/* What a signature is taken of. */
-struct um_sensitivity_point {
-  struct um_sensitivity_forward *forward;
-  const struct um_model_addition *addition; /* [naddition] */
-  size_t naddition;
-  const double *base; /* [nobservation] values with the additions */
-  double noise; /* largest change of an observation, in its sigma, that a new integration of the
-                   same heat makes */
-};
+/* Steps that the signature of a candidate begins with, one a parameter, into out
+ * [UM_EFFECT_PARAMETERS_MAX]; how many. Effect, target, range and null values are set. */
+size_t um_sensitivity_signature_moves(const struct um_sensitivity_candidate *candidate,
+                                      struct um_sensitivity_move *out);
 /* Columns of a candidate of which effect, target and null values are set: which parameters are
  * free, steps, signature, insensitive, why. */
 enum um_status um_sensitivity_signature_create(struct um_context *context,

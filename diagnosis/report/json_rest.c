@@ -138,5 +138,8 @@ void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d)
   um_core_json_field(file, ", ", "seconds", f->seconds);
   um_core_json_field(file, ", ", "seconds_forward_run", f->seconds_first);
   um_core_json_field(file, ", ", "forward_runs", f->seconds / f->seconds_first);
+  fprintf(file, ", \"heat_integrations\": %zu, \"heat_sensitivities\": %zu, \"heat_batches\": %zu",
+          f->heat_runs, f->heat_sensitivities, f->heat_batches);
+  um_core_json_field(file, ", ", "heat_seconds", f->heat_seconds);
   fputc('}', file);
 }

@@ -1,0 +1,56 @@
+/* What the observations do when one parameter of a candidate moves. Private to sensitivity/. */
+#ifndef UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
+#define UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
+
+#include "sensitivity/candidate.h"
+#include "sensitivity/forward_impl.h"
+
+/* What a signature is taken of. */
+struct um_sensitivity_point {
+  struct um_sensitivity_forward *forward;
+  const struct um_model_addition *addition; /* [naddition] */
+  size_t naddition;
+  const double *base; /* [nobservation] values with the additions */
+  double noise; /* largest change of an observation, in its sigma, that a new integration of the
+                   same heat makes */
+};
+
+/* Changes of the observations that one step makes. */
+struct um_sensitivity_change {
+  double largest, rms; /* [sigma] */
+  double length;       /* root of their chi-square */
+  bool fresh;          /* heat differs: integrated anew, with its noise .. */
+  bool smooth;         /* .. or found by a sensitivity, without */
+};
+
+/* The candidate with other values [nparameter]; difference: [nobservation]. move: the one that
+ * makes these values of the scenario's, NULL: several, or unknown. */
+enum um_status um_sensitivity_step_to(struct um_context *context,
+                                      const struct um_sensitivity_point *point,
+                                      const struct um_sensitivity_candidate *candidate,
+                                      const double *values, const struct um_sensitivity_move *move,
+                                      double *difference, struct um_sensitivity_change *out);
+
+/* The first step of a parameter [its unit], signed, into the range. */
+double um_sensitivity_first_step(const struct um_sensitivity_candidate *candidate, size_t which,
+                                 double null);
+
+/* What moves: parameter p of the values, by a step. */
+struct um_sensitivity_mover {
+  struct um_context *context;
+  const struct um_sensitivity_point *point;
+  const struct um_sensitivity_candidate *candidate;
+  const double *at; /* [nparameter] */
+  size_t p;
+  double *column; /* [nobservation] the derivative */
+};
+/* The derivative by a step that begins with *step; out: one that stands above the noise of an
+ * integration, which a fit will take, and the change that it makes. */
+enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *mover, double *step,
+                                         struct um_sensitivity_change *change);
+/* Is a change seen beside the noise? */
+bool um_sensitivity_alive(const struct um_sensitivity_change *change, double noise);
+/* It is none at all. */
+bool um_sensitivity_is_nothing(const struct um_sensitivity_change *change);
+
+#endif
