@@ -30,8 +30,10 @@ bool um_materials_library_is_of(const struct um_materials_library *library,
                                 const struct um_materials_sun *sun)
 {
   const struct um_materials_sun *own = &library->sun;
-  return memcmp(own->wavelength, sun->wavelength, sizeof own->wavelength) == 0 &&
-         memcmp(own->share, sun->share, sizeof own->share) == 0 && own->measured == sun->measured;
+  bool same = own->measured == sun->measured;
+  for (size_t i = 0; i < UM_MATERIALS_SUN && same; i++)
+    same = own->wavelength[i] == sun->wavelength[i] && own->share[i] == sun->share[i];
+  return same;
 }
 
 void um_materials_library_destroy(struct um_materials_library **library)

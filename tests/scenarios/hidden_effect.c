@@ -45,7 +45,7 @@ static void is_seen_whole(const struct support_run *run, const struct page *page
   for (size_t k = 0; k < run->result->nobs; k++) {
     double sunlit = run->precomputed->sunlit[k];
     double elevation = run->precomputed->look[k * run->precomputed->nsub].elevation / UM_DEG;
-    *(sunlit == 1.0 ? &lit : sunlit == 0.0 ? &dark : &penumbra) += 1;
+    *(sunlit >= UM_SUNLIGHT_LEAST ? &lit : sunlit <= UM_UMBRA_MOST ? &dark : &penumbra) += 1;
     high = fmax(high, elevation);
     low = fmin(low, elevation);
     for (size_t b = 0; b < run->result->nband; b++)
