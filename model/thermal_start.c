@@ -80,13 +80,14 @@ static enum um_status settle_stated(struct um_context *context,
                                      &heat->setting, &change);
 }
 
-/* Periodic start and exchange by turns until the emittances are the same. Means over the orbit
- * serve it in sunlight and in shadow. Drafts come first where emittances go with temperature and
- * nothing is known of it. */
+/* Periodic start and exchange by turns until the emittances are the same, from built[nnode] [K].
+ * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances go
+ * with temperature and nothing is known of it. */
 static enum um_status settle_periodic(struct um_context *context,
                                       struct um_model_thermal_solution *heat, bool warm,
-                                      double *mean)
+                                      const double *built, double *mean)
 {
+  size_t n = um_thermal_network_nodes(heat->model->body->network);
   const double same = UM_MODEL_SAME_EMITTANCE;
   double change = 0.0;
   if (!warm)
@@ -95,7 +96,14 @@ static enum um_status settle_periodic(struct um_context *context,
   bool draft = change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
-    UM_TRY(search(context, heat, draft, mean));
+    enum um_status status = search(context, heat, draft, mean);
+    if (draft && status == UM_ERR_NUMERIC) { /* too rough for this body: search it as it is */
+      um_core_message_clear(context);
+      memcpy(heat->start, built, n * sizeof *built);
+      draft = false;
+      continue;
+    }
+    UM_TRY(status);
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, same, round,
                                        &heat->setting, &change));
     if (!draft) continue;
@@ -119,8 +127,10 @@ enum um_status um_model_thermal_start(struct um_context *context,
   for (size_t i = 0; i < n && periodic && warm != NULL; i++)
     if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
       heat->start[i] = warm->start[i];
-  UM_TRY(um_core_allocate(context, n, sizeof *mean, &mean));
-  enum um_status status = periodic ? settle_periodic(context, heat, warm != NULL, mean)
+  UM_TRY(um_core_allocate(context, 2 * n, sizeof *mean, &mean));
+  double *built = mean + n;
+  memcpy(built, heat->start, n * sizeof *built);
+  enum um_status status = periodic ? settle_periodic(context, heat, warm != NULL, built, mean)
                                    : settle_stated(context, heat, mean);
   um_core_free(context, mean);
   return status;
