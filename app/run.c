@@ -34,7 +34,7 @@ static void material_energy(const struct um_model_result *r, size_t band, double
 struct band_summary {
   double low, high; /* intensity [W/sr] */
   double error;     /* Monte-Carlo error of a total at most [1] */
-  size_t umbra;     /* instants without sunlight */
+  size_t umbra;     /* instants in it, core/constants.h */
   double umbra_sun; /* largest Sun term of those [W/sr] */
   double umbra_low; /* their lowest total [W/sr] */
 };
@@ -48,7 +48,7 @@ static struct band_summary band_summary(const struct um_model_precomputed *preco
     s.low = fmin(s.low, total);
     s.high = fmax(s.high, total);
     if (total > 0.0) s.error = fmax(s.error, r->standard_error[k * r->nband + band] / total);
-    if (precomputed->sunlit[k] > 0.0) continue;
+    if (precomputed->sunlit[k] > UM_UMBRA_MOST) continue;
     s.umbra++;
     s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
     s.umbra_low = fmin(s.umbra_low, total);
@@ -64,8 +64,9 @@ static void print_band(const struct um_output_run *run, size_t band, double *ene
   size_t best = 0;
   printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
   if (s.umbra > 0)
-    printf("; %zu of %zu instants in the umbra: Sun term %g W/sr, total at least %.4g W/sr",
-           s.umbra, r->nobs, s.umbra_sun, s.umbra_low);
+    printf(
+        "; %zu of %zu instants in the umbra: Sun term at most %.3g W/sr, total at least %.4g W/sr",
+        s.umbra, r->nobs, s.umbra_sun, s.umbra_low);
   printf("; Monte-Carlo error at most %.2g %%\n", 100.0 * s.error);
   material_energy(r, band, energy);
   for (size_t m = 0; m < r->nmaterial; m++) {
@@ -173,7 +174,7 @@ static void choose_instants(const struct um_model_precomputed *precomputed,
   for (size_t c = 0; c < PANEL_COLUMNS; c++) k[c] = n * (2 * c + 1) / (2 * PANEL_COLUMNS);
   for (size_t i = 0; i < n; i++) {
     size_t end = i;
-    while (end < n && !(precomputed->sunlit[end] > 0.0)) end++;
+    while (end < n && !(precomputed->sunlit[end] > UM_UMBRA_MOST)) end++;
     if (end - i > longest) {
       longest = end - i;
       k[0] = i + longest / 2;
@@ -204,7 +205,7 @@ static void caption(const struct um_model_precomputed *precomputed, size_t k, ch
   char time[32];
   um_orbit_time_format(precomputed->t_obs[k], time);
   snprintf(out, CAPTION, "%.10s %.8s UTC%s", time, time + 11,
-           precomputed->sunlit[k] > 0.0 ? "" : ", in shadow");
+           precomputed->sunlit[k] > UM_UMBRA_MOST ? "" : ", in shadow");
 }
 
 static enum um_status pictures(struct um_context *context, const struct um_output_run *run,

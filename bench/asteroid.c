@@ -66,8 +66,8 @@ static void write_obj(const struct bench *bench, size_t cells, const char *path)
 static void body_make(const struct bench *bench, size_t cells, struct body *b)
 {
   static const struct um_geometry_skin skin = {NULL, "regolith", NULL};
-  char folder[] = "/tmp/umbra-asteroid-XXXXXX", path[60];
-  if (mkdtemp(folder) == NULL) exit(1);
+  char folder[BENCH_FOLDER], path[BENCH_FOLDER + 16];
+  bench_folder(folder);
   snprintf(path, sizeof path, "%s/body.obj", folder);
   write_obj(bench, cells, path);
   const struct um_geometry_part_spec shape = {.name = "body",

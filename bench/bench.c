@@ -37,6 +37,16 @@ void bench_must(const struct bench *bench, enum um_status status)
   exit(1);
 }
 
+void bench_folder(char path[BENCH_FOLDER])
+{
+  const char *base = getenv("TMPDIR");
+  int length =
+      snprintf(path, BENCH_FOLDER, "%s/umbra-bench-XXXXXX", base != NULL ? base : P_tmpdir);
+  if (length < BENCH_FOLDER && mkdtemp(path) != NULL) return;
+  fprintf(stderr, "no folder below %s\n", base != NULL ? base : P_tmpdir);
+  exit(1);
+}
+
 void *bench_allocate(const struct bench *bench, size_t count, size_t size)
 {
   void *block = NULL;

@@ -47,6 +47,10 @@ int bench_end(struct bench *bench);
 void bench_must(const struct bench *bench, enum um_status status);
 /* Zeroed memory, or the end of the program. */
 void *bench_allocate(const struct bench *bench, size_t count, size_t size);
+/* A new folder below $TMPDIR or, without one, the system's; its owner empties and removes it. Ends
+ * the program where there can be none. */
+#define BENCH_FOLDER 512
+void bench_folder(char path[BENCH_FOLDER]);
 
 double bench_wall(void); /* [s] for what runs on several threads */
 double bench_cpu(void);  /* of this thread [s]: others on the machine do not count */

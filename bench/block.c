@@ -221,9 +221,7 @@ struct block_peer block_calculix(const struct bench *bench, const struct block *
   static const char *const files[] = {"block.inp", "block.dat", "block.frd",   "block.sta",
                                       "block.cvg", "block.12d", "spooles.out", "log"};
   struct block_peer peer = {NAN, NAN};
-  const char *base = getenv("TMPDIR");
-  char folder[512], path[600];
-  snprintf(folder, sizeof folder, "%s/umbra-block-XXXXXX", base != NULL ? base : P_tmpdir);
+  char folder[BENCH_FOLDER], path[BENCH_FOLDER + 16];
   double *share = bench_allocate(bench, b->nvertex, sizeof *share), total = 0.0, k[6];
   for (size_t e = 0; e < b->ntetrahedron; e++) {
     struct um_vec3 corner[4];
@@ -233,20 +231,19 @@ struct block_peer block_calculix(const struct bench *bench, const struct block *
     total += volume;
   }
   for (size_t v = 0; v < b->nvertex; v++) share[v] /= total;
-  if (mkdtemp(folder) != NULL) {
-    snprintf(path, sizeof path, "%s/block.inp", folder);
-    double begin = bench_wall();
-    if (deck_write(b, largest_change, path) && ccx_run(folder)) {
-      peer.seconds = bench_wall() - begin;
-      snprintf(path, sizeof path, "%s/block.dat", folder);
-      peer.mean = mean_read(b, share, path);
-    }
-    for (size_t f = 0; f < sizeof files / sizeof files[0]; f++) {
-      snprintf(path, sizeof path, "%s/%s", folder, files[f]);
-      remove(path);
-    }
-    rmdir(folder);
+  bench_folder(folder);
+  snprintf(path, sizeof path, "%s/block.inp", folder);
+  double begin = bench_wall();
+  if (deck_write(b, largest_change, path) && ccx_run(folder)) {
+    peer.seconds = bench_wall() - begin;
+    snprintf(path, sizeof path, "%s/block.dat", folder);
+    peer.mean = mean_read(b, share, path);
   }
+  for (size_t f = 0; f < sizeof files / sizeof files[0]; f++) {
+    snprintf(path, sizeof path, "%s/%s", folder, files[f]);
+    remove(path);
+  }
+  rmdir(folder);
   um_core_free(bench->context, share);
   return peer;
 }

@@ -199,9 +199,9 @@ static void self_figures(struct bench *bench, const char *name, const struct ast
 static void self(struct bench *bench)
 {
   static const size_t cells[] = {10, 22, 45, 64};
-  char folder[] = "/tmp/umbra-bench-XXXXXX", name[48], command[80];
+  char folder[BENCH_FOLDER], name[48], command[BENCH_FOLDER + 16];
   size_t turns;
-  if (mkdtemp(folder) == NULL) exit(1);
+  bench_folder(folder);
   for (int k = 0; k < 4; k++) {
     struct asteroid_cost c = asteroid_run(bench, cells[k], k == 3 ? folder : NULL, 1.0);
     snprintf(name, sizeof name, "self, %zu facets", c.facets);
@@ -221,7 +221,7 @@ static void self(struct bench *bench)
   double seconds = asteroid_periodic(bench, cells[0], &turns);
   bench_number(bench, "self, 1200 facets: repeating state", "s", seconds, NAN, NAN);
   bench_number(bench, "self, 1200 facets: turns for it", "1", (double)turns, 5.0, 1.0);
-  snprintf(command, sizeof command, "rm -r %s", folder);
+  snprintf(command, sizeof command, "rm -r '%s'", folder);
   if (system(command) != 0) fprintf(stderr, "%s stays\n", folder);
 }
 

@@ -1,7 +1,7 @@
 /* The Earth's air at the edge of the shadow: F = int w T d theta'/d theta d theta over the disc,
- * bent, spread and dimmed by wavelength (environment/shadow_light.c). Half of the light is gone
- * some 20 s before the Sun's centre stands on the bare Earth's limb, and red light reaches into the
- * umbra. */
+ * bent, spread and dimmed by wavelength (environment/shadow_light.c). From a low orbit half
+ * of the light is gone some 10 s before the Sun's centre stands on the bare Earth's limb, and red
+ * light reaches into the umbra. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 

@@ -19,7 +19,7 @@
  *
  * The limb is round: across the disc it falls off by eta^2/2 cot(theta), eta the angle along it, in
  * the mean of a chord (a^2 - v^2)/6 cot(theta). Light that air scatters into the shadow is left
- * out: it is below 1e-4 of sunlight. */
+ * out. */
 #include "environment/shadow_light.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "orbit/time.h"
 #include "output/output.h"
 #include "plot/plot.h"
@@ -75,7 +76,7 @@ static struct extent extent_of(const struct um_output_run *run, size_t band)
       e.brightest = fmin(e.brightest, magnitude);
       e.faintest = fmax(e.faintest, magnitude);
     }
-    if (!(run->precomputed->sunlit[k] > 0.0)) continue;
+    if (!(run->precomputed->sunlit[k] > UM_UMBRA_MOST)) continue;
     e.mean_lit += total;
     lit++;
   }
