@@ -1,10 +1,13 @@
-/* Isotropic Beckmann facets with Smith masking.
+/* Beckmann facets with Smith masking: slopes are normally distributed.
  *
  *   D(h)  = exp(-tan^2 theta_h / alpha^2) / (pi alpha^2 cos^4 theta_h),  int D cos dw = 1
  *   G1(v) = 1/(1 + Lambda),  Lambda = (erf(a) - 1)/2 + exp(-a^2)/(2 a sqrt(pi)),
  *           a = 1/(alpha tan theta)
  *   lobe  = D(h) G1(i) G1(o) / (4 cos_i cos_o)
- * (Beckmann & Spizzichino 1963; Walter et al. 2007, eqs 20, 25 and appendix; Heitz 2014).
+ * (Beckmann & Spizzichino 1963; Walter et al. 2007, eqs 20, 25 and appendix; Heitz 2014). With two
+ * roughnesses or height-correlated masking as microfacet_impl.h has it. The Sun's disc spreads half
+ * vectors over a disc of radius theta_s/2, whose variance per axis theta_s^2/16 is that of a
+ * Beckmann distribution of alpha^2 = theta_s^2/8: sunlit is the lobe of the wider alpha.
  * alpha = sqrt(2) Rq / tau reproduces Table 1 of the Flying Laptop paper (tests/materials/bsdf). */
 #include <assert.h>
 #include <math.h>
@@ -12,7 +15,7 @@
 
 #include "core/constants.h"
 #include "materials/bsdf.h"
-#include "materials/lobe_impl.h"
+#include "materials/microfacet_impl.h"
 
 double um_materials_beckmann_distribution(double alpha, double cos_h)
 {
@@ -43,11 +46,84 @@ double um_materials_beckmann_lobe(double alpha, double cos_h, double cos_i, doub
 
 double um_materials_roughness_alpha(double rq, double tau) { return sqrt(2.0) * rq / tau; }
 
+/* --- the kind -------------------------------------------------------------------------------- */
+
+static double slopes(double r2) { return exp(-r2) / UM_PI; }
+
+static double smith(double c2, double s2)
+{
+  if (c2 > 36.0 * s2) return 0.0; /* Lambda < 1e-17 */
+  double a2 = c2 / s2, a = sqrt(a2);
+  return a > 0.0 ? -0.5 * erfc(a) + exp(-a2) / (2.0 * a * sqrt(UM_PI)) : INFINITY;
+}
+
+/* For sums over many facets: nothing below 1e-9. */
+static double smith_coarse(double c2, double s2) { return c2 > 16.0 * s2 ? 0.0 : smith(c2, s2); }
+
+static double distribution(const struct um_materials_lobe *lobe, const struct um_materials_pair *p)
+{
+  return um_materials_facet_distribution(lobe, slopes, p->cos_h, p->along_h);
+}
+
+static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
+{
+  if (um_materials_lobe_is_tabulated(lobe))
+    return um_materials_beckmann_lobe(lobe->alpha, pair->cos_h, pair->cos_i, pair->cos_o);
+  return um_materials_facet_lobe(lobe, distribution(lobe, pair), smith, pair);
+}
+
+static double sunlit(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair,
+                     double sun_radius)
+{
+  struct um_materials_lobe wide = *lobe;
+  double sun2 = sun_radius * sun_radius / 8.0;
+  wide.alpha = sqrt(lobe->alpha * lobe->alpha + sun2);
+  wide.alpha_across = sqrt(lobe->alpha_across * lobe->alpha_across + sun2);
+  return evaluate(&wide, pair);
+}
+
+static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, double v)
+{
+  return um_materials_facet_normal(lobe, sqrt(-log1p(-u)), v);
+}
+
+static double toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
+{
+  return um_materials_facet_lambda(lobe, smith_coarse, o.z, o.x);
+}
+
+static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
+                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
+{
+  for (size_t k = 0; k < n; k++)
+    out[k] = um_materials_facet_reflect(lobe, smith_coarse, drawn[k], o, toward);
+}
+
+static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
+{
+  return um_materials_facet_density(distribution(lobe, pair), pair);
+}
+
+const struct um_materials_lobe_kind um_materials_lobe_beckmann = {
+    .name = "beckmann",
+    .summary = "facets of normally distributed slopes (Cook-Torrance)",
+    .reference = "Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007",
+    .rough = true,
+    .masked = true,
+    .anisotropic = true,
+    .evaluate = evaluate,
+    .sunlit = sunlit,
+    .draw = draw,
+    .toward = toward,
+    .reflect = reflect,
+    .density = density,
+};
+
 /* With tan theta_h = alpha r the facets' measure D cos_h dw_h is 2 r exp(-r^2) dr dphi/(2 pi), and
  * f cos_i dw_i = G1(i) G1(o) (o.h) / (cos_o cos_h) of it (Walter et al. 2007, eq. 14). Midpoints in
  * r and phi; the sample is handed on with its o.h. Returns the sum of the weights. */
-double um_materials_lobe_sample(double alpha, double cos_o, int nr, int nphi,
-                                um_materials_lobe_sink sink, void *self)
+double um_materials_beckmann_quadrature(double alpha, double cos_o, int nr, int nphi,
+                                        um_materials_lobe_sink sink, void *self)
 {
   const double r_end = 5.5; /* exp(-30) of the facets lie beyond */
   double sin_o = sqrt((1.0 - cos_o) * (1.0 + cos_o)),
@@ -79,5 +155,5 @@ double um_materials_beckmann_albedo(double alpha, double cos_i)
 {
   double c = cos_i > 1.0 ? 1.0 : cos_i;
   if (!(c > 0.0)) return 0.0;
-  return fmin(1.0, um_materials_lobe_sample(alpha, c, 128, 128, NULL, NULL));
+  return fmin(1.0, um_materials_beckmann_quadrature(alpha, c, 128, 128, NULL, NULL));
 }

@@ -63,25 +63,26 @@ static enum um_status check_reflectance(struct um_context *context,
   return UM_OK;
 }
 
-/* Roughness of a spectral record; `needed` when it has a specular part. */
-static enum um_status read_roughness(struct um_context *context,
-                                     const struct um_materials_input *in, bool needed,
-                                     struct um_materials_record *record)
+/* Lobe of a spectral record; `needed` when it has a specular part. */
+static enum um_status read_lobe(struct um_context *context, const struct um_materials_input *in,
+                                bool needed, struct um_materials_record *record)
 {
   const struct um_materials_surface_input *s = in->surface;
+  double alpha = NAN;
   if (!needed) return UM_OK;
   if (s != NULL && !isnan(s->alpha))
-    record->alpha = s->alpha;
+    alpha = s->alpha;
   else if (s != NULL && !isnan(s->rq_um) && !isnan(s->tau_um))
-    record->alpha = um_materials_roughness_alpha(s->rq_um, s->tau_um);
-  else
+    alpha = um_materials_roughness_alpha(s->rq_um, s->tau_um);
+  else if (in->lobe == NULL)
     return um_document_mark_fail(context, s != NULL ? &s->at : &in->at,
                                  "the roughness of the specular part is missing; accepted: "
                                  "surface: {beckmann_alpha} or surface: {rq_um, tau_um}");
-  if (record->alpha <= 1.5) return UM_OK;
-  return um_document_mark_fail(
-      context, &s->at, "rq_um and tau_um give a Beckmann alpha of %g; accepted: at most 1.5",
-      record->alpha);
+  if (alpha > 1.5)
+    return um_document_mark_fail(
+        context, &s->at, "rq_um and tau_um give a Beckmann alpha of %g; accepted: at most 1.5",
+        alpha);
+  return um_materials_lobe_read(context, in, alpha, record);
 }
 
 struct table_law {
@@ -155,7 +156,7 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
         "accepted beside a reflectance table: beckmann_alpha, or rq_um and tau_um");
   bool lobe = false;
   for (size_t i = 0; i < r->specular.count; i++) lobe = lobe || numbers(&r->specular)[i] > 0.0;
-  UM_TRY(read_roughness(context, in, lobe, record));
+  UM_TRY(read_lobe(context, in, lobe, record));
 
   double *nodes;
   UM_TRY(um_core_allocate(context, r->wavelength_um.count, sizeof *nodes, &nodes));
@@ -185,7 +186,7 @@ enum um_status um_materials_substrate_read(struct um_context *context,
     fraction = in->surface->diffuse_fraction;
   if (in->surface != NULL && !isnan(in->surface->absorption_factor))
     factor = in->surface->absorption_factor;
-  UM_TRY(read_roughness(context, in, fraction < 1.0, record));
+  UM_TRY(read_lobe(context, in, fraction < 1.0, record));
 
   double *nodes;
   size_t room = base->wavelength_um.count + (sheet != NULL ? sheet->wavelength_um.count : 0);

@@ -1,12 +1,23 @@
-/* Private: quadrature over the facets of a Beckmann lobe. */
+/* Private: the list of lobes, and the quadrature of Beckmann's. */
 #ifndef UMBRA_MATERIALS_LOBE_IMPL_H
 #define UMBRA_MATERIALS_LOBE_IMPL_H
 
-/* One sample: o.h [1] and its share [1] of the directional albedo for F = 1. */
-typedef void (*um_materials_lobe_sink)(void *self, double cos_oh, double weight);
+#include "materials/lobe.h"
 
-/* Directional albedo of the lobe for F = 1 at cos_o > 0, sample by sample; sink may be NULL. */
-double um_materials_lobe_sample(double alpha, double cos_o, int nr, int nphi,
-                                um_materials_lobe_sink sink, void *self);
+#define UM_LOBE(name) extern const struct um_materials_lobe_kind um_materials_lobe_##name;
+#include "materials/lobes.def"
+#undef UM_LOBE
+
+/* Beckmann with separable masking and one roughness: its directional albedo stands in a table. */
+static inline bool um_materials_lobe_is_tabulated(const struct um_materials_lobe *lobe)
+{
+  return lobe->kind == &um_materials_lobe_beckmann && !lobe->correlated &&
+         !um_materials_lobe_is_anisotropic(lobe);
+}
+
+/* Directional albedo of a Beckmann lobe for F = 1 at cos_o > 0, sample by sample; sink may be NULL;
+ * better for its number of points than um_materials_lobe_quadrature. */
+double um_materials_beckmann_quadrature(double alpha, double cos_o, int nr, int nphi,
+                                        um_materials_lobe_sink sink, void *self);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "core/context.h"
 
+struct um_materials_lobe;    /* materials/lobe.h */
 struct um_materials_record;  /* opaque, immutable after loading */
 struct um_materials_library; /* named records */
 struct um_schema_object;
@@ -22,7 +23,7 @@ struct um_materials_adjustment {
   double emittance_scale;   /* of emittance and spectral emissivity above 2.5 um; null 1 */
   double band_emissivity_scale; /* of spectral emissivity above 2.5 um alone (not of the total);
                                    null 1 */
-  double roughness_scale;       /* of the Beckmann alpha; null 1 */
+  double roughness_scale;       /* of the lobe's alpha; null 1 */
   double specular_scale;        /* of F; null 1 */
   double diffuse_scale;         /* of the diffuse reflectance below 2.5 um, optics only; null 1 */
   double emissivity_tilt; /* d: emissivity above 2.5 um + d eps_h (1 - 21 (1 - cos)^5) / 20, the
@@ -77,10 +78,10 @@ const char *um_materials_citation(const struct um_materials_record *record);
 bool um_materials_is_grey(const struct um_materials_record *record);
 
 /* --- optics; wavelength [m], cosines of angles from the normal; adjustment NULL for none -------
- * f_r(i, o, lambda) = R/pi + M(i) M(o)/(pi <M>) + F(cos_h, lambda) D(h) G(i, o) / (4 cos_i cos_o)
- * with D and G isotropic Beckmann (separable Smith) of one alpha per record (D.3 of the notes), R
- * the Lambert part and M what the masking of the lobe keeps back, so that f_r integrates to
- * 1 - emissivity in every direction; a grey record's numbers are taken as given: its M is 0, its
+ * f_r(i, o, lambda) = R/pi + M(i) M(o)/(pi <M>) + F(cos_d, lambda) f(i, o)
+ * with f the record's lobe (lobe.h; by default Cook-Torrance with Beckmann's facets, D.3 of the
+ * notes), R the Lambert part and M what the masking of the lobe keeps back, so that f_r integrates
+ * to 1 - emissivity in every direction; a grey record's numbers are taken as given: its M is 0, its
  * lobe exists below 2.5 um only. Spectral look-ups are tabulated: about 20 ns each. */
 /* rho_d = R + <M>: what is scattered of light from all sides. */
 double um_materials_diffuse_reflectance(const struct um_materials_record *record,
@@ -98,7 +99,11 @@ double um_materials_specular_reflectance(const struct um_materials_record *recor
                                          const struct um_materials_adjustment *adjustment,
                                          double wavelength, double cos_h);
 bool um_materials_has_lobe(const struct um_materials_record *record);
-/* Beckmann alpha [1], = sqrt(2) Rq/tau where the record gives Rq and tau. */
+/* The lobe, of kind NULL where there is none. */
+struct um_materials_lobe um_materials_lobe(const struct um_materials_record *record,
+                                           const struct um_materials_adjustment *adjustment);
+/* Its alpha along the grain [1], = sqrt(2) Rq/tau where the record gives Rq and tau; 0 where it has
+ * none. */
 double um_materials_roughness(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment);
 /* Directional spectral emissivity, Kirchhoff: 1 - described Lambert part - F averaged over the

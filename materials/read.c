@@ -94,11 +94,11 @@ static enum um_status read_grey(struct um_context *context, const struct um_mate
         "vis_reflectance_diffuse + specular_reflectance is %g; accepted: at most 1",
         g->diffuse + g->specular);
   UM_TRY(check_balance(context, sun, whole, g));
-  if (g->specular > 0.0 && isnan(in->alpha))
+  if (g->specular > 0.0 && isnan(in->alpha) && whole->lobe == NULL)
     return um_document_mark_fail(context, &in->at,
                                  "beckmann_alpha is missing; accepted: a number above 0 beside "
-                                 "specular_reflectance");
-  if (g->specular > 0.0) record->alpha = in->alpha;
+                                 "specular_reflectance, or lobe: {kind, alpha}");
+  if (g->specular > 0.0) UM_TRY(um_materials_lobe_read(context, whole, in->alpha, record));
   return read_bands(context, in, g);
 }
 
@@ -196,6 +196,7 @@ void um_materials_record_destroy(struct um_materials_record **record)
   struct um_context *context = r->context;
   um_materials_spectrum_free(context, &r->spectrum);
   um_materials_bulk_free(r);
+  um_core_free(context, r->albedo);
   um_core_free(context, r->explicit_values.bands);
   um_core_free(context, r->name);
   um_core_free(context, r->summary);

@@ -1,8 +1,9 @@
 /* Evaluation of a record, with and without adjustments.
  *
- *   f_r = rho_d/pi + M(i) M(o)/(pi Mbar) + F D G / (4 cos_i cos_o)
- * rho_d is the Lambert part as described, M what the lobe's masking keeps back (spectrum.c).
- * Without an adjustment, or with null values, the tabulated numbers come back bit for bit.
+ *   f_r = rho_d/pi + M(i) M(o)/(pi Mbar) + F f
+ * f is the lobe (lobe.h), rho_d the Lambert part as described, M what the lobe's masking keeps back
+ * (spectrum.c). Without an adjustment, or with null values, the tabulated numbers come back bit for
+ * bit.
  *
  * Adjustments keep the books where they say that they change absorption or emission:
  *   absorptance_shift a, below 2.5 um:  rho_d - a; what rho_d cannot give is taken from F.
@@ -15,7 +16,6 @@
 #include <assert.h>
 #include <math.h>
 
-#include "materials/bsdf.h"
 #include "materials/record_impl.h"
 
 const struct um_materials_adjustment um_materials_no_adjustment = {
@@ -158,11 +158,12 @@ static double spectral_masked(const struct um_materials_record *record,
                               double cos_o)
 {
   const struct um_materials_spectrum *s = &record->spectrum;
-  double t, alpha = um_materials_roughness(record, a);
+  struct um_materials_lobe shape = um_materials_lobe(record, a);
+  double t;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->lobe, i, t, cos_o);
   if (a != NULL) f = adjusted_facet(s, f, a, wavelength, i, t);
-  return f * (1.0 - um_materials_beckmann_albedo_tabulated(alpha, cos_o));
+  return f * (1.0 - um_materials_albedo(record, &shape, cos_o));
 }
 
 static double spectral_masked_mean(const struct um_materials_record *record,
@@ -250,14 +251,27 @@ double um_materials_masked_mean(const struct um_materials_record *record,
   return spectral_masked_mean(record, is_null(adjustment) ? NULL : adjustment, wavelength);
 }
 
-bool um_materials_has_lobe(const struct um_materials_record *record) { return record->alpha > 0.0; }
+bool um_materials_has_lobe(const struct um_materials_record *record)
+{
+  return record->lobe.kind != NULL;
+}
+
+struct um_materials_lobe um_materials_lobe(const struct um_materials_record *record,
+                                           const struct um_materials_adjustment *adjustment)
+{
+  struct um_materials_lobe lobe = record->lobe;
+  if (adjustment == NULL || lobe.kind == NULL || !lobe.kind->rough) return lobe;
+  if (adjustment->roughness_scale != 1.0) {
+    lobe.alpha = fmax(lobe.alpha * adjustment->roughness_scale, smallest_alpha);
+    lobe.alpha_across = fmax(lobe.alpha_across * adjustment->roughness_scale, smallest_alpha);
+  }
+  return lobe;
+}
 
 double um_materials_roughness(const struct um_materials_record *record,
                               const struct um_materials_adjustment *adjustment)
 {
-  if (adjustment == NULL || adjustment->roughness_scale == 1.0 || !um_materials_has_lobe(record))
-    return record->alpha;
-  return fmax(record->alpha * adjustment->roughness_scale, smallest_alpha);
+  return um_materials_lobe(record, adjustment).alpha;
 }
 
 double um_materials_emissivity(const struct um_materials_record *record,

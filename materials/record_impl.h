@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/context.h"
+#include "materials/lobe.h"
 #include "materials/materials.h"
 
 #define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
@@ -14,6 +15,7 @@
 #define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
 #define UM_MATERIALS_TEMPERATURES 49   /* nodes of the emittance tables, uniform in log T */
 #define UM_MATERIALS_INCIDENCES   25   /* nodes of the solar absorptance, cos = u^2, u uniform */
+#define UM_MATERIALS_SCALES       13   /* of roughness that albedos of lobes are tabulated at */
 #define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
 #define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
 
@@ -53,7 +55,9 @@ struct um_materials_record {
   struct um_context *context;
   char *name, *summary, *citation, *source;
   bool grey;
-  double alpha; /* Beckmann [1]; 0 without a lobe */
+  struct um_materials_lobe lobe; /* kind NULL: none */
+  double *albedo; /* [UM_MATERIALS_SCALES][UM_MATERIALS_COSINES] of the lobe; NULL where
+                     um_materials_lobe_albedo has a table of its own */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
   struct um_materials_table specific_heat, conductivity;            /* [J/kg/K], [W/m/K] */
@@ -78,7 +82,7 @@ struct um_materials_law {
   double (*reflectance)(void *self, double wavelength, double cos_theta, double *diffuse);
 };
 
-/* Fill record->spectrum from a law; record->alpha is set before. UM_ERR_MEMORY. */
+/* Fill record->spectrum from a law; record->lobe is set before. UM_ERR_MEMORY. */
 enum um_status um_materials_spectrum_build(struct um_context *context,
                                            struct um_materials_record *record,
                                            const struct um_materials_law *law);
@@ -92,6 +96,13 @@ size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum
 /* Angular table [n][ncos] at interval i, fraction t, cosine. */
 double um_materials_spectrum_angular(const struct um_materials_spectrum *spectrum,
                                      const double *table, size_t i, double t, double cosine);
+
+/* Fill record->albedo, where its lobe needs it. UM_ERR_MEMORY. */
+enum um_status um_materials_albedo_build(struct um_context *context,
+                                         struct um_materials_record *record);
+/* Directional albedo of a record's lobe, with F = 1, toward a cosine. */
+double um_materials_albedo(const struct um_materials_record *record,
+                           const struct um_materials_lobe *lobe, double cosine);
 
 /* Fill solar_absorptance and the emittance tables from the optics. */
 void um_materials_integrals_build(const struct um_materials_sun *sun,

@@ -123,6 +123,43 @@ static const struct um_schema_object surface_object = {
     .fields = surface_fields,
     .nfield = UM_FIELD_COUNT(surface_fields)};
 
+static const char *const lobe_kinds[] = {
+#define UM_LOBE(name) #name,
+#include "materials/lobes.def"
+#undef UM_LOBE
+    NULL};
+static const char *const maskings[] = {"separable", "height_correlated", NULL};
+static const struct um_schema_field lobe_fields[] = {
+    UM_FIELD(struct um_materials_lobe_input, kind, "kind", UM_SCHEMA_CHOICE, .choices = lobe_kinds,
+             .default_value = 0.0,
+             .help = "What spreads the specular part; default beckmann. Facets: beckmann, ggx."),
+    UM_FIELD(struct um_materials_lobe_input, masking, "masking", UM_SCHEMA_CHOICE,
+             .choices = maskings, .default_value = NAN,
+             .help = "Smith's masking of facets toward both directions apart, or by their common "
+                     "height; default separable."),
+    UM_FIELD(struct um_materials_lobe_input, alpha, "alpha", UM_SCHEMA_NUMBER, .minimum = 0.0,
+             .maximum = 1.5, .open_minimum = true, .default_value = NAN, .alternative = 1,
+             .help = "Roughness, along the grain; in place of surface or grey.beckmann_alpha."),
+    UM_FIELD(struct um_materials_lobe_input, exponent, "exponent", UM_SCHEMA_NUMBER, .minimum = 1.0,
+             .maximum = 1e8, .default_value = NAN, .alternative = 1,
+             .help = "Exponent of phong (1/(2 alpha^2)) or ashikhmin_shirley (2/alpha^2), in place "
+                     "of alpha."),
+    UM_FIELD(struct um_materials_lobe_input, alpha_across, "alpha_across", UM_SCHEMA_NUMBER,
+             .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .default_value = NAN,
+             .alternative = 2,
+             .help = "Roughness across the grain (a part's `grain`); default that along it."),
+    UM_FIELD(struct um_materials_lobe_input, exponent_across, "exponent_across", UM_SCHEMA_NUMBER,
+             .minimum = 1.0, .maximum = 1e8, .default_value = NAN, .alternative = 2,
+             .help = "Exponent across the grain, of ashikhmin_shirley."),
+};
+static const struct um_schema_object lobe_object = {
+    .name = "lobe",
+    .help = "How the specular part is spread about the mirror direction.",
+    .size = sizeof(struct um_materials_lobe_input),
+    .fields = lobe_fields,
+    .nfield = UM_FIELD_COUNT(lobe_fields),
+    .scalar_key = "kind"};
+
 #define TABLE(member, key, text)                                                                   \
   UM_FIELD(struct um_materials_by_temperature_input, member, key, UM_SCHEMA_NUMBERS,               \
            .minimum = 0.0, .maximum = 1e9, .open_minimum = true, .help = text)
@@ -204,6 +241,7 @@ static const struct um_schema_field record_fields[] = {
     PART(substrate, "substrate", substrate_object, "Optical constants.", .alternative = 1),
     PART(sheet, "sheet", sheet_object, "Film or cover on the substrate.", .alternative = 0),
     PART(surface, "surface", surface_object, "Roughness and scattering.", .alternative = 0),
+    PART(lobe, "lobe", lobe_object, "Spread of the specular part.", .alternative = 0),
     PART(thermal, "thermal", thermal_object, "Bulk properties.", .alternative = 0),
     PART(catalogue, "catalogue", catalogue_object, "Published integrals.", .alternative = 0),
 };

@@ -35,6 +35,14 @@ struct um_materials_surface_input {
   double rq_um, tau_um;                              /* [um] */
 };
 
+struct um_materials_lobe_input {
+  struct um_mark at;
+  int kind;                         /* index of materials/lobes.def */
+  int masking;                      /* 0 separable, 1 height-correlated; -1: not given */
+  double alpha, alpha_across;       /* [1] */
+  double exponent, exponent_across; /* [1] */
+};
+
 struct um_materials_by_temperature_input {
   struct um_mark at;
   struct um_schema_list temperature, specific_heat, conductivity; /* of double: [K], as below */
@@ -65,11 +73,12 @@ struct um_materials_input {
   struct um_materials_reflectance_input *reflectance;
   struct um_materials_constants_input *substrate, *sheet;
   struct um_materials_surface_input *surface;
+  struct um_materials_lobe_input *lobe;
   struct um_materials_thermal_input *thermal;
   struct um_materials_catalogue_input *catalogue;
 };
 
-/* Check the description, set the record's alpha and build its spectral grid. UM_ERR_INPUT names
+/* Check the description, set the record's lobe and build its spectral grid. UM_ERR_INPUT names
  * file, line and key; UM_ERR_MEMORY. */
 struct um_materials_record;
 enum um_status um_materials_reflectance_read(struct um_context *context,
@@ -78,6 +87,12 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
 enum um_status um_materials_substrate_read(struct um_context *context,
                                            const struct um_materials_input *in,
                                            struct um_materials_record *record);
+
+/* lobe_read.c: the record's lobe, of a record with a specular part; stated: the roughness that keys
+ * outside `lobe` give, NaN for none. UM_ERR_INPUT as above; UM_ERR_MEMORY. */
+enum um_status um_materials_lobe_read(struct um_context *context,
+                                      const struct um_materials_input *in, double stated,
+                                      struct um_materials_record *record);
 
 /* bulk.c: the record's bulk properties. UM_ERR_INPUT as above; UM_ERR_MEMORY. */
 enum um_status um_materials_bulk_read(struct um_context *context,

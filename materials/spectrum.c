@@ -17,8 +17,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "materials/bsdf.h"
-#include "materials/lobe_impl.h"
 #include "materials/record_impl.h"
 
 #define COSINES UM_MATERIALS_COSINES
@@ -145,16 +143,18 @@ static void add_sample(void *self, double cos_oh, double weight)
   row[j + 1] += t * weight;
 }
 
-static void weigh_facets(double alpha, struct facet_weights *out)
+static void weigh_facets(const struct um_materials_lobe *lobe, struct facet_weights *out)
 {
+  bool mirror = lobe->kind == NULL || lobe->kind->delta ||
+                (lobe->kind->rough && fmax(lobe->alpha, lobe->alpha_across) < smallest_alpha);
   memset(out, 0, sizeof *out);
   for (size_t o = 0; o < COSINES; o++) {
-    if (alpha < smallest_alpha) {
+    if (mirror) {
       out->share[o][o] = 1.0;
       continue;
     }
     double cos_o = fmax(um_materials_node_cosine(o), 1e-4);
-    double sum = um_materials_lobe_sample(alpha, cos_o, 64, 32, add_sample, out->share[o]);
+    double sum = um_materials_lobe_mean(lobe, cos_o, 64, 32, add_sample, out->share[o]);
     for (size_t h = 0; h < COSINES; h++) out->share[o][h] /= sum;
   }
 }
@@ -219,10 +219,10 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
 
   struct facet_weights *weights;
   UM_TRY(um_core_allocate(context, 1, sizeof *weights, &weights));
-  weigh_facets(record->alpha, weights);
+  weigh_facets(&record->lobe, weights);
   double albedo[COSINES];
   for (size_t o = 0; o < COSINES; o++)
-    albedo[o] = um_materials_beckmann_albedo_tabulated(record->alpha, um_materials_node_cosine(o));
+    albedo[o] = um_materials_albedo(record, &record->lobe, um_materials_node_cosine(o));
   for (size_t i = 0; i < s->n; i++) {
     double *facet = s->facet + i * s->ncos;
     if (law->angular)

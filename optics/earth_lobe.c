@@ -1,4 +1,5 @@
-/* L_r/L_E of a lobe, in half vectors (PHYSICS D.5): facets h are spread so that
+/* L_r/L_E of a lobe (PHYSICS D.5): directions i are sampled as its kind says (materials/lobe.h),
+ * facets h of Beckmann's so that
  *
  *   tan^2(theta_h) = -alpha^2 ln(1 - u),  u and phi uniform,
  *
@@ -16,22 +17,15 @@
 
 #include "core/constants.h"
 #include "core/vec.h"
-#include "materials/bsdf.h"
 
-#define UNMASKED 4.0  /* cotangent over alpha beyond which masking is below 1e-9 */
-#define NEAR     -0.2 /* cosine outside the Earth beyond which no part of a cell is inside */
-#define UPRIGHT  1e-9 /* sine of an angle of which the azimuth does not matter */
+#define NEAR    -0.2 /* cosine outside the Earth beyond which no part of a cell is inside */
+#define UPRIGHT 1e-9 /* sine of an angle of which the azimuth does not matter */
 
 double um_optics_fresnel_node(int node)
 {
   double x = node / (UM_OPTICS_FRESNEL_NODES - 1.0);
   return x * x;
 }
-
-/* The frame of the surface: z its normal, x toward the observer. */
-struct frame {
-  struct um_vec3 observer, nadir, sun;
-};
 
 /* Unit vector of given cosines with z, with a known vector a (of z and x alone) and, for the sign
  * and size of y, with b. */
@@ -44,9 +38,10 @@ static struct um_vec3 place(double with_z, double with_a, struct um_vec3 a)
   return um_vec3(x, sqrt(fmax(0.0, rest - x * x)), with_z);
 }
 
-static struct frame frame_of(const struct um_optics_earth_before *b)
+/* With x toward the observer. */
+static struct um_optics_frame frame_of(const struct um_optics_earth_before *b)
 {
-  struct frame f;
+  struct um_optics_frame f;
   double sine = sqrt(fmax(0.0, 1.0 - b->normal_observer * b->normal_observer));
   f.observer = um_vec3(sine, 0.0, b->normal_observer);
   f.nadir = place(b->normal_nadir, b->observer_nadir, f.observer);
@@ -60,16 +55,8 @@ static struct frame frame_of(const struct um_optics_earth_before *b)
   return f;
 }
 
-static double masking(double alpha, double cosine)
-{
-  if (!(cosine > 0.0)) return 0.0;
-  double sine2 = 1.0 - cosine * cosine;
-  if (cosine * cosine > UNMASKED * UNMASKED * alpha * alpha * sine2) return 1.0;
-  return um_materials_beckmann_masking(alpha, cosine);
-}
-
 /* Cosine of the Sun's zenith angle where the direction meets the Earth; 0 in the dark. */
-static double lit_at(const struct frame *f, double h, struct um_vec3 i, double cos_eta)
+static double lit_at(const struct um_optics_frame *f, double h, struct um_vec3 i, double cos_eta)
 {
   double root = 1.0 - h * h * (1.0 - cos_eta * cos_eta);
   double t = h * cos_eta - sqrt(fmax(root, 0.0));
@@ -84,17 +71,20 @@ struct facet {
   double lit;
 };
 
-static struct facet facet_at(const struct frame *f, double alpha, double g_o, double h_ratio,
-                             double cos_rho, struct um_vec3 h)
+/* A ring of them. */
+static void ring_at(const struct um_optics_frame *f, const struct um_optics_lobe_facets *facets,
+                    double toward, double h_ratio, double cos_rho, int ring, struct facet *out)
 {
-  struct facet facet = {.cosine = um_vec3_dot(f->observer, h)};
-  struct um_vec3 i = um_vec3_axpy(um_vec3_scale(f->observer, -1.0), 2.0 * facet.cosine, h);
-  double cos_eta = um_vec3_dot(i, f->nadir);
-  facet.inside = cos_eta - cos_rho;
-  if (!(facet.cosine > 0.0) || !(i.z > 0.0)) return facet;
-  facet.weight = g_o * masking(alpha, i.z) * facet.cosine / (f->observer.z * h.z);
-  facet.lit = facet.inside > NEAR ? lit_at(f, h_ratio, i, cos_eta) : 0.0;
-  return facet;
+  struct um_materials_reflected r[UM_OPTICS_LOBE_CELLS_MAX];
+  const struct um_materials_lobe *lobe = &facets->lobe;
+  size_t n = (size_t)facets->cells;
+  lobe->kind->reflect(lobe, facets->half + (size_t)ring * n, n, f->observer, toward, r);
+  for (size_t k = 0; k < n; k++) {
+    double cos_eta = um_vec3_dot(r[k].i, f->nadir);
+    out[k] = (struct facet){r[k].weight, r[k].cos_d, cos_eta - cos_rho, 0.0};
+    if (out[k].weight > 0.0 && out[k].inside > NEAR)
+      out[k].lit = lit_at(f, h_ratio, r[k].i, cos_eta);
+  }
 }
 
 /* Share of a cell in which a function is positive that is g at the middle and differs by a and b
@@ -111,30 +101,34 @@ static double share_inside(double g, double a, double b)
   return 1.0 - t * t / (2.0 * wide * narrow);
 }
 
-/* Adds w to the nodes around a cosine, by Lagrange's weights in its square root. */
-static void spread(double cosine, double w, double *node)
+/* Lagrange's weights of the nodes around a cosine, in its square root; returns the first of them.
+ */
+static int nodes_around(double cosine, double weight[4])
 {
   double at = sqrt(fmin(fmax(cosine, 0.0), 1.0)) * (UM_OPTICS_FRESNEL_NODES - 1);
   int k = (int)at;
   if (k < 1) k = 1;
   if (k > UM_OPTICS_FRESNEL_NODES - 3) k = UM_OPTICS_FRESNEL_NODES - 3;
   double f = at - k;
-  node[k - 1] -= w * f * (f - 1.0) * (f - 2.0) / 6.0;
-  node[k] += w * (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0;
-  node[k + 1] -= w * (f + 1.0) * f * (f - 2.0) / 2.0;
-  node[k + 2] += w * (f + 1.0) * f * (f - 1.0) / 6.0;
+  weight[0] = -f * (f - 1.0) * (f - 2.0) / 6.0;
+  weight[1] = (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0;
+  weight[2] = -(f + 1.0) * f * (f - 2.0) / 2.0;
+  weight[3] = (f + 1.0) * f * (f - 1.0) / 6.0;
+  return k - 1;
+}
+
+static void spread(const double weight[4], double w, double *node)
+{
+  for (int p = 0; p < 4; p++) node[p] += w * weight[p];
 }
 
 void um_optics_lobe_facets_fill(struct um_optics_lobe_facets *facets)
 {
-  for (int k = 0; k < facets->rings; k++) {
-    double tangent = facets->alpha * sqrt(-log1p(-(k + 0.5) / facets->rings));
-    double cosine = 1.0 / sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
-    for (int j = 0; j < facets->cells; j++) {
-      double phi = 2.0 * UM_PI * (0.25 + j) / facets->cells;
-      facets->half[k * facets->cells + j] = um_vec3(sine * cos(phi), sine * sin(phi), cosine);
-    }
-  }
+  const struct um_materials_lobe *lobe = &facets->lobe;
+  for (int k = 0; k < facets->rings; k++)
+    for (int j = 0; j < facets->cells; j++)
+      facets->half[k * facets->cells + j] =
+          lobe->kind->draw(lobe, (k + 0.5) / facets->rings, (0.25 + j) / facets->cells);
 }
 
 /* What a ring of facets brings; low and high: the rings below and above it, or itself. */
@@ -149,9 +143,11 @@ static void add_ring(const struct facet *low, const struct facet *ring, const st
     double along = 0.5 * (next->inside - last->inside), across = high[j].inside - low[j].inside;
     if (low != ring && high != ring) across *= 0.5;
     double w = share * now->weight, inside = share_inside(now->inside, along, across);
-    spread(now->cosine, w, out->all);
-    if (inside > 0.0) spread(now->cosine, w * inside, out->earth);
-    if (inside * now->lit > 0.0) spread(now->cosine, w * inside * now->lit, out->lit);
+    double weight[4];
+    int node = nodes_around(now->cosine, weight);
+    spread(weight, w, out->all + node);
+    if (inside > 0.0) spread(weight, w * inside, out->earth + node);
+    if (inside * now->lit > 0.0) spread(weight, w * inside * now->lit, out->lit + node);
   }
 }
 
@@ -162,15 +158,12 @@ void um_optics_earth_lobe(const struct um_optics_earth_before *before,
   struct facet row[3][UM_OPTICS_LOBE_CELLS_MAX];
   memset(out, 0, sizeof *out);
   if (!(before->normal_observer > 0.0)) return;
-  struct frame f = frame_of(before);
+  struct um_optics_frame f = before->grain != NULL ? *before->grain : frame_of(before);
   double h = fmax(before->h_ratio, 1.0), cos_rho = sqrt(fmax(0.0, 1.0 - 1.0 / (h * h)));
-  double alpha = facets->alpha, g_o = masking(alpha, f.observer.z);
+  double toward = um_materials_lobe_toward(&facets->lobe, f.observer);
   int cells = facets->cells;
   for (int k = -1; k < facets->rings; k++) {
-    if (k + 1 < facets->rings)
-      for (int j = 0; j < cells; j++)
-        row[(k + 1) % 3][j] =
-            facet_at(&f, alpha, g_o, h, cos_rho, facets->half[(k + 1) * cells + j]);
+    if (k + 1 < facets->rings) ring_at(&f, facets, toward, h, cos_rho, k + 1, row[(k + 1) % 3]);
     if (k < 0) continue;
     const struct facet *low = row[(k > 0 ? k - 1 : k) % 3];
     const struct facet *ring = row[k % 3];

@@ -2,20 +2,20 @@
 #ifndef UMBRA_OPTICS_EARTH_LOBE_IMPL_H
 #define UMBRA_OPTICS_EARTH_LOBE_IMPL_H
 
-#include "core/vec.h"
+#include "materials/lobe.h"
 
 /* Nodes of the facet's cosine o.h, (k/(nodes - 1))^2, at which Fresnel's reflectance is taken;
  * cubic between them: 1e-3 of it for dielectrics and metals. */
 #define UM_OPTICS_FRESNEL_NODES 12
 double um_optics_fresnel_node(int node);
 
-/* Facets of a lobe: half vectors in the frame of the surface, on rings of equal share and at equal
- * azimuths, [rings][cells]. */
+/* Facets of a lobe, or what its kind draws in their place, in the frame of the surface: on rings of
+ * equal share and at equal azimuths, [rings][cells]. */
 #define UM_OPTICS_LOBE_RINGS     8
 #define UM_OPTICS_LOBE_CELLS     16
 #define UM_OPTICS_LOBE_CELLS_MAX 512
 struct um_optics_lobe_facets {
-  double alpha; /* Beckmann roughness [1], above 0 */
+  struct um_materials_lobe lobe;
   int rings, cells;
   struct um_vec3 *half; /* unit */
 };
@@ -27,6 +27,13 @@ struct um_optics_earth_before {
   double normal_observer, normal_nadir, normal_sun;
   double observer_nadir, observer_sun, nadir_sun;
   double h_ratio; /* distance of the geocentre over the Earth's radius [1], above 1 */
+  /* directions with x along the grain, for lobes that are anisotropic; NULL: x toward the observer
+   */
+  const struct um_optics_frame *grain;
+};
+/* The frame of a surface: z its normal. */
+struct um_optics_frame {
+  struct um_vec3 observer, nadir, sun; /* unit */
 };
 
 /* Shares of a lobe with F = 1 by the cosine at which its facets mirror, so that a reflectance F
@@ -39,7 +46,7 @@ struct um_optics_earth_lobe {
       lit[UM_OPTICS_FRESNEL_NODES]; /* of that, weighted by the cosine of the Sun's zenith angle */
 };
 
-/* Smith's masking, exact; separable. The edge of the Earth is put between facets linearly: with 8 x
+/* The edge of the Earth is put between facets linearly: with 8 x
  * 16 of them shares of the Earth are within 0.02 of the lobe's albedo, 0.004 rms; test:
  * optics/earth_lobe. Zero for a surface that the observer does not see. */
 void um_optics_earth_lobe(const struct um_optics_earth_before *before,

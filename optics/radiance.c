@@ -11,9 +11,8 @@
  *
  * F is Fresnel's reflectance at the facet that mirrors the Sun to the observer: its angle of
  * incidence is half the phase angle, the same for every surface, so that geometry and spectra
- * factor: one lobe weight per material carries all wavelengths. The Sun's disc widens the lobe,
- * alpha^2 + (theta_s/(2 sqrt 2))^2: half vectors spread over a disc of radius theta_s/2, whose
- * variance per axis theta_s^2/16 is that of a Beckmann distribution of alpha^2 = theta_s^2/8. */
+ * factor: one lobe weight per material carries all wavelengths. It is the mean of the lobe over the
+ * Sun's disc (`sunlit` of materials/lobe.h). */
 #include "optics/radiance_impl.h"
 
 #include <math.h>
@@ -21,7 +20,6 @@
 
 #include "core/constants.h"
 #include "environment/shadow_light.h"
-#include "materials/bsdf.h"
 
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
@@ -34,7 +32,6 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   if (length > 1e-9) now.half_body = um_vec3_scale(both, 1.0 / length);
   now.cos_half_phase = fmin(1.0, 0.5 * length);
   now.sun_radius = asin(UM_SOLAR_RADIUS / sample->sun_distance);
-  now.sun_alpha2 = now.sun_radius * now.sun_radius / 8.0;
   double relative = UM_AU / sample->sun_distance;
   now.sun = sample->sunlit_fraction * relative * relative;
   const struct um_environment *environment = scene->environment;
@@ -142,6 +139,19 @@ static void add_masked(const struct um_optics_spectra *spectra, size_t material,
   for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
 }
 
+static struct um_materials_pair pair_of(const struct um_optics_instant *instant,
+                                        const struct um_materials_lobe *lobe,
+                                        const struct um_optics_sight *sight)
+{
+  struct um_materials_pair pair = {
+      sight->cos_sun, sight->cos_observer, sight->cos_half, instant->cos_half_phase, 0.0, 0.0, 0.0};
+  if (!um_materials_lobe_is_anisotropic(lobe)) return pair;
+  pair.along_i = um_vec3_dot(sight->grain, instant->sun_body);
+  pair.along_o = um_vec3_dot(sight->grain, instant->observer_body);
+  pair.along_h = um_vec3_dot(sight->grain, instant->half_body);
+  return pair;
+}
+
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
                        const struct um_optics_instant *instant, size_t material,
                        const struct um_optics_sight *sight, struct um_optics_work *work,
@@ -153,10 +163,10 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
     double projected = sight->area_lit * cos_o * cos_i;
     sum->lambert += projected;
     if (spectra->masks[material]) add_masked(spectra, material, sight, projected, work, sum);
-    if (spectra->lobe[material]) {
-      double alpha = spectra->alpha[material];
-      alpha = sqrt(alpha * alpha + instant->sun_alpha2);
-      sum->lobe += projected * um_materials_beckmann_lobe(alpha, sight->cos_half, cos_i, cos_o);
+    const struct um_materials_lobe *lobe = &spectra->lobe[material];
+    if (lobe->kind != NULL) {
+      struct um_materials_pair pair = pair_of(instant, lobe, sight);
+      sum->lobe += projected * lobe->kind->sunlit(lobe, &pair, instant->sun_radius);
     }
   }
   double seen = sight->area_seen * cos_o;
@@ -167,7 +177,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   const double *planck = work->planck;
   double *emitted = sum->emitted, *planet = sum->planet;
   if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
-  if (instant->earth_lobe && spectra->lobe[material])
+  if (instant->earth_lobe && spectra->lobe[material].kind != NULL)
     um_optics_add_earth_lobe(spectra, instant, material, sight, seen, work, sum);
   if (spectra->diffuse_emitter[material]) {
     const double *row = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;

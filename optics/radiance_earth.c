@@ -48,14 +48,28 @@ static void weigh(const struct um_optics_spectra *spectra, size_t material, cons
     for (size_t b = 0; b < n; b++) row[b] += share[k] * fresnel[k * n + b];
 }
 
+/* A direction of the body frame in that of the surface, x along its grain. */
+static struct um_vec3 toward(const struct um_optics_sight *sight, struct um_vec3 direction,
+                             double cosine)
+{
+  return um_vec3(um_vec3_dot(sight->grain, direction), um_vec3_dot(sight->across, direction),
+                 cosine);
+}
+
 void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
                               const struct um_optics_instant *instant, size_t material,
                               const struct um_optics_sight *sight, double seen,
                               struct um_optics_work *work, struct um_optics_sum *sum)
 {
+  bool turned = um_materials_lobe_is_anisotropic(&spectra->lobe[material]);
+  struct um_optics_frame grain;
+  if (turned)
+    grain = (struct um_optics_frame){toward(sight, instant->observer_body, sight->cos_observer),
+                                     toward(sight, instant->nadir_body, sight->cos_nadir),
+                                     toward(sight, instant->sun_body, sight->cos_sun)};
   const struct um_optics_earth_before before = {
-      sight->cos_observer,   sight->cos_nadir,   sight->cos_sun,  instant->observer_nadir,
-      instant->observer_sun, instant->nadir_sun, instant->h_ratio};
+      sight->cos_observer,   sight->cos_nadir,   sight->cos_sun,   instant->observer_nadir,
+      instant->observer_sun, instant->nadir_sun, instant->h_ratio, turned ? &grain : NULL};
   struct um_optics_earth_lobe lobe;
   size_t n = spectra->nbin;
   double whole = um_environment_plate_view_factor(instant->h_ratio,
@@ -84,7 +98,7 @@ void um_optics_add_planet(const struct um_optics_spectra *spectra,
   size_t n = spectra->nbin;
   const double *diffuse = spectra->diffuse + material * n;
   const double *mean = spectra->masked_mean + material * n;
-  bool lobe = instant->earth_lobe && spectra->lobe[material];
+  bool lobe = instant->earth_lobe && spectra->lobe[material].kind != NULL;
   if (lobe && spectra->masks[material])
     um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
   for (size_t b = 0; b < n; b++) {

@@ -12,7 +12,6 @@ struct um_optics_instant {
   struct um_vec3 half_body;               /* unit bisector; zero where they are opposite */
   double cos_half_phase;                  /* cosine of half the phase angle [1] */
   double sun_radius;                      /* angular, of the disc [rad] */
-  double sun_alpha2;                      /* (theta_s / (2 sqrt 2))^2 [1] */
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
   double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
   bool earth_varies;                      /* every surface has an Earth of its own before it */
@@ -33,6 +32,8 @@ struct um_optics_sight {
   double albedo;                          /* incident albedo flux [W/m^2] */
   double view_factor;                     /* to the Earth [1] */
   double brightness;                      /* of the Earth, where it varies [K] */
+  struct um_vec3 grain, across;           /* body frame, unit, with the normal right-handed; set for
+                                             anisotropic lobes */
 };
 
 /* Sums over surfaces of one material. */

@@ -186,7 +186,6 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
   UM_TRY(um_core_allocate(context, n, sizeof *s->masks, &s->masks));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
-  UM_TRY(um_core_allocate(context, n, sizeof *s->alpha, &s->alpha));
   UM_TRY(um_core_allocate(context, n, sizeof *s->facets, &s->facets));
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS, sizeof *s->half,
                           &s->half));
@@ -199,11 +198,10 @@ static void lobe_fill(const struct um_context *context, const struct um_material
                       const struct um_materials_adjustment *adjustment, size_t m,
                       struct um_optics_spectra *s)
 {
-  s->lobe[m] = um_materials_has_lobe(record);
-  s->alpha[m] = s->lobe[m] ? um_materials_roughness(record, adjustment) : 0.0;
-  if (!s->lobe[m]) return;
+  s->lobe[m] = um_materials_lobe(record, adjustment);
+  if (s->lobe[m].kind == NULL) return;
   s->facets[m] =
-      (struct um_optics_lobe_facets){s->alpha[m], UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS,
+      (struct um_optics_lobe_facets){s->lobe[m], UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS,
                                      s->half + m * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS};
   um_optics_lobe_facets_fill(&s->facets[m]);
   double *fresnel = s->fresnel + m * UM_OPTICS_FRESNEL_NODES * s->nbin;
@@ -234,7 +232,7 @@ void um_optics_spectra_materials(const struct um_context *context,
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
     lobe_fill(context, record, adjustment, m, s);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
-    s->masks[m] = s->lobe[m] && !um_materials_is_grey(record);
+    s->masks[m] = s->lobe[m].kind != NULL && !um_materials_is_grey(record);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
     double *masked = s->masked + m * UM_OPTICS_ANGLE_NODES * s->nbin;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
@@ -262,8 +260,9 @@ enum um_status um_optics_spectra_share(struct um_context *context,
                                        struct um_optics_spectra *to)
 {
   *to = *from;
-  to->diffuse = to->emissivity = to->alpha = to->masked = to->masked_mean = NULL;
-  to->diffuse_emitter = to->lobe = to->masks = NULL;
+  to->diffuse = to->emissivity = to->masked = to->masked_mean = NULL;
+  to->diffuse_emitter = to->masks = NULL;
+  to->lobe = NULL;
   to->facets = NULL;
   to->half = NULL;
   to->fresnel = NULL;
@@ -272,10 +271,10 @@ enum um_status um_optics_spectra_share(struct um_context *context,
 
 void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_spectra *shared)
 {
-  void *const blocks[] = {shared->diffuse,     shared->emissivity, shared->diffuse_emitter,
-                          shared->lobe,        shared->alpha,      shared->masked,
-                          shared->masked_mean, shared->masks,      shared->facets,
-                          shared->half,        shared->fresnel};
+  void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
+                          shared->lobe,    shared->masked,     shared->masked_mean,
+                          shared->masks,   shared->facets,     shared->half,
+                          shared->fresnel};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -338,11 +337,11 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   struct um_optics_spectra *s = *spectra;
   if (s->planck != NULL)
     for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
-  void *const blocks[] = {
-      s->wavelength, s->width, s->from,   s->to,          s->band,       s->first,
-      s->sun,        s->share, s->earth,  s->diffuse,     s->emissivity, s->diffuse_emitter,
-      s->lobe,       s->alpha, s->masked, s->masked_mean, s->masks,      s->planck,
-      s->facets,     s->half,  s->fresnel};
+  void *const blocks[] = {s->wavelength, s->width,   s->from,        s->to,
+                          s->band,       s->first,   s->sun,         s->share,
+                          s->earth,      s->diffuse, s->emissivity,  s->diffuse_emitter,
+                          s->lobe,       s->masked,  s->masked_mean, s->masks,
+                          s->planck,     s->facets,  s->half,        s->fresnel};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -33,8 +33,7 @@ struct um_optics_spectra {
   double *masked;             /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] M of materials.h [1] */
   double *masked_mean;        /* [nmaterial][nbin] its hemispherical mean [1] */
   bool *masks;                /* [nmaterial] M is not 0 */
-  bool *lobe;                 /* [nmaterial] */
-  double *alpha;              /* [nmaterial] Beckmann roughness [1] */
+  struct um_materials_lobe *lobe;       /* [nmaterial], of kind NULL where there is none */
   struct um_optics_lobe_facets *facets; /* [nmaterial] of the lobe */
   struct um_vec3 *half;                 /* [nmaterial][rings][cells] behind facets */
   double *fresnel; /* [nmaterial][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "materials/lobe.h"
 #include "materials/materials.h"
 #include "tests/support/allocator.h"
 #include "tests/support/temporary.h"
@@ -83,6 +84,8 @@ static void refused(const char *text, const char *line, const char *a, const cha
   assert_int_equal(um_materials_library_count(library), 0);
 }
 
+#define SHINY HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.1}\n"
+
 static void what_is_refused(void **state)
 {
   (void)state;
@@ -103,6 +106,23 @@ static void what_is_refused(void **state)
   refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.6,\n"
                "  vis_reflectance_diffuse: 0.5, beckmann_alpha: 0.1}\n",
           ":4:", "1.1", "at most 1");
+  refused(SHINY "lobe: {kind: ggz, alpha: 0.1}\n", ":5:", "ggz", "ggx");
+  refused(SHINY "lobe: {kind: ggx}\n", ":5:", "roughness", "missing");
+  refused(SHINY "lobe: {kind: ggx, exponent: 20}\n", ":5:", "exponent", "alpha");
+  refused(SHINY "lobe: {kind: mirror, alpha: 0.1}\n", ":5:", "mirror", "no roughness");
+  refused(SHINY "lobe: {kind: phong, exponent: 20, masking: separable}\n", ":5:", "masking",
+          "beckmann or ggx");
+  refused(SHINY "lobe: {kind: phong, alpha: 0.1, alpha_across: 0.2}\n", ":5:", "one roughness",
+          "ashikhmin_shirley");
+  refused(SHINY "lobe: {kind: ashikhmin_shirley, alpha: 0.1, exponent_across: 20}\n",
+          ":5:", "exponent_across", "both");
+  refused(SHINY "lobe: {kind: phong, alpha: 0.1, exponent: 20}\n", ":5:", "exponent", "exclude");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.1,\n"
+               "  beckmann_alpha: 0.2}\nlobe: {alpha: 0.3}\n",
+          ":6:", "twice", "beckmann_alpha");
+  refused(HEAD "grey: {solar_absorptance: 0.3, emittance: 0.8, specular_reflectance: 0.1,\n"
+               "  beckmann_alpha: 0.2}\nlobe: mirror\n",
+          ":6:", "no roughness", "beckmann_alpha");
   refused(HEAD "grey:\n  solar_absorptance: 0.3\n  emittance: 0.8\n  band_emissivity:\n"
                "    - {from_um: 8, to_um: 12, value: 0.9}\n"
                "    - {from_um: 11, to_um: 13, value: 0.9}\n",
@@ -176,6 +196,37 @@ static void missing_file_and_folder(void **state)
   um_core_message_clear(context);
   assert_int_equal(um_materials_library_read_folder(context, library, "/nonexistent"), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "/nonexistent"));
+}
+
+/* A lobe by kind: what its keys say is what comes back, exponents as the alpha of the same peak. */
+static void lobes(void **state)
+{
+  static const struct {
+    const char *text, *kind;
+    double alpha, across;
+    bool correlated;
+  } rows[] = {{"lobe: {alpha: 0.2}\n", "beckmann", 0.2, 0.2, false},
+              {"lobe: {kind: ggx, alpha: 0.2, masking: height_correlated, alpha_across: 0.5}\n",
+               "ggx", 0.2, 0.5, true},
+              {"lobe: {kind: phong, exponent: 50}\n", "phong", 0.1, 0.1, false},
+              {"lobe: {kind: ashikhmin_shirley, exponent: 200, exponent_across: 50}\n",
+               "ashikhmin_shirley", 0.1, 0.2, false},
+              {"lobe: mirror\n", "mirror", 0.0, 0.0, false}};
+  (void)state;
+  for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+    char text[1024];
+    snprintf(text, sizeof text, SHINY "%s", rows[k].text);
+    assert_int_equal(read_text(text), UM_OK);
+    const struct um_materials_record *r = um_materials_library_find(library, "m");
+    struct um_materials_lobe lobe = um_materials_lobe(r, NULL);
+    assert_string_equal(lobe.kind->name, rows[k].kind);
+    check_near("alpha", lobe.alpha, rows[k].alpha, 1e-15);
+    check_near("across", lobe.alpha_across, rows[k].across, 1e-15);
+    assert_true(lobe.correlated == rows[k].correlated);
+    struct um_materials_adjustment rougher = um_materials_no_adjustment;
+    rougher.roughness_scale = 2.0;
+    check_near("rougher", um_materials_lobe(r, &rougher).alpha_across, 2.0 * rows[k].across, 1e-15);
+  }
 }
 
 /* Values of a grey record come back as given; defaults as documented. */
@@ -368,6 +419,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(what_is_refused, setup, teardown),
       cmocka_unit_test_setup_teardown(absorptance_and_reflectance, setup, teardown),
       cmocka_unit_test_setup_teardown(missing_file_and_folder, setup, teardown),
+      cmocka_unit_test_setup_teardown(lobes, setup, teardown),
       cmocka_unit_test_setup_teardown(grey_record, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_by_temperature, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_tables_refused, setup, teardown),

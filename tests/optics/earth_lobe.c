@@ -44,7 +44,13 @@ static struct um_optics_earth_before before(struct um_vec3 nadir, struct um_vec3
                                          um_vec3_dot(observer, nadir),
                                          um_vec3_dot(observer, sun),
                                          um_vec3_dot(nadir, sun),
-                                         H_RATIO};
+                                         H_RATIO,
+                                         NULL};
+}
+
+static struct um_materials_lobe beckmann(double alpha)
+{
+  return (struct um_materials_lobe){um_materials_lobe_kind_find("beckmann"), alpha, alpha, false};
 }
 
 static struct um_vec3 toward(double zenith, double azimuth)
@@ -62,7 +68,7 @@ static double with_fresnel(const double *share, double n, double k)
 
 static double ratio(size_t row, int column, int rings, int cells)
 {
-  struct um_optics_lobe_facets facets = {table[row].alpha, rings, cells, half};
+  struct um_optics_lobe_facets facets = {beckmann(table[row].alpha), rings, cells, half};
   struct um_optics_earth_lobe lobe;
   struct um_vec3 nadir = toward(table[row].lambda * UM_DEG, 0.0);
   struct um_vec3 observer = toward((column * 30.0 - 60.0) * UM_DEG, 0.0);
@@ -142,7 +148,7 @@ static void lit_part(void **state)
     struct um_vec3 observer =
         toward(places[k].observer[0] * UM_DEG, places[k].observer[1] * UM_DEG);
     struct um_vec3 sun = toward(places[k].sun[0] * UM_DEG, places[k].sun[1] * UM_DEG);
-    struct um_optics_lobe_facets facets = {0.3, RINGS, CELLS, half};
+    struct um_optics_lobe_facets facets = {beckmann(0.3), RINGS, CELLS, half};
     struct um_optics_earth_before b = before(nadir, observer, sun);
     struct um_optics_earth_lobe lobe;
     um_optics_lobe_facets_fill(&facets);
@@ -160,7 +166,7 @@ static void whole_lobe(void **state)
 {
   (void)state;
   for (int k = 0; k < 4; k++) {
-    struct um_optics_lobe_facets facets = {0.3, RINGS, CELLS, half};
+    struct um_optics_lobe_facets facets = {beckmann(0.3), RINGS, CELLS, half};
     struct um_vec3 observer = toward(25.0 * k * UM_DEG, 0.0), nadir = toward(0.4, 1.0);
     struct um_optics_earth_before b = before(nadir, observer, nadir);
     struct um_optics_earth_lobe lobe;

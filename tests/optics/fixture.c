@@ -44,7 +44,7 @@ void fixture_destroy(struct fixture *f)
   um_core_context_destroy(&f->context);
 }
 
-static void read_record(struct fixture *f, const char *text)
+void fixture_record(struct fixture *f, const char *text)
 {
   char path[UM_TEST_PATH];
   um_test_file_create(path, text, strlen(text));
@@ -66,7 +66,7 @@ void fixture_material(struct fixture *f, const char *name, double diffuse, doubl
            "  band_emissivity:\n    - {from_um: 7.0, to_um: 14.0, value: %.17g}\n"
            "  vis_reflectance_diffuse: %.17g\n%s",
            name, 1.0 - diffuse - specular, emissivity, emissivity, diffuse, lobe);
-  read_record(f, text);
+  fixture_record(f, text);
 }
 
 void fixture_metal(struct fixture *f, const char *name, double n, double k, double alpha)
@@ -77,7 +77,7 @@ void fixture_metal(struct fixture *f, const char *name, double n, double k, doub
            "  wavelength_um: [0.2, 50.0]\n  n: [%.17g, %.17g]\n  k: [%.17g, %.17g]\n"
            "surface:\n  beckmann_alpha: %.17g\n",
            name, n, n, k, k, alpha);
-  read_record(f, text);
+  fixture_record(f, text);
 }
 
 struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_shape shape,

@@ -40,6 +40,8 @@ void fixture_material(struct fixture *f, const char *name, double diffuse, doubl
                       double alpha, double emissivity);
 /* An opaque body of index n + i k at all wavelengths, with a lobe of `alpha`. */
 void fixture_metal(struct fixture *f, const char *name, double n, double k, double alpha);
+/* A record as it stands in a file. */
+void fixture_record(struct fixture *f, const char *text);
 /* Spec of a part with one material on both sides (back only where the shape is open). */
 struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_shape shape,
                                           const struct um_geometry_skin *skin);

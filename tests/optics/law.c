@@ -147,17 +147,20 @@ static void test_threads(void **state)
   }
 }
 
+#define METAL                                                                                      \
+  "summary: test\ncitation: test\nsubstrate: {wavelength_um: [0.2, 50], n: [25, 25], k: [90, "     \
+  "90]}\n"
+
 /* Kirchhoff: a surface at T that looks at surroundings at T sends out B(T), whatever its optics and
  * angle: emission plus reflected "Earth" of view factor 1 and brightness temperature T. 1e-7: the
  * cosines that make the projected area are float; the spectra agree to rounding. */
 static void test_isothermal(void **state)
 {
   (void)state;
-  static const struct um_geometry_skin skins[] = {{NULL, "blanket", "blanket"},
-                                                  {NULL, "cell", "cell"},
-                                                  {NULL, "metal", "metal"},
-                                                  {NULL, "glass", "glass"}};
-  for (size_t k = 0; k < 4; k++) {
+  static const struct um_geometry_skin skins[] = {
+      {NULL, "blanket", "blanket"}, {NULL, "cell", "cell"},     {NULL, "metal", "metal"},
+      {NULL, "glass", "glass"},     {NULL, "ground", "ground"}, {NULL, "mirror", "mirror"}};
+  for (size_t k = 0; k < sizeof skins / sizeof skins[0]; k++) {
     enum { COUNT = 18 };
     struct fixture f;
     fixture_create(&f);
@@ -165,6 +168,8 @@ static void test_isothermal(void **state)
     fixture_material(&f, "cell", 0.05, 0.1, 0.1, 0.05);
     fixture_metal(&f, "metal", 25.3, 89.8, 0.5);
     fixture_metal(&f, "glass", 1.5, 1e-3, 0.02);
+    fixture_record(&f, "name: ground\n" METAL "lobe: {kind: ggx, alpha: 0.3}\n");
+    fixture_record(&f, "name: mirror\n" METAL "lobe: mirror\n");
     struct um_geometry_part_spec plate = fixture_part("plate", UM_SHAPE_PLATE, &skins[k]);
     plate.size[0] = plate.size[1] = 1.0;
     fixture_scene(&f, &plate, 1, COUNT);

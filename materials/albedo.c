@@ -1,0 +1,65 @@
+/* Directional albedo of a record's lobe, for F = 1, at roughnesses that effects may give it.
+ *
+ * Beckmann's has a table of its own (beckmann_albedo.c). Others are integrated when the record is
+ * read: at the cosines of the spectral grid and at roughnesses of 2^(k/2) times the record's,
+ * k = -7 .. 5; Catmull-Rom in k, cubic Lagrange in the square root of the cosine, constant beyond.
+ */
+#include <assert.h>
+#include <math.h>
+
+#include "materials/lobe_impl.h"
+#include "materials/record_impl.h"
+
+#define COSINES UM_MATERIALS_COSINES
+#define SCALES  UM_MATERIALS_SCALES
+#define STATED  7 /* the k of the record's own roughness */
+
+enum um_status um_materials_albedo_build(struct um_context *context,
+                                         struct um_materials_record *record)
+{
+  const struct um_materials_lobe_kind *kind = record->lobe.kind;
+  if (kind == NULL || !kind->rough || um_materials_lobe_is_tabulated(&record->lobe)) return UM_OK;
+  UM_TRY(um_core_allocate(context, SCALES * COSINES, sizeof *record->albedo, &record->albedo));
+  for (size_t k = 0; k < SCALES; k++) {
+    struct um_materials_lobe lobe = record->lobe;
+    double scale = exp2(0.5 * ((double)k - STATED));
+    lobe.alpha *= scale;
+    lobe.alpha_across *= scale;
+    for (size_t j = 0; j < COSINES; j++)
+      record->albedo[k * COSINES + j] =
+          um_materials_lobe_albedo(&lobe, um_materials_node_cosine(j));
+  }
+  return UM_OK;
+}
+
+/* Of one row, at u = sqrt(cos). */
+static double along(const double row[COSINES], double u)
+{
+  double x = u * (COSINES - 1);
+  size_t j = (size_t)x;
+  j = j < 1 ? 1 : (j > COSINES - 3 ? COSINES - 3 : j);
+  double s = x - (double)j;
+  return -s * (s - 1.0) * (s - 2.0) / 6.0 * row[j - 1] +
+         (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 * row[j] -
+         (s + 1.0) * s * (s - 2.0) / 2.0 * row[j + 1] +
+         (s + 1.0) * s * (s - 1.0) / 6.0 * row[j + 2];
+}
+
+double um_materials_albedo(const struct um_materials_record *record,
+                           const struct um_materials_lobe *lobe, double cosine)
+{
+  if (lobe->kind == NULL || (!lobe->kind->rough && record->albedo == NULL)) return 1.0;
+  if (record->albedo == NULL) return um_materials_lobe_albedo(lobe, cosine);
+  double u = sqrt(fmax(0.0, fmin(1.0, cosine))), value[4];
+  double y = 2.0 * log2(lobe->alpha / record->lobe.alpha) + STATED;
+  y = fmax(0.0, fmin(SCALES - 1.0, y));
+  size_t k = y < SCALES - 2.0 ? (size_t)y : SCALES - 2;
+  double t = y - (double)k;
+  for (size_t p = 0; p < 4; p++) {
+    size_t node = k + p > 0 ? k + p - 1 : 0;
+    value[p] = along(record->albedo + (node < SCALES ? node : SCALES - 1) * COSINES, u);
+  }
+  double a = value[1], b = value[2], low = 0.5 * (b - value[0]), high = 0.5 * (value[3] - a);
+  return fmax(0.0, fmin(1.0, a + t * (low + t * (3.0 * (b - a) - 2.0 * low - high +
+                                                 t * (2.0 * (a - b) + low + high)))));
+}

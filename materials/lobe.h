@@ -1,0 +1,98 @@
+/* The geometric half of a BSDF: a lobe of which every facet or ray reflects F = 1.
+ *
+ *   f_r(i, o, lambda) = diffuse parts + F(cos_d, lambda) f(i, o)
+ *
+ * f [1/sr] does not depend on wavelength, F [1] of the record not on the surface: at one instant
+ * cos_d is the same for all surfaces, so light curves sum f and multiply by spectra afterwards
+ * (docs/decisions/0011-lobes.md). Directions are unit vectors in the frame of the surface: z its
+ * normal, x along the grain, and point away from it. A kind is one file, materials/NAME.c, and one
+ * line of materials/lobes.def; tests/materials/conformance.c holds all of them to the same laws. */
+#ifndef UMBRA_MATERIALS_LOBE_H
+#define UMBRA_MATERIALS_LOBE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/vec.h"
+
+struct um_materials_lobe_kind;
+
+struct um_materials_lobe {
+  const struct um_materials_lobe_kind *kind; /* NULL: the surface has no lobe */
+  double alpha, alpha_across; /* roughness along x and along y [1]; equal where it is isotropic */
+  bool correlated;            /* masking of both directions by the height of the facet */
+};
+
+/* A pair of directions as a lobe takes it. */
+struct um_materials_pair {
+  double cos_i, cos_o, cos_h;       /* with the normal; h: half vector [1] */
+  double cos_d;                     /* between half vector and either direction [1] */
+  double along_i, along_o, along_h; /* with x; read by anisotropic lobes alone [1] */
+};
+struct um_materials_pair um_materials_pair(struct um_vec3 i, struct um_vec3 o);
+/* 1 - cosine of the angle between the observer and the mirror image of the source, without
+ * cancellation: 2 cos_d^2 sin_h^2 + (cos_i - cos_o)^2/2. */
+double um_materials_pair_offset(const struct um_materials_pair *pair);
+
+/* A direction from which light is reflected to o. */
+struct um_materials_reflected {
+  struct um_vec3 i;
+  double cos_d;  /* [1] */
+  double weight; /* f cos_i over the density of i; 0 where i is below the surface [1] */
+};
+
+struct um_materials_lobe_kind {
+  const char *name; /* of materials/lobes.def and `lobe: {kind: NAME}` */
+  const char *summary, *reference;
+  bool rough;       /* has a roughness */
+  bool masked;      /* has Smith's masking in two forms */
+  bool anisotropic; /* alpha_across may differ from alpha */
+  bool delta;       /* a mirror: f is no number, sunlit is */
+  /* f [1/sr]; 0 where a cosine is not positive. Reciprocal. */
+  double (*evaluate)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair);
+  /* Mean of f over a disc of angular radius [rad] about the source: what a point Sun of that
+   * irradiance would be replaced by [1/sr]. */
+  double (*sunlit)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair,
+                   double sun_radius);
+  /* A direction i for o is sampled in two steps, of which the first does not know o: two numbers of
+   * [0, 1) become a vector (a facet's normal, or a turn from the mirror direction), smoothly. */
+  struct um_vec3 (*draw)(const struct um_materials_lobe *lobe, double u, double v);
+  /* What depends on o alone, handed to reflect; NULL: nothing. */
+  double (*toward)(const struct um_materials_lobe *lobe, struct um_vec3 o);
+  void (*reflect)(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
+                  struct um_vec3 o, double toward, struct um_materials_reflected *out /* [n] */);
+  /* Density of sampled directions [1/sr]. */
+  double (*density)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair);
+};
+
+/* All kinds, in the order of the list; NULL beyond. */
+size_t um_materials_lobe_kind_count(void);
+const struct um_materials_lobe_kind *um_materials_lobe_kind_at(size_t index);
+const struct um_materials_lobe_kind *um_materials_lobe_kind_find(const char *name);
+
+static inline bool um_materials_lobe_is_anisotropic(const struct um_materials_lobe *lobe)
+{
+  return lobe->alpha != lobe->alpha_across;
+}
+
+/* What the samples for o have in common. */
+static inline double um_materials_lobe_toward(const struct um_materials_lobe *lobe,
+                                              struct um_vec3 o)
+{
+  return lobe->kind->toward != NULL ? lobe->kind->toward(lobe, o) : 0.0;
+}
+
+/* Takes the samples of a quadrature: cos_d and its share of the directional albedo. */
+typedef void (*um_materials_lobe_sink)(void *self, double cos_d, double weight);
+/* Directional albedo int f cos_i dw_i toward o by nu x nv samples; sink may be NULL. */
+double um_materials_lobe_quadrature(const struct um_materials_lobe *lobe, struct um_vec3 o, int nu,
+                                    int nv, um_materials_lobe_sink sink, void *self);
+/* The same toward a cosine above 0, the mean over azimuths; 384 x 24 are good to 2e-4
+ * (test: materials/conformance). */
+double um_materials_lobe_mean(const struct um_materials_lobe *lobe, double cosine, int nu, int nv,
+                              um_materials_lobe_sink sink, void *self);
+/* Directional albedo toward a cosine, the mean over azimuths; of the Beckmann lobe with separable
+ * masking from its table (2e-4, roughness to 1.5, constant above). Never above 1. */
+double um_materials_lobe_albedo(const struct um_materials_lobe *lobe, double cosine);
+
+#endif

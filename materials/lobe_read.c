@@ -1,0 +1,82 @@
+/* The lobe of a record: its kind, masking and roughness, from the keys that may state them. */
+#include <math.h>
+
+#include "materials/bsdf.h"
+#include "materials/lobe_impl.h"
+#include "materials/record_impl.h"
+#include "materials/schema_impl.h"
+
+/* Exponents: n = 2/alpha^2 of facets, n = 1/(2 alpha^2) of Phong's lobe (ashikhmin_shirley.c,
+ * phong.c). */
+static double alpha_of(const struct um_materials_lobe_kind *kind, double exponent)
+{
+  return sqrt((kind == &um_materials_lobe_phong ? 0.5 : 2.0) / exponent);
+}
+
+static enum um_status check_kind(struct um_context *context,
+                                 const struct um_materials_lobe_input *in,
+                                 const struct um_materials_lobe_kind *kind)
+{
+  bool powers = kind == &um_materials_lobe_phong || kind == &um_materials_lobe_ashikhmin_shirley;
+  bool across = !isnan(in->alpha_across) || !isnan(in->exponent_across);
+  if (in->masking >= 0 && !kind->masked)
+    return um_document_mark_fail(context, &in->at,
+                                 "masking belongs to facets; accepted: with kind beckmann or ggx, "
+                                 "not %s",
+                                 kind->name);
+  if (!powers && (!isnan(in->exponent) || !isnan(in->exponent_across)))
+    return um_document_mark_fail(context, &in->at,
+                                 "exponent belongs to phong and ashikhmin_shirley; accepted for "
+                                 "kind %s: %s",
+                                 kind->name, kind->rough ? "alpha" : "no roughness");
+  if (!kind->rough && (!isnan(in->alpha) || across))
+    return um_document_mark_fail(context, &in->at,
+                                 "kind %s has no roughness; accepted: without alpha, alpha_across",
+                                 kind->name);
+  if (across && !kind->anisotropic)
+    return um_document_mark_fail(context, &in->at,
+                                 "kind %s has one roughness; accepted with a second one: kind "
+                                 "beckmann, ggx or ashikhmin_shirley",
+                                 kind->name);
+  if (!isnan(in->exponent_across) && isnan(in->exponent))
+    return um_document_mark_fail(context, &in->at,
+                                 "exponent_across stands beside exponent; accepted: both, or "
+                                 "neither");
+  return UM_OK;
+}
+
+enum um_status um_materials_lobe_read(struct um_context *context,
+                                      const struct um_materials_input *whole, double stated,
+                                      struct um_materials_record *record)
+{
+  const struct um_materials_lobe_input *in = whole->lobe;
+  struct um_materials_lobe *lobe = &record->lobe;
+  lobe->kind = &um_materials_lobe_beckmann;
+  lobe->alpha = lobe->alpha_across = stated;
+  if (in == NULL) return um_materials_albedo_build(context, record);
+  const struct um_materials_lobe_kind *kind = um_materials_lobe_kind_at((size_t)in->kind);
+  lobe->kind = kind;
+  lobe->correlated = in->masking == 1;
+  UM_TRY(check_kind(context, in, kind));
+  if (!kind->rough) {
+    if (!isnan(stated))
+      return um_document_mark_fail(context, &in->at,
+                                   "kind %s has no roughness; accepted: without beckmann_alpha, "
+                                   "rq_um and tau_um",
+                                   kind->name);
+    lobe->alpha = lobe->alpha_across = 0.0;
+    return um_materials_albedo_build(context, record);
+  }
+  double own = !isnan(in->exponent) ? alpha_of(kind, in->exponent) : in->alpha;
+  if (isnan(own) == isnan(stated))
+    return um_document_mark_fail(context, &in->at,
+                                 "%s; accepted: one of lobe.alpha%s, beckmann_alpha, or rq_um and "
+                                 "tau_um",
+                                 isnan(own) ? "the roughness of the specular part is missing"
+                                            : "the roughness is given twice",
+                                 kind->masked ? "" : " or lobe.exponent");
+  lobe->alpha = lobe->alpha_across = isnan(own) ? stated : own;
+  if (!isnan(in->alpha_across)) lobe->alpha_across = in->alpha_across;
+  if (!isnan(in->exponent_across)) lobe->alpha_across = alpha_of(kind, in->exponent_across);
+  return um_materials_albedo_build(context, record);
+}
