@@ -4,6 +4,7 @@
 
 #include "app/app.h"
 #include "environment/environment.h"
+#include "materials/lobe.h"
 
 #define ROOM 300.0 /* temperature of the emittances [K] */
 
@@ -47,8 +48,12 @@ static void print_one(const struct um_materials_record *r)
   printf("\n  diffuse reflectance at 0.4, 0.5, 0.6, 0.7, 0.8 um:");
   for (int i = 4; i <= 8; i++) printf(" %.3f", um_materials_diffuse_reflectance(r, NULL, i * 1e-7));
   if (um_materials_has_lobe(r)) {
-    printf("\n  lobe: Beckmann alpha %.4f, F at 30 deg and 0.4 to 0.8 um:",
-           um_materials_roughness(r, NULL));
+    struct um_materials_lobe lobe = um_materials_lobe(r, NULL);
+    printf("\n  lobe: %s", lobe.kind->name);
+    if (lobe.kind->rough) printf(", alpha %.4f", lobe.alpha);
+    if (um_materials_lobe_is_anisotropic(&lobe)) printf(", across %.4f", lobe.alpha_across);
+    if (lobe.correlated) printf(", height-correlated masking");
+    printf("; F at 30 deg and 0.4 to 0.8 um:");
     for (int i = 4; i <= 8; i++)
       printf(" %.3f",
              um_materials_specular_reflectance(r, NULL, i * 1e-7, cos(0.5235987755982988)));

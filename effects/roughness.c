@@ -1,4 +1,4 @@
-/* Roughness: the width of the glint, Beckmann's alpha = sqrt(2) Rq/tau times a factor. Peak times
+/* Roughness: the width of the glint, alpha of the lobe times a factor. Peak times
  * width^2 is kept, which separates it from specular_level. */
 #include "effects/list_impl.h"
 #include "materials/materials.h"
@@ -6,7 +6,7 @@
 static const struct um_effect_parameter parameters[] = {
     {.name = "alpha_factor",
      .unit = "1",
-     .help = "factor of the Beckmann alpha",
+     .help = "factor of the alpha of the lobe",
      .null_value = 1.0,
      .default_value = 1.3,
      .minimum = 0.1,

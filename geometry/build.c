@@ -78,6 +78,10 @@ static enum um_status copy_pose(struct um_context *context,
         norm);
   part->position = spec->position;
   part->rotation = um_quat_normalize(q);
+  double grain = um_vec3_norm(spec->grain);
+  if (!isfinite(grain))
+    return um_core_fail(context, UM_ERR_INPUT, "part '%s': its grain is not finite", spec->name);
+  part->grain = grain > 0.0 ? um_vec3_scale(spec->grain, 1.0 / grain) : um_vec3(1.0, 0.0, 0.0);
   part->joint_kind = spec->joint;
   part->joint = NO_PART;
   if (spec->joint == UM_JOINT_NONE) return UM_OK;

@@ -48,8 +48,9 @@ struct um_geometry_part_spec {
   enum um_geometry_joint_kind joint;
   struct um_vec3 joint_axis; /* unit, in the part frame, through its origin */
   struct um_vec3
-      joint_normal;   /* SUN: this unit vector of the part frame is turned toward the Sun */
-  double joint_angle; /* [rad], FIXED; offset of SUN */
+      joint_normal;     /* SUN: this unit vector of the part frame is turned toward the Sun */
+  double joint_angle;   /* [rad], FIXED; offset of SUN */
+  struct um_vec3 grain; /* direction of brushing or tows, in the part frame; all zero: x */
   const struct um_geometry_skin *skins; /* [nskin] */
   size_t nskin;
   double facet_size; /* longest edge wanted [m]; 0: only what the shape needs */
@@ -123,6 +124,15 @@ void um_geometry_pose_destroy(struct um_context *context, struct um_geometry_pos
 /* Outward unit normal of a surface. */
 struct um_vec3 um_geometry_surface_normal(const struct um_geometry_mesh *mesh,
                                           const struct um_geometry_pose *pose, size_t surface);
+
+/* Body frame to each part's, [npart], at those angles (NULL when there is no joint). */
+void um_geometry_part_rotations(const struct um_geometry *geometry, const double *angles,
+                                struct um_quat *rotation);
+/* Unit vectors in the surface, body frame: its part's grain projected on it, and across it, so that
+ * grain, across and outward normal are right-handed. A surface that the grain stands upright on
+ * takes the axis that follows it: of (x, y, z) the direction (z, x, y). */
+void um_geometry_surface_grain(const struct um_geometry *geometry, const struct um_quat *rotation,
+                               size_t surface, struct um_vec3 *grain, struct um_vec3 *across);
 
 /* What a user wants to know of a part before trusting it. */
 struct um_geometry_report {

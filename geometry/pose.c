@@ -8,6 +8,8 @@
 
 /* A Sun closer to the axis than this has no preferred angle [1]. */
 #define ALONG_AXIS 1e-9
+/* Sine of the angle to the normal below which a grain gives no direction in the surface [1]. */
+#define UPRIGHT 1e-6
 
 /* Where a part is: origin in body frame [m] and body-to-part rotation. */
 struct frame {
@@ -113,6 +115,34 @@ done:
   um_core_free(context, frames);
   um_geometry_pose_destroy(context, &pose);
   return status;
+}
+
+void um_geometry_part_rotations(const struct um_geometry *geometry, const double *angles,
+                                struct um_quat *rotation)
+{
+  for (size_t i = 0; i < geometry->npart; i++) {
+    size_t k = geometry->order[i];
+    const struct um_geometry_part *part = &geometry->part[k];
+    struct frame frame = body_frame;
+    if (part->parent != NO_PART) frame.q = rotation[part->parent];
+    frame = unturned_frame(part, frame);
+    if (part->joint != NO_PART)
+      frame = turned_frame(part, frame, angles == NULL ? part->joint_angle : angles[part->joint]);
+    rotation[k] = frame.q;
+  }
+}
+
+void um_geometry_surface_grain(const struct um_geometry *geometry, const struct um_quat *rotation,
+                               size_t surface, struct um_vec3 *grain, struct um_vec3 *across)
+{
+  const struct um_geometry_surface *s = &geometry->mesh.surface[surface];
+  struct um_vec3 g = geometry->part[s->part].grain;
+  struct um_vec3 n = um_vec3_scale(geometry->normal[s->facet], s->back ? -1.0 : 1.0);
+  struct um_quat to_body = um_quat_conjugate(rotation[s->part]);
+  if (!(um_vec3_norm(um_vec3_cross(n, g)) > UPRIGHT)) g = um_vec3(g.z, g.x, g.y);
+  g = um_vec3_unit(um_vec3_axpy(g, -um_vec3_dot(g, n), n));
+  *grain = um_quat_apply(to_body, g);
+  *across = um_quat_apply(to_body, um_vec3_cross(n, g));
 }
 
 void um_geometry_pose_destroy(struct um_context *context, struct um_geometry_pose **pose)

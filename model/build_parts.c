@@ -72,6 +72,7 @@ static enum um_status place_of(struct um_context *context, const struct um_scena
     to->position = um_vec3(p[0], p[1], p[2]);
     to->rotation = rotation_of(from->pose->rotation_deg);
   }
+  to->grain = um_vec3(from->grain[0], from->grain[1], from->grain[2]);
   if (from->joint == NULL) return UM_OK;
   to->joint = from->joint->track == 1 ? UM_JOINT_SUN : UM_JOINT_FIXED;
   to->joint_angle = from->joint->angle_deg * UM_DEG;

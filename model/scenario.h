@@ -263,6 +263,7 @@ struct um_scenario_part {
   struct um_scenario_mesh *mesh;
   struct um_scenario_pose *pose;
   struct um_scenario_joint *joint;
+  double grain[3]; /* direction; all 0: x */
   const char *outside, *front, *back;
   struct um_schema_list materials; /* of struct um_scenario_skin */
   struct um_schema_list groups;    /* of struct um_scenario_group */

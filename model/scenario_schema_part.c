@@ -216,6 +216,10 @@ static const struct um_schema_field part_fields[] = {
     F(mesh, "mesh", UM_SCHEMA_MAP, .object = &um_model_mesh_schema, .alternative = 1),
     F(pose, "pose", UM_SCHEMA_MAP, .object = &um_model_pose_schema),
     F(joint, "joint", UM_SCHEMA_MAP, .object = &um_model_joint_schema),
+    F(grain, "grain", UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
+      HELP("direction of brushing, rolling or tows, in the part, projected on each facet; lobes "
+           "with "
+           "alpha_across are wider across it; default x, where that stands upright y")),
     F(outside, "outside", UM_SCHEMA_TEXT, NAME, HELP("material of a closed part")),
     F(front, "front", UM_SCHEMA_TEXT, NAME, HELP("material of the front of an open part")),
     F(back, "back", UM_SCHEMA_TEXT, NAME, HELP("material of the back of an open part")),

@@ -103,6 +103,7 @@ static void palette_fill(const struct um_optics_spectra *spectra,
       .albedo = (double)scene->albedo[at],
       .view_factor = (double)scene->view_factor[at],
       .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
+  um_optics_sight_turn(spectra, scene, surface, work, &sight);
   um_optics_sum_clear(spectra, &work->single);
   um_optics_sum_add(spectra, now, material, &sight, work, &work->single);
   um_optics_sum_spectrum(spectra, scene, now, material, &work->single, work, work->spectral);
@@ -273,7 +274,10 @@ static enum um_status render_all(struct um_context *context, struct render *r,
                        image));
   UM_TRY(image_create(context, r, image));
   UM_TRY(scratch_create(context, r));
-  for (size_t i = 0; i < r->nthread; i++) um_optics_light(r->spectra, scene, &now, &r->work[i]);
+  for (size_t i = 0; i < r->nthread; i++) {
+    um_optics_light(r->spectra, scene, &now, &r->work[i]);
+    um_optics_turn(r->spectra, scene, &now, &r->work[i]);
+  }
   int threads = (int)r->nthread;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
   for (size_t s = 0; s < mesh->nsurface; s++)

@@ -130,12 +130,14 @@ static void compute_time(const struct um_context *context, const struct job *all
   struct um_optics_instant now = um_optics_instant(job->scene, time);
   memset(work->specular_known, 0, spectra->nmaterial * sizeof *work->specular_known);
   um_optics_light(spectra, job->scene, &now, work);
+  um_optics_turn(spectra, job->scene, &now, work);
   for (size_t m = 0; m < spectra->nmaterial; m++) um_optics_sum_clear(spectra, &work->sum[m]);
   for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
     size_t at = time * view->nsurface + s, material = view->material[s];
     bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
     if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
     struct um_optics_sight sight = sight_of(job->scene, at, s);
+    um_optics_sight_turn(spectra, job->scene, s, work, &sight);
     um_optics_sum_add(spectra, &now, material, &sight, work, &work->sum[material]);
     if (uncertain) error_add(job, &now, time, s, &sight, work);
     if (set != NULL && view->seen[at] > 0.0F && um_optics_exchange_has(set->exchange, s))

@@ -67,6 +67,8 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nray, sizeof *work->ray, &work->ray));
   UM_TRY(um_core_allocate(context, nray, 1, &work->occluded));
   UM_TRY(um_core_allocate(context, nray, 1, &work->hidden));
+  UM_TRY(um_core_allocate(context, spectra->njoint, sizeof *work->angle, &work->angle));
+  UM_TRY(um_core_allocate(context, spectra->npart, sizeof *work->rotation, &work->rotation));
   for (size_t m = 0; m <= nmaterial; m++) {
     struct um_optics_sum *sum = m < nmaterial ? &work->sum[m] : &work->single;
     sum->emitted = work->bins + 4 * m * nbin;
@@ -93,11 +95,11 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   if (work == NULL || *work == NULL) return;
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
-    void *const blocks[] = {w->planck,          w->emissivity, w->spectral,      w->specular,
-                            w->specular_known,  w->bins,       w->sum,           w->incoming,
-                            w->reflected,       w->band,       w->band_variance, w->ray,
-                            w->occluded,        w->hidden,     w->earth,         w->masked_sun,
-                            w->masked_observer, w->sunlight,   w->lobe_all,      w->lobe_earth};
+    void *const blocks[] = {
+        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
+        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
+        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
+        w->lobe_all, w->lobe_earth, w->angle,     w->rotation};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
   }
   um_core_free(context, *work);
@@ -117,6 +119,25 @@ void um_optics_light(const struct um_optics_spectra *spectra, const struct um_op
       work->sunlight[b] *=
           um_environment_shadow_light_at(&light, spectra->wavelength[b]) / s->sunlit_fraction;
   }
+}
+
+void um_optics_turn(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                    const struct um_optics_instant *instant, struct um_optics_work *work)
+{
+  if (!spectra->grain) return;
+  um_geometry_joint_angles(scene->geometry, instant->sun_body, work->angle);
+  um_geometry_part_rotations(scene->geometry, spectra->njoint > 0 ? work->angle : NULL,
+                             work->rotation);
+}
+
+void um_optics_sight_turn(const struct um_optics_spectra *spectra,
+                          const struct um_optics_scene *scene, size_t surface,
+                          const struct um_optics_work *work, struct um_optics_sight *sight)
+{
+  size_t material = um_geometry_mesh(scene->geometry)->surface[surface].material;
+  if (spectra->grain && um_materials_lobe_is_anisotropic(&spectra->lobe[material]))
+    um_geometry_surface_grain(scene->geometry, work->rotation, surface, &sight->grain,
+                              &sight->across);
 }
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum)

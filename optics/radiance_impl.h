@@ -67,6 +67,8 @@ struct um_optics_work {
   double *band, *band_variance; /* [nband] */
   struct um_geometry_ray *ray;  /* [nray] */
   uint8_t *occluded, *hidden;   /* [nray] */
+  double *angle;            /* [njoint] of the current instant, where a lobe has a grain [rad] */
+  struct um_quat *rotation; /* [npart] body to part, likewise */
 };
 /* nwork of them; nray: rays of one surface that are traced together. */
 enum um_status um_optics_work_create(struct um_context *context,
@@ -78,6 +80,14 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
  * Earth's air leave of each wavelength. */
 void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                      const struct um_optics_instant *instant, struct um_optics_work *work);
+
+/* Where lobes have a grain: how parts stand at an instant, into the scratch; then the grain of a
+ * surface into its sight. */
+void um_optics_turn(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                    const struct um_optics_instant *instant, struct um_optics_work *work);
+void um_optics_sight_turn(const struct um_optics_spectra *spectra,
+                          const struct um_optics_scene *scene, size_t surface,
+                          const struct um_optics_work *work, struct um_optics_sight *sight);
 
 /* Where the Earth stands at an instant, and how bright it is, for lobes that look at it. Where it
  * varies it has the albedo of what lights a plate that faces it. */

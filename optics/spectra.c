@@ -226,11 +226,13 @@ void um_optics_spectra_materials(const struct um_context *context,
                                  const struct um_optics_scene *scene, size_t time,
                                  struct um_optics_spectra *s)
 {
+  s->grain = false;
   for (size_t m = 0; m < s->nmaterial; m++) {
     const struct um_materials_record *record = scene->material[m];
     const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, m);
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
     lobe_fill(context, record, adjustment, m, s);
+    s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
     s->masks[m] = s->lobe[m].kind != NULL && !um_materials_is_grey(record);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
@@ -318,6 +320,8 @@ enum um_status um_optics_spectra_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, 1, sizeof *s, &s));
   s->nband = nband;
   s->nmaterial = um_geometry_material_count(scene->geometry);
+  s->npart = um_geometry_part_count(scene->geometry);
+  s->njoint = um_geometry_joint_count(scene->geometry);
   UM_CHECK(bins_create(context, bands, s));
   UM_CHECK(sources_create(context, scene->environment, s));
   UM_CHECK(materials_check(context, scene));

@@ -18,7 +18,7 @@ struct um_optics_planck {
 };
 
 struct um_optics_spectra {
-  size_t nbin, nband, nmaterial;
+  size_t nbin, nband, nmaterial, npart, njoint;
   double *wavelength, *width; /* [nbin] [m] */
   double *from, *to;          /* [nbin] edges [m] */
   uint32_t *band;             /* [nbin] */
@@ -34,6 +34,7 @@ struct um_optics_spectra {
   double *masked_mean;        /* [nmaterial][nbin] its hemispherical mean [1] */
   bool *masks;                /* [nmaterial] M is not 0 */
   struct um_materials_lobe *lobe;       /* [nmaterial], of kind NULL where there is none */
+  bool grain;                           /* a lobe is anisotropic */
   struct um_optics_lobe_facets *facets; /* [nmaterial] of the lobe */
   struct um_vec3 *half;                 /* [nmaterial][rings][cells] behind facets */
   double *fresnel; /* [nmaterial][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */

@@ -70,7 +70,7 @@ static void of_material(const struct question *q, enum um_effect_stated which,
         um_materials_specular_reflectance(record, adjustment, VISIBLE, 1.0));
   if (which != UM_STATED_ROUGHNESS || !um_materials_has_lobe(record)) return;
   out->maximum = INFINITY;
-  say(out, "Beckmann alpha", "1", um_materials_roughness(record, adjustment));
+  say(out, "alpha of the lobe", "1", um_materials_roughness(record, adjustment));
 }
 
 /* ---- parts ---- */
