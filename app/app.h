@@ -144,6 +144,7 @@ int um_app_cases(struct um_context *context, const struct um_app_options *option
 int um_app_exchange(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
+int um_app_filters(struct um_context *context, const struct um_app_options *options);
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);

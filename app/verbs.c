@@ -79,6 +79,8 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import},
     {"materials", "[MATERIAL]", "materials with their integrated properties", .accepts = "json",
      .examples = "umbra materials mli_kapton\n", .run = um_app_materials},
+    {"filters", "", "filters that come with the program, the Sun and Vega in them",
+     .accepts = "json", .examples = "umbra filters\n", .run = um_app_filters},
     {"effects", "[EFFECT]", "physical effects and their parameters", .accepts = "effect-file json",
      .examples = "umbra effects panel_extraction\n", .run = um_app_effects},
     {"schema", "[PATH]", "reference of scenario.yaml, or its JSON Schema; of a section alone",

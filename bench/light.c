@@ -91,9 +91,9 @@ static struct um_optics_lightcurve *curve(const struct bench *bench, const struc
 {
   struct um_optics_scene scene = pass->scene;
   scene.interreflection_samples = interreflection;
-  const struct um_optics_band two[2] = {{"vis", 0.380e-6, 0.780e-6, bins / 2},
-                                        {"lwir", 8e-6, 12e-6, bins / 2}};
-  const struct um_optics_band one = {"all", 0.380e-6, 12e-6, 1};
+  const struct um_optics_band two[2] = {{"vis", 0.380e-6, 0.780e-6, bins / 2, NULL},
+                                        {"lwir", 8e-6, 12e-6, bins / 2, NULL}};
+  const struct um_optics_band one = {"all", 0.380e-6, 12e-6, 1, NULL};
   struct um_optics_lightcurve *out = NULL;
   double began = now(bench);
   bench_must(bench, um_optics_lightcurve_compute(bench->context, &scene, bins == 1 ? &one : two,

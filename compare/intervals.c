@@ -136,8 +136,9 @@ enum um_status um_compare_intervals_find(struct um_context *context,
   const struct um_compare_comparison *c = comparison;
   const struct um_compare_plan *plan = c->run.plan;
   size_t n = channel->count / WINDOWS, source = plan->source[channel->channel];
-  double scale = scale_of(c, channel);
   bool heat = plan->measurements->channel[channel->channel].quantity == UM_QUANTITY_TEMPERATURE;
+  size_t band = heat ? 0 : um_compare_band(plan, c->run.model, channel->channel);
+  double scale = scale_of(c, channel);
   if (n < SHORTEST) n = SHORTEST;
   if (n > channel->count) n = channel->count;
   while (n > 0 && channel->nworst < UM_COMPARE_WORST) {
@@ -148,8 +149,7 @@ enum um_status um_compare_intervals_find(struct um_context *context,
     *w = (struct um_compare_interval){.first = first, .count = n, .chi2 = chi2 / scale};
     const size_t *row = channel->row + first;
     describe(c, row, w);
-    UM_TRY(heat ? heat_shares(context, c, source, row, w)
-                : light_shares(context, c, source, row, w));
+    UM_TRY(heat ? heat_shares(context, c, source, row, w) : light_shares(context, c, band, row, w));
   }
   return UM_OK;
 }

@@ -270,8 +270,11 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
       return refuse_hidden(context, m, i, precomputed, k);
     } else if (quantity == UM_QUANTITY_BAND_IRRADIANCE) {
       value[i] = result->irradiance[k * result->nband + s];
+    } else if (quantity == UM_QUANTITY_COUNT_RATE) {
+      value[i] = result->count_rate[k * result->nsensor + s];
     } else {
       value[i] = result->magnitude_ab[k * result->nband + s];
+      if (quantity == UM_QUANTITY_MAGNITUDE_VEGA) value[i] -= result->vega_ab[s];
     }
   }
   return UM_OK;
@@ -282,14 +285,37 @@ void um_compare_predict_error(const struct um_compare_plan *plan,
 {
   const struct um_compare_measurements *m = plan->measurements;
   for (size_t i = 0; i < m->count; i++) {
-    size_t k = plan->observation[i], channel = m->row[i].channel;
+    size_t k = plan->observation[i], channel = m->row[i].channel, s = plan->source[channel];
     model_sigma[i] = NAN;
     if (k == UM_COMPARE_NOWHERE) continue;
-    size_t at = k * result->nband + plan->source[channel];
-    enum um_compare_quantity quantity = m->channel[channel].quantity;
-    model_sigma[i] = quantity == UM_QUANTITY_TEMPERATURE         ? 0.0
-                     : quantity == UM_QUANTITY_RADIANT_INTENSITY ? result->standard_error[at]
-                     : quantity == UM_QUANTITY_BAND_IRRADIANCE   ? result->irradiance_error[at]
-                                                                 : result->magnitude_error[at];
+    size_t at = k * result->nband + s;
+    switch (m->channel[channel].quantity) {
+    case UM_QUANTITY_TEMPERATURE:
+      model_sigma[i] = 0.0;
+      break;
+    case UM_QUANTITY_RADIANT_INTENSITY:
+      model_sigma[i] = result->standard_error[at];
+      break;
+    case UM_QUANTITY_BAND_IRRADIANCE:
+      model_sigma[i] = result->irradiance_error[at];
+      break;
+    case UM_QUANTITY_COUNT_RATE:
+      model_sigma[i] = result->count_rate_error[k * result->nsensor + s];
+      break;
+    case UM_QUANTITY_MAGNITUDE_VEGA: /* flux relative to another zero */
+      model_sigma[i] = result->magnitude_error[at] * pow(10.0, 0.4 * result->vega_ab[s]);
+      break;
+    default:
+      model_sigma[i] = result->magnitude_error[at];
+    }
   }
+}
+
+size_t um_compare_band(const struct um_compare_plan *plan, const struct um_model *model,
+                       size_t channel)
+{
+  size_t source = plan->source[channel];
+  return plan->measurements->channel[channel].quantity == UM_QUANTITY_COUNT_RATE
+             ? model->sensor[source].band
+             : source;
 }

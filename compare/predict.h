@@ -66,4 +66,8 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
 void um_compare_predict_error(const struct um_compare_plan *plan,
                               const struct um_model_result *result, double *model_sigma);
 
+/* Band whose light a channel that is not of temperatures holds: its own, or its sensor's. */
+size_t um_compare_band(const struct um_compare_plan *plan, const struct um_model *model,
+                       size_t channel);
+
 #endif

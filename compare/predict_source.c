@@ -1,4 +1,5 @@
 /* Which band or place of a model answers a channel of measurements. */
+#include <math.h>
 #include <stdint.h>
 
 #include "compare/places_impl.h"
@@ -15,8 +16,16 @@ static size_t first_used(const struct um_compare_measurements *m, size_t channel
 /* Of light, of which the scenario needs an observer. */
 static bool is_light(enum um_compare_quantity quantity)
 {
-  return quantity == UM_QUANTITY_BAND_IRRADIANCE || quantity == UM_QUANTITY_RADIANT_INTENSITY ||
-         quantity == UM_QUANTITY_MAGNITUDE_AB;
+  return quantity != UM_QUANTITY_TEMPERATURE;
+}
+
+/* Band, sensor or place by the name in the column `of`. */
+static enum um_status find(struct um_context *context, const struct um_model *model,
+                           enum um_compare_quantity quantity, const char *of, size_t *out)
+{
+  if (quantity == UM_QUANTITY_TEMPERATURE) return um_compare_place_find(context, model, of, out);
+  if (quantity == UM_QUANTITY_COUNT_RATE) return um_model_sensor_require(context, model, of, out);
+  return um_model_band_require(context, model, of, out);
 }
 
 enum um_status um_compare_source_find(struct um_context *context, const struct um_model *model,
@@ -39,19 +48,14 @@ enum um_status um_compare_source_find(struct um_context *context, const struct u
         context, UM_ERR_INPUT,
         "%s:%d: column 'quantity': temperature wants heat that is followed along an "
         "orbit, orbit.points has none; accepted: band_irradiance, "
-        "radiant_intensity, magnitude_ab",
+        "radiant_intensity, magnitude_ab, magnitude_vega, count_rate",
         m->path, line);
-  if (is_light(quantity) || quantity == UM_QUANTITY_TEMPERATURE) {
-    enum um_status status = is_light(quantity) ? um_model_band_require(context, model, of, out)
-                                               : um_compare_place_find(context, model, of, out);
-    if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
+  enum um_status status = find(context, model, quantity, of, out);
+  if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
+  if (status != UM_OK || quantity != UM_QUANTITY_MAGNITUDE_VEGA || isfinite(model->vega_ab[*out]))
     return status;
-  }
-  return um_core_fail(
-      context, UM_ERR_INPUT,
-      "%s:%d: column 'quantity': %s of '%s' wants a %s, which scenarios of this version do not "
-      "have; accepted: band_irradiance, radiant_intensity, magnitude_ab, temperature, or a flag "
-      "that leaves the row out",
-      m->path, line, um_compare_quantity_name(quantity), of,
-      quantity == UM_QUANTITY_COUNT_RATE ? "sensor" : "filter");
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s:%d: column 'of': band '%s' leaves 0.12 to 40 um, where Vega is known; "
+                      "accepted: magnitude_ab",
+                      m->path, line, of);
 }

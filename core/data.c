@@ -40,7 +40,8 @@ static bool runs_from_build(const char *program)
 /* In the source tree the folders of the installed tree have other names. */
 static const char *source_name(const char *name)
 {
-  return strcmp(name, "materials") == 0 ? "materials/library" : name;
+  if (strcmp(name, "materials") == 0) return "materials/library";
+  return strcmp(name, "filters") == 0 ? "instrument/filters" : name;
 }
 
 static enum um_status of_variable(struct um_context *context, const char *data, const char *name,

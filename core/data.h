@@ -4,9 +4,8 @@
 
 #include "core/context.h"
 
-/* Folder `name` ("materials", "scenarios") of the program's own files; the caller frees. The first
- * that holds:
- *   $UMBRA_DATA/name, where that variable is set,
+/* Folder `name` ("materials", "filters", "scenarios") of the program's own files; the caller frees.
+ * The first that holds: $UMBRA_DATA/name, where that variable is set,
  *   ../share/umbra/name from the folder of the running program (as it was installed, wherever the
  *   tree was moved to),
  *   the source tree, where the program runs from its build folder.

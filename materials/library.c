@@ -1,11 +1,10 @@
 /* The named records of a run: the product's own folder, then the scenario's files. */
-#include <dirent.h>
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/data.h"
+#include "core/listing.h"
 #include "core/words.h"
 #include "materials/record_impl.h"
 
@@ -70,53 +69,6 @@ enum um_status um_materials_library_read_file(struct um_context *context,
   return UM_OK;
 }
 
-static int compare_names(const void *a, const void *b)
-{
-  const char *const *x = a, *const *y = b;
-  return strcmp(*x, *y);
-}
-
-static void free_names(struct um_context *context, char **names, size_t count)
-{
-  for (size_t i = 0; i < count; i++) um_core_free(context, names[i]);
-  um_core_free(context, names);
-}
-
-static bool is_yaml(const char *name)
-{
-  size_t n = strlen(name);
-  return n > 5 && name[0] != '.' && strcmp(name + n - 5, ".yaml") == 0;
-}
-
-/* Names of the *.yaml files of a folder in the order of strcmp. */
-static enum um_status list_folder(struct um_context *context, const char *folder, char ***out,
-                                  size_t *count)
-{
-  enum um_status status = UM_OK;
-  char **names = NULL;
-  size_t n = 0;
-  *out = NULL;
-  *count = 0;
-  DIR *directory = opendir(folder);
-  if (directory == NULL)
-    return um_core_fail(context, UM_ERR_IO, "%s: %s; accepted: a folder of material records",
-                        folder, strerror(errno));
-  for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
-    if (!is_yaml(entry->d_name)) continue;
-    UM_CHECK(um_core_reallocate(context, n + 1, sizeof *names, &names));
-    UM_CHECK(um_core_strdup(context, entry->d_name, &names[n]));
-    n++;
-  }
-  if (n > 1) qsort(names, n, sizeof *names, compare_names);
-  *out = names;
-  *count = n;
-  names = NULL;
-done:
-  closedir(directory);
-  if (status != UM_OK) free_names(context, names, n);
-  return status;
-}
-
 enum um_status um_materials_library_read_folder(struct um_context *context,
                                                 struct um_materials_library *library,
                                                 const char *folder)
@@ -124,7 +76,7 @@ enum um_status um_materials_library_read_folder(struct um_context *context,
   enum um_status status = UM_OK;
   char **names, *path = NULL;
   size_t count;
-  UM_TRY(list_folder(context, folder, &names, &count));
+  UM_TRY(um_core_listing(context, folder, ".yaml", "material records", &names, &count));
   for (size_t i = 0; i < count; i++) {
     UM_CHECK(um_core_asprintf(context, &path, "%s/%s", folder, names[i]));
     UM_CHECK(um_materials_library_read_file(context, library, path, NULL, 0));
@@ -133,7 +85,7 @@ enum um_status um_materials_library_read_folder(struct um_context *context,
   }
 done:
   um_core_free(context, path);
-  free_names(context, names, count);
+  um_core_listing_free(context, names, count);
   return status;
 }
 

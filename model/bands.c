@@ -1,4 +1,4 @@
-/* Bands by name. */
+/* Bands and sensors by name. */
 #include "model/bands.h"
 
 #include <string.h>
@@ -25,4 +25,24 @@ enum um_status um_model_band_require(struct um_context *context, const struct um
   }
   return um_core_fail(context, UM_ERR_INPUT, "the scenario has no band '%s'%s; accepted: %s", name,
                       um_core_words_hint(&guess, hint), accepted);
+}
+
+enum um_status um_model_sensor_require(struct um_context *context, const struct um_model *model,
+                                       const char *name, size_t *out)
+{
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[320] = "", hint[UM_CORE_WORDS_HINT];
+  for (*out = 0; *out < model->nsensor; (*out)++) {
+    if (strcmp(model->sensor[*out].name, name) == 0) return UM_OK;
+    um_core_words_append(accepted, sizeof accepted, model->sensor[*out].name);
+    um_core_words_consider(&guess, model->sensor[*out].name);
+  }
+  *out = (size_t)-1;
+  if (model->nsensor == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "'%s' is not a sensor: the scenario has none; accepted: a scenario with "
+                        "sensors",
+                        name);
+  return um_core_fail(context, UM_ERR_INPUT, "the scenario has no sensor '%s'%s; accepted: %s",
+                      name, um_core_words_hint(&guess, hint), accepted);
 }

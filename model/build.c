@@ -107,7 +107,6 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);
   um_core_free(context, m->start_offset);
-  um_core_free(context, m->band);
   um_core_arena_release(context, &m->memory);
   if (m->origin == NULL) {
     um_environment_map_destroy(context, &m->earth_map);

@@ -8,6 +8,7 @@
 #include "core/constants.h"
 #include "core/words.h"
 #include "model/aging_impl.h"
+#include "model/build_bands_impl.h"
 #include "model/effects_impl.h"
 #include "model/interior_names_impl.h"
 #include "model/words_impl.h"
@@ -228,34 +229,6 @@ static enum um_status build_records(struct um_context *context, struct um_model 
   return um_model_materials_at(context, model, model->scenario->time->start, model->adjustment);
 }
 
-static enum um_status build_bands(struct um_context *context, struct um_model *model)
-{
-  static const struct um_optics_band standard[2] = {{"vis", 0.38e-6, 0.78e-6, 80},
-                                                    {"lwir", 8e-6, 12e-6, 40}};
-  const struct um_schema_list *list = &model->scenario->bands;
-  const struct um_scenario_band *from = list->items;
-  model->nband = list->count > 0 ? list->count : 2;
-  UM_TRY(um_core_allocate(context, model->nband, sizeof *model->band, &model->band));
-  if (list->count == 0) {
-    memcpy(model->band, standard, sizeof standard);
-    return UM_OK;
-  }
-  for (size_t i = 0; i < list->count; i++) {
-    if (!um_model_name_is_plain(from[i].name))
-      return um_model_fail(context, &from[i].at, NULL,
-                           "'%s' cannot name a band; accepted: a word without . / : , ; quotes and "
-                           "control characters",
-                           from[i].name);
-    if (!(from[i].from_um < from[i].to_um))
-      return um_model_fail(context, &from[i].at, "to_um",
-                           "%g is not above from_um %g; accepted: more than that", from[i].to_um,
-                           from[i].from_um);
-    model->band[i] = (struct um_optics_band){from[i].name, from[i].from_um * 1e-6,
-                                             from[i].to_um * 1e-6, from[i].bins};
-  }
-  return UM_OK;
-}
-
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model)
 {
   size_t n = model->scenario->parts.count;
@@ -265,7 +238,7 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
     return um_model_fail(context, &model->scenario->at, "parts",
                          "is empty; accepted: one part or more");
   UM_TRY(build_library(context, model));
-  UM_TRY(build_bands(context, model));
+  UM_TRY(um_model_build_bands(context, model));
   UM_TRY(um_core_allocate(context, n, sizeof *specs, &specs));
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(spec_of(context, model, part_at(model, i), &specs[i]));

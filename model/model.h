@@ -7,6 +7,7 @@
 #include "effects/effect.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
+#include "instrument/sensor.h"
 #include "materials/materials.h"
 #include "model/scenario.h"
 #include "optics/optics.h"
@@ -16,6 +17,15 @@
 #include "thermal/body.h"
 
 struct um_effects_registry;
+
+/* A sensor of the scenario, ready to count the bins of its band. */
+struct um_model_sensor {
+  const char *name;
+  size_t band;
+  double *efficiency; /* [bins of the band] filter, optics and detector together [1] */
+  double exposure;    /* length of an exposure [s]; 0: not known */
+  struct um_instrument_sensor optics;
+};
 
 /* Changes to a scenario from the command line; texts as the user typed them, borrowed. */
 struct um_model_options {
@@ -88,9 +98,11 @@ struct um_model {
   const struct um_thermal_ratio **bulk_ratio; /* [2 per record of the library] made so far, or NULL
                                                  (bulk_law.c); NULL: none */
   struct um_thermal_body *body;
-  double *start_offset; /* [node] added to what a run begins with [K]; NULL: nothing */
-  struct um_optics_band *band;
-  size_t nband;
+  double *start_offset;           /* [node] added to what a run begins with [K]; NULL: nothing */
+  struct um_optics_band *band;    /* [nband]; these four are the origin's in a variant */
+  double *vega_ab;                /* [nband] AB magnitude of magnitude_vega 0 */
+  struct um_model_sensor *sensor; /* [nsensor] */
+  size_t nband, nsensor;
 };
 
 #endif

@@ -34,9 +34,13 @@ void um_model_result_destroy(struct um_context *context, struct um_model_result 
   um_core_free(context, r->standard_error);
   um_core_free(context, r->irradiance_error);
   um_core_free(context, r->magnitude_error);
+  um_core_free(context, r->vega_ab);
+  um_core_free(context, r->count_rate);
+  um_core_free(context, r->count_rate_error);
   um_core_free(context, r->spectral);
   um_core_free(context, r->wavelength);
   um_core_free(context, r->bin_width);
+  um_core_free(context, r->transmission);
   um_core_free(context, r->bin_band);
   um_core_free(context, r->surface_temperature);
   um_core_free(context, r->node_temperature);

@@ -13,8 +13,9 @@ struct um_model_place_history {
 };
 
 struct um_model_result {
-  size_t nobs, nband, nmaterial, nsurface, nnode, nplace;
-  double *irradiance;   /* [nobs][nband] at the aperture, after effects [W/m^2]; NaN where hidden */
+  size_t nobs, nband, nsensor, nmaterial, nsurface, nnode, nplace;
+  double *irradiance; /* [nobs][nband] at the aperture, what the filter lets through, after effects
+                         [W/m^2]; NaN where hidden */
   double *magnitude_ab; /* [nobs][nband] after effects other than the atmosphere's; INFINITY where
                            the irradiance is 0, NaN where it is negative and where hidden */
   double
@@ -25,9 +26,13 @@ struct um_model_result {
   /* [nobs][nband] that error through range, exposure and effects: of irradiance [W/m^2], and of the
    * flux 10^(-0.4 magnitude_ab) [1]; both NaN where nothing arrives */
   double *irradiance_error, *magnitude_error;
-  double *spectral; /* [nobs][nbin][UM_MECHANISM_COUNT] [W/sr/m] */
+  double *vega_ab;          /* [nband] magnitude_vega is magnitude_ab less this */
+  double *count_rate;       /* [nobs][nsensor] after effects [1/s]; NaN where hidden */
+  double *count_rate_error; /* [nobs][nsensor] standard error of it by ray tracing [1/s] */
+  double *spectral;         /* [nobs][nbin][UM_MECHANISM_COUNT] before any filter [W/sr/m] */
   size_t nbin;
   double *wavelength, *bin_width;       /* [nbin] [m] */
+  double *transmission;                 /* [nbin] of the band's filter [1] */
   uint32_t *bin_band;                   /* [nbin] */
   double *surface_temperature;          /* [nobs][nsurface] [K] */
   double *node_temperature;             /* [nobs][nnode] [K] */

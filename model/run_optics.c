@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "model/aging_impl.h"
+#include "model/counts.h"
 #include "model/effects_impl.h"
 #include "model/run_optics_impl.h"
 #include "optics/atmosphere.h"
@@ -61,13 +62,14 @@ void um_model_scene_release(struct um_context *context, struct um_optics_scene *
   scene->albedo = scene->view_factor = scene->brightness = NULL;
 }
 
-static enum um_status result_arrays(struct um_context *context,
+static enum um_status result_arrays(struct um_context *context, const struct um_model *model,
                                     const struct um_model_precomputed *precomputed,
                                     const struct um_optics_lightcurve *curve,
                                     struct um_model_result *r)
 {
   size_t n = precomputed->nobs;
   r->nband = curve->nband;
+  r->nsensor = model->nsensor;
   r->nbin = curve->nbin;
   r->nmaterial = curve->nmaterial;
   UM_TRY(um_core_allocate(context, n * r->nband, sizeof(double), &r->irradiance));
@@ -81,16 +83,44 @@ static enum um_status result_arrays(struct um_context *context,
   UM_TRY(um_core_allocate(context, n * r->nbin * UM_MECHANISM_COUNT, sizeof(double), &r->spectral));
   UM_TRY(um_core_allocate(context, r->nbin, sizeof(double), &r->wavelength));
   UM_TRY(um_core_allocate(context, r->nbin, sizeof(double), &r->bin_width));
+  UM_TRY(um_core_allocate(context, r->nbin, sizeof(double), &r->transmission));
   UM_TRY(um_core_allocate(context, r->nbin, sizeof(uint32_t), &r->bin_band));
+  UM_TRY(um_core_allocate(context, r->nband, sizeof(double), &r->vega_ab));
+  UM_TRY(um_core_allocate(context, n * r->nsensor, sizeof(double), &r->count_rate));
+  UM_TRY(um_core_allocate(context, n * r->nsensor, sizeof(double), &r->count_rate_error));
+  memcpy(r->vega_ab, model->vega_ab, r->nband * sizeof(double));
+  memcpy(r->transmission, curve->transmission, r->nbin * sizeof(double));
   memcpy(r->wavelength, curve->wavelength, r->nbin * sizeof(double));
   memcpy(r->bin_width, curve->width, r->nbin * sizeof(double));
   memcpy(r->bin_band, curve->band, r->nbin * sizeof(uint32_t));
   return UM_OK;
 }
 
+/* Numbers of one observation from its spectral irradiance [nbin]. */
+static void photometry(const struct um_model *model, const struct um_model_precomputed *precomputed,
+                       size_t k, const double *spectral_irradiance, struct um_model_result *r)
+{
+  bool hidden = precomputed->hidden[k];
+  for (size_t b = 0; b < r->nband; b++) {
+    struct um_instrument_bins bins = um_model_bins(r, b, NULL);
+    const double *spectral = spectral_irradiance + (bins.wavelength - r->wavelength);
+    size_t at = k * r->nband + b;
+    r->irradiance[at] = hidden ? (double)NAN : um_instrument_irradiance(&bins, spectral);
+    r->magnitude_ab[at] = hidden ? (double)NAN : um_instrument_magnitude_ab(&bins, spectral);
+    if (hidden) r->irradiance_error[at] = NAN;
+  }
+  for (size_t s = 0; s < r->nsensor; s++) {
+    const struct um_model_sensor *sensor = &model->sensor[s];
+    struct um_instrument_bins bins = um_model_bins(r, sensor->band, sensor->efficiency);
+    const double *spectral = spectral_irradiance + (bins.wavelength - r->wavelength);
+    r->count_rate[k * r->nsensor + s] =
+        hidden ? (double)NAN : um_instrument_count_rate(&sensor->optics, &bins, spectral);
+  }
+}
+
 /* Means over the exposure; E = I / R^2 instant by instant. Standard errors of the instants share
  * their sample points, so they are averaged, not reduced. */
-static enum um_status average(struct um_context *context,
+static enum um_status average(struct um_context *context, const struct um_model *model,
                               const struct um_model_precomputed *precomputed,
                               const struct um_optics_lightcurve *curve, struct um_model_result *r,
                               double *spectral_irradiance)
@@ -116,39 +146,18 @@ static enum um_status average(struct um_context *context,
         r->irradiance_error[k * r->nband + b] += error / (range * range);
       }
     }
-    size_t first = 0;
-    for (size_t b = 0; b < r->nband; b++) {
-      size_t n = 0;
-      double irradiance = 0.0;
-      while (first + n < r->nbin && r->bin_band[first + n] == b) {
-        irradiance += spectral_irradiance[first + n] * r->bin_width[first + n];
-        n++;
-      }
-      double magnitude = um_optics_magnitude_ab(spectral_irradiance + first, r->wavelength + first,
-                                                r->bin_width + first, n);
-      r->irradiance[k * r->nband + b] = precomputed->hidden[k] ? (double)NAN : irradiance;
-      r->magnitude_ab[k * r->nband + b] = precomputed->hidden[k] ? (double)NAN : magnitude;
-      if (precomputed->hidden[k]) r->irradiance_error[k * r->nband + b] = NAN;
-      first += n;
-    }
+    photometry(model, precomputed, k, spectral_irradiance, r);
   }
   return UM_OK;
 }
 
-/* Band irradiance of a source of magnitude 0 that is the same at every wavelength [W/m^2]. */
-static double irradiance_of_zero(const struct um_model_result *r, size_t b,
-                                 double *spectral_irradiance)
+/* Band irradiance of a source of magnitude 0 that is the same at every wavelength [W/m^2].
+ * flat: [nbin] of ones [W/m^2/m]. */
+static double irradiance_of_zero(const struct um_model_result *r, size_t b, const double *flat)
 {
-  size_t first = 0, n = 0;
-  double width = 0.0;
-  while (r->bin_band[first] != b) first++;
-  for (; first + n < r->nbin && r->bin_band[first + n] == b; n++) {
-    spectral_irradiance[n] = 1.0;
-    width += r->bin_width[first + n];
-  }
-  double unit =
-      um_optics_magnitude_ab(spectral_irradiance, r->wavelength + first, r->bin_width + first, n);
-  return width * pow(10.0, 0.4 * unit);
+  struct um_instrument_bins bins = um_model_bins(r, b, NULL);
+  return um_instrument_irradiance(&bins, flat) *
+         pow(10.0, 0.4 * um_instrument_magnitude_ab(&bins, flat));
 }
 
 /* One observation and band through all effects: what comes to the aperture, or, as if there were no
@@ -206,10 +215,10 @@ static enum um_status transform_error(struct um_context *context, const struct u
  * go the same way; that of the light has the light's own colour. */
 static enum um_status observe(struct um_context *context, const struct um_model *model,
                               const struct um_model_precomputed *precomputed,
-                              struct um_model_result *r, double *spectral_irradiance)
+                              struct um_model_result *r, const double *flat)
 {
   for (size_t b = 0; b < r->nband; b++) {
-    double zero = irradiance_of_zero(r, b, spectral_irradiance);
+    double zero = irradiance_of_zero(r, b, flat);
     for (size_t k = 0; k < r->nobs; k++) {
       size_t at = k * r->nband + b;
       double *magnitude = &r->magnitude_ab[at], *error = &r->irradiance_error[at];
@@ -228,6 +237,49 @@ static enum um_status observe(struct um_context *context, const struct um_model 
   return UM_OK;
 }
 
+/* Counts likewise, as the irradiance that would be counted so if it were the same at every
+ * wavelength. bare_error: relative, of the irradiance before effects [nobs][nband]. */
+static enum um_status observe_counts(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_precomputed *precomputed,
+                                     const double *bare_error, const double *flat,
+                                     struct um_model_result *r)
+{
+  for (size_t s = 0; s < r->nsensor; s++) {
+    const struct um_model_sensor *sensor = &model->sensor[s];
+    struct um_instrument_bins all = um_model_bins(r, sensor->band, sensor->efficiency);
+    struct um_instrument_bins passed = um_model_bins(r, sensor->band, NULL);
+    double unit = um_instrument_count_rate(&sensor->optics, &all, flat) /
+                  um_instrument_irradiance(&passed, flat); /* [1/s per W/m^2] */
+    for (size_t k = 0; k < r->nobs; k++) {
+      double *rate = &r->count_rate[k * r->nsensor + s], before = *rate / unit, after = before;
+      double error = bare_error[k * r->nband + sensor->band] * before;
+      UM_TRY(transform(context, model, precomputed, k, sensor->band, false, &after));
+      UM_TRY(transform_error(context, model, precomputed, k, sensor->band, false, before, after,
+                             &error));
+      if (after != before) *rate = after * unit;
+      r->count_rate_error[k * r->nsensor + s] = error * unit;
+    }
+  }
+  return UM_OK;
+}
+
+/* Light after effects; scratch: [nbin]. */
+static enum um_status observe_all(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed,
+                                  struct um_model_result *r, double *scratch)
+{
+  double *bare_error = NULL;
+  size_t n = r->nobs * r->nband;
+  UM_TRY(um_core_allocate(context, n, sizeof *bare_error, &bare_error));
+  for (size_t i = 0; i < n; i++)
+    bare_error[i] = r->irradiance[i] > 0.0 ? r->irradiance_error[i] / r->irradiance[i] : 0.0;
+  for (size_t i = 0; i < r->nbin; i++) scratch[i] = 1.0;
+  enum um_status status = observe(context, model, precomputed, r, scratch);
+  if (status == UM_OK) status = observe_counts(context, model, precomputed, bare_error, scratch, r);
+  um_core_free(context, bare_error);
+  return status;
+}
+
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
                                    const struct um_model_heat_run *run,
@@ -240,10 +292,10 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   if (precomputed->view == NULL) return UM_OK;
   UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
   UM_CHECK(um_optics_lightcurve_compute(context, &scene, model->band, model->nband, &curve));
-  UM_CHECK(result_arrays(context, precomputed, curve, result));
+  UM_CHECK(result_arrays(context, model, precomputed, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &spectral_irradiance));
-  UM_CHECK(average(context, precomputed, curve, result, spectral_irradiance));
-  UM_CHECK(observe(context, model, precomputed, result, spectral_irradiance));
+  UM_CHECK(average(context, model, precomputed, curve, result, spectral_irradiance));
+  UM_CHECK(observe_all(context, model, precomputed, result, spectral_irradiance));
 done:
   um_core_free(context, spectral_irradiance);
   um_optics_lightcurve_destroy(context, &curve);

@@ -314,8 +314,20 @@ struct um_scenario_thermal {
 struct um_scenario_band {
   struct um_mark at;
   const char *name;
-  double from_um, to_um;
+  double from_um, to_um; /* NAN: the filter's */
+  const char *filter, *filter_file;
   int bins;
+  double vega_magnitude;
+};
+struct um_scenario_sensor {
+  struct um_mark at;
+  const char *name;
+  const char *band;
+  double aperture_m, obstruction, throughput, quantum_efficiency;
+  const char *quantum_efficiency_file;
+  double gain_e, pixel_arcsec, fwhm_arcsec, radius_fwhm, annulus_pixels;
+  double read_noise_e, dark_e_s, sky_mag_arcsec2, saturation_e, exposure_s;
+  double noise_equivalent_irradiance_W_m2;
 };
 struct um_scenario_optics {
   struct um_mark at;
@@ -377,7 +389,8 @@ struct um_scenario {
   struct um_schema_list parts;          /* of struct um_scenario_part */
   struct um_schema_list contacts;       /* of struct um_scenario_contact */
   struct um_scenario_thermal *thermal;
-  struct um_schema_list bands; /* of struct um_scenario_band */
+  struct um_schema_list bands;   /* of struct um_scenario_band */
+  struct um_schema_list sensors; /* of struct um_scenario_sensor */
   struct um_scenario_optics *optics;
   struct um_schema_list effect_files; /* of const char * */
   struct um_schema_list effects;      /* of struct um_scenario_effect */

@@ -76,14 +76,6 @@ static const struct um_schema_field thermal_fields[] = {
 #undef F
 OBJECT(thermal_object, struct um_scenario_thermal, "thermal", "How temperatures are computed.",
        FIELDS(thermal_fields));
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_band, member, key, type, __VA_ARGS__)
-static const struct um_schema_field band_fields[] = {
-    F(from_um, "from_um", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0.2, 100), HELP("lower edge")),
-    F(to_um, "to_um", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0.2, 100), HELP("upper edge")),
-    F(bins, "bins", UM_SCHEMA_INTEGER, DEFAULT(40), BETWEEN(1, 2000), HELP("of equal width")),
-};
-#undef F
-OBJECT(band_object, struct um_scenario_band, "band", "A spectral band.", FIELDS(band_fields));
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_optics, member, key, type, __VA_ARGS__)
 static const struct um_schema_field optics_fields[] = {
@@ -126,8 +118,10 @@ static const struct um_schema_field scenario_fields[] = {
     F(parts, "parts", UM_SCHEMA_LIST, MOST(5000), REQUIRED, .object = &um_model_part_schema),
     F(contacts, "contacts", UM_SCHEMA_LIST, MOST(50000), .object = &um_model_contact_schema),
     F(thermal, "thermal", UM_SCHEMA_MAP, .always = true, .object = &thermal_object),
-    F(bands, "bands", UM_SCHEMA_DICT, MOST(500), .object = &band_object,
+    F(bands, "bands", UM_SCHEMA_DICT, MOST(500), .object = &um_model_band_schema,
       HELP("default: vis 0.38-0.78 um in 80 bins, lwir 8-12 um in 40")),
+    F(sensors, "sensors", UM_SCHEMA_DICT, MOST(100), .object = &um_model_sensor_schema,
+      HELP("telescopes with detectors; default: none")),
     F(optics, "optics", UM_SCHEMA_MAP, .always = true, .object = &optics_object),
     F(effect_files, "effect_files", UM_SCHEMA_TEXTS, MOST(100), NAMES_FILE,
       HELP(

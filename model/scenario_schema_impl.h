@@ -46,5 +46,7 @@ extern const struct um_schema_object um_model_joint_schema;
 extern const struct um_schema_object um_model_measurements_schema;
 extern const struct um_schema_object um_model_limit_schema;
 extern const struct um_schema_object um_model_case_schema;
+extern const struct um_schema_object um_model_band_schema;
+extern const struct um_schema_object um_model_sensor_schema;
 
 #endif

@@ -215,10 +215,12 @@ static enum um_status image_create(struct um_context *context, const struct rend
                         MEMORY_MOST * 1e-9);
   UM_TRY(um_core_allocate(context, image->nbin, sizeof(double), &image->wavelength));
   UM_TRY(um_core_allocate(context, image->nbin, sizeof(double), &image->bin_width));
+  UM_TRY(um_core_allocate(context, image->nbin, sizeof(double), &image->transmission));
   UM_TRY(um_core_allocate(context, npixel * image->nbin, sizeof(float), &image->radiance));
   UM_TRY(um_core_allocate(context, npixel, sizeof(uint32_t), &image->surface));
   memcpy(image->wavelength, spectra->wavelength, image->nbin * sizeof(double));
   memcpy(image->bin_width, spectra->width, image->nbin * sizeof(double));
+  memcpy(image->transmission, spectra->transmission, image->nbin * sizeof(double));
   return UM_OK;
 }
 
@@ -329,6 +331,7 @@ void um_optics_image_destroy(struct um_context *context, struct um_optics_image 
   struct um_optics_image *i = *image;
   um_core_free(context, i->wavelength);
   um_core_free(context, i->bin_width);
+  um_core_free(context, i->transmission);
   um_core_free(context, i->radiance);
   um_core_free(context, i->surface);
   um_core_free(context, i);

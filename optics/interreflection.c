@@ -264,7 +264,7 @@ void um_optics_interreflection(const struct um_optics_spectra *spectra,
       for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++) {
         double radiance = reflectance[b] * work->incoming[b];
         work->reflected[b] += share * radiance;
-        sum += radiance * spectra->width[b];
+        sum += radiance * spectra->transmission[b] * spectra->width[b];
       }
       work->band[k] += share * sum;
       work->band_variance[k] += share * sum * sum;

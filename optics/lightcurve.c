@@ -25,6 +25,7 @@ static enum um_status curve_create(struct um_context *context,
   c->nmaterial = spectra->nmaterial;
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->wavelength, &c->wavelength));
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->width, &c->width));
+  UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->transmission, &c->transmission));
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->band, &c->band));
   UM_TRY(um_core_allocate(context, ntime * c->nbin * UM_MECHANISM_COUNT, sizeof *c->spectral,
                           &c->spectral));
@@ -33,6 +34,7 @@ static enum um_status curve_create(struct um_context *context,
   UM_TRY(um_core_allocate(context, ntime * c->nband, sizeof *c->stderr_, &c->stderr_));
   memcpy(c->wavelength, spectra->wavelength, c->nbin * sizeof *c->wavelength);
   memcpy(c->width, spectra->width, c->nbin * sizeof *c->width);
+  memcpy(c->transmission, spectra->transmission, c->nbin * sizeof *c->transmission);
   memcpy(c->band, spectra->band, c->nbin * sizeof *c->band);
   return UM_OK;
 }
@@ -48,7 +50,7 @@ static void spectrum_keep(const struct job *job, size_t time, size_t material,
                    ((time * c->nband + c->band[b]) * c->nmaterial + material) * UM_MECHANISM_COUNT;
     for (int k = 0; k < UM_MECHANISM_COUNT; k++) {
       total[k] += spectral[b * UM_MECHANISM_COUNT + (size_t)k];
-      band[k] += spectral[b * UM_MECHANISM_COUNT + (size_t)k] * c->width[b];
+      band[k] += spectral[b * UM_MECHANISM_COUNT + (size_t)k] * c->transmission[b] * c->width[b];
     }
   }
 }
@@ -86,7 +88,8 @@ static void error_add(const struct job *job, const struct um_optics_instant *now
     double sum = 0.0;
     for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++)
       for (size_t m = 0; m < UM_MECHANISM_COUNT; m++)
-        sum += work->spectral[b * UM_MECHANISM_COUNT + m] * spectra->width[b];
+        sum += work->spectral[b * UM_MECHANISM_COUNT + m] * spectra->transmission[b] *
+               spectra->width[b];
     job->curve->stderr_[time * spectra->nband + k] += sum * sum;
   }
 }
@@ -227,7 +230,8 @@ void um_optics_lightcurve_destroy(struct um_context *context, struct um_optics_l
 {
   if (curve == NULL || *curve == NULL) return;
   struct um_optics_lightcurve *c = *curve;
-  void *const blocks[] = {c->wavelength, c->width, c->band, c->spectral, c->intensity, c->stderr_};
+  void *const blocks[] = {c->wavelength, c->width,     c->transmission, c->band,
+                          c->spectral,   c->intensity, c->stderr_};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, c);
   *curve = NULL;

@@ -13,6 +13,7 @@ struct um_optics_band {
   const char *name;
   double from, to; /* [m] */
   int bins;
+  const double *transmission; /* [bins] of the filter, mean over each bin [1]; NULL: all passes */
 };
 
 enum um_optics_mechanism {
@@ -50,12 +51,13 @@ void um_optics_view_destroy(struct um_context *context, struct um_optics_view **
 
 struct um_optics_lightcurve {
   size_t ntime, nband, nbin /* of all bands together */, nmaterial;
-  double *wavelength; /* [nbin] centres [m] */
-  double *width;      /* [nbin] [m] */
-  uint32_t *band;     /* [nbin] band of each bin */
-  /* spectral radiant intensity [W/sr/m] */
+  double *wavelength;   /* [nbin] centres [m] */
+  double *width;        /* [nbin] [m] */
+  double *transmission; /* [nbin] of the band's filter [1] */
+  uint32_t *band;       /* [nbin] band of each bin */
+  /* before any filter: spectral radiant intensity [W/sr/m] */
   double *spectral; /* [ntime][nbin][UM_MECHANISM_COUNT] */
-  /* band radiant intensity [W/sr] */
+  /* band radiant intensity, what passes the filter [W/sr] */
   double *intensity; /* [ntime][nband][nmaterial][UM_MECHANISM_COUNT] */
   /* Standard error of the total [ntime][nband] [W/sr]: of the traced fractions (seen and lit of one
    * surface taken as fully correlated, surfaces as independent) and of inter-reflection. */
@@ -110,6 +112,7 @@ struct um_optics_image {
   double pixel_size; /* [m] on the satellite */
   size_t nbin;
   double *wavelength, *bin_width; /* [nbin] [m] */
+  double *transmission;           /* [nbin] of the band's filter, not in the radiance [1] */
   float *radiance;   /* [height][width][nbin] spectral radiance [W/m^2/sr/m]; row 0 on top */
   uint32_t *surface; /* [height][width] surface seen at the pixel centre, UM_GEOMETRY_NONE */
 };
@@ -129,12 +132,5 @@ enum um_status um_optics_image_render(struct um_context *context,
                                       const struct um_optics_image_options *options,
                                       struct um_optics_image **out);
 void um_optics_image_destroy(struct um_context *context, struct um_optics_image **image);
-
-/* AB magnitude of a band irradiance given per bin [W/m^2/m], photon counting:
- *   m = -2.5 log10( int E lambda d lambda / int (3631 Jy c/lambda^2) lambda d lambda )
- * with E constant in each bin, so exact for the bins given (Oke & Gunn 1983; D.6 of the notes).
- * INFINITY for zero irradiance, NaN for negative irradiance or no bins. */
-double um_optics_magnitude_ab(const double *spectral_irradiance, const double *wavelength,
-                              const double *width, size_t nbin);
 
 #endif

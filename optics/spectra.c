@@ -145,6 +145,7 @@ static enum um_status bins_create(struct um_context *context, const struct um_op
   UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->width, &s->width));
   UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->from, &s->from));
   UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->to, &s->to));
+  UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->transmission, &s->transmission));
   UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->band, &s->band));
   for (size_t k = 0; k < s->nband; k++)
     for (size_t b = s->first[k]; b < s->first[k + 1]; b++) {
@@ -153,6 +154,8 @@ static enum um_status bins_create(struct um_context *context, const struct um_op
       s->to[b] = bands[k].from + span * (i + 1.0) / bands[k].bins;
       s->width[b] = s->to[b] - s->from[b];
       s->wavelength[b] = 0.5 * (s->from[b] + s->to[b]);
+      s->transmission[b] =
+          bands[k].transmission != NULL ? bands[k].transmission[b - s->first[k]] : 1.0;
       s->band[b] = (uint32_t)k;
     }
   return UM_OK;
@@ -341,11 +344,11 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   struct um_optics_spectra *s = *spectra;
   if (s->planck != NULL)
     for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
-  void *const blocks[] = {s->wavelength, s->width,   s->from,        s->to,
-                          s->band,       s->first,   s->sun,         s->share,
-                          s->earth,      s->diffuse, s->emissivity,  s->diffuse_emitter,
-                          s->lobe,       s->masked,  s->masked_mean, s->masks,
-                          s->planck,     s->facets,  s->half,        s->fresnel};
+  void *const blocks[] = {
+      s->wavelength, s->width,   s->from,        s->to,      s->band,       s->first,
+      s->sun,        s->share,   s->earth,       s->diffuse, s->emissivity, s->diffuse_emitter,
+      s->lobe,       s->masked,  s->masked_mean, s->masks,   s->planck,     s->facets,
+      s->half,       s->fresnel, s->transmission};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -21,6 +21,7 @@ struct um_optics_spectra {
   size_t nbin, nband, nmaterial, npart, njoint;
   double *wavelength, *width; /* [nbin] [m] */
   double *from, *to;          /* [nbin] edges [m] */
+  double *transmission;       /* [nbin] of the band's filter [1] */
   uint32_t *band;             /* [nbin] */
   size_t *first;              /* [nband + 1] first bin of each band */
   double *sun;                /* [nbin] bin mean at 1 au [W/m^2/m] */

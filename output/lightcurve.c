@@ -26,6 +26,7 @@ static void write_header(const struct um_output_run *run, FILE *file)
     um_output_csv_text(file, name, "_stderr_W_sr");
     um_output_csv_text(file, name, "_irradiance_W_m2");
     um_output_csv_text(file, name, "_mag_ab");
+    um_output_csv_text(file, name, "_mag_vega");
   }
   fputc('\n', file);
 }
@@ -62,6 +63,7 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
       um_output_csv_number(file, r->standard_error[k * r->nband + b]);
       um_output_csv_number(file, r->irradiance[k * r->nband + b]);
       um_output_csv_number(file, r->magnitude_ab[k * r->nband + b]);
+      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b] - r->vega_ab[b]);
     }
     fputc('\n', file);
   }

@@ -13,6 +13,7 @@ enum um_output_dimension {
   UM_NC_PLACE, /* "part": places, of which a part is one */
   UM_NC_MATERIAL,
   UM_NC_BAND,
+  UM_NC_SENSOR,
   UM_NC_WAVELENGTH,
   UM_NC_MECHANISM,
   UM_NC_XYZ,

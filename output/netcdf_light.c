@@ -26,6 +26,8 @@ static enum um_status put_bins(const struct um_output_netcdf *w)
       um_output_netcdf_double(w, "wavelength", &wl, 1, "m", "centre of each bin", r->wavelength));
   UM_TRY(um_output_netcdf_double(w, "wavelength_width", &wl, 1, "m", "width of each bin",
                                  r->bin_width));
+  UM_TRY(um_output_netcdf_double(w, "transmission", &wl, 1, "1",
+                                 "mean of the band's filter over each bin", r->transmission));
   UM_TRY(um_core_allocate(w->context, r->nbin, sizeof *band, &band));
   for (size_t i = 0; i < r->nbin; i++) band[i] = (int)r->bin_band[i];
   enum um_status status =
@@ -34,20 +36,40 @@ static enum um_status put_bins(const struct um_output_netcdf *w)
   return status;
 }
 
-/* A magnitude of no light is infinite: missing in a file. */
-static enum um_status put_magnitude(const struct um_output_netcdf *w)
+/* A magnitude of no light is infinite: missing in a file. vega: less that of Vega. */
+static enum um_status put_magnitude(const struct um_output_netcdf *w, const char *name,
+                                    const char *meaning, bool vega)
 {
   const struct um_model_result *r = w->run->result;
   const enum um_output_dimension tb[2] = {UM_NC_TIME, UM_NC_BAND};
   size_t n = r->nobs * r->nband;
   double *v = NULL;
   UM_TRY(um_core_allocate(w->context, n, sizeof *v, &v));
-  for (size_t i = 0; i < n; i++)
-    v[i] = isfinite(r->magnitude_ab[i]) ? r->magnitude_ab[i] : (double)NAN;
-  enum um_status status = um_output_netcdf_double(
-      w, "magnitude_ab", tb, 2, "mag", "AB magnitude without an atmosphere, NaN: none", v);
+  for (size_t i = 0; i < n; i++) {
+    double m = r->magnitude_ab[i] - (vega ? r->vega_ab[i % r->nband] : 0.0);
+    v[i] = isfinite(m) ? m : (double)NAN;
+  }
+  enum um_status status = um_output_netcdf_double(w, name, tb, 2, "mag", meaning, v);
   um_core_free(w->context, v);
   return status;
+}
+
+static enum um_status put_counts(const struct um_output_netcdf *w)
+{
+  const struct um_model_result *r = w->run->result;
+  const enum um_output_dimension ts[2] = {UM_NC_TIME, UM_NC_SENSOR};
+  const char **names = NULL;
+  if (r->nsensor == 0) return UM_OK;
+  UM_TRY(um_core_allocate(w->context, r->nsensor, sizeof *names, &names));
+  for (size_t i = 0; i < r->nsensor; i++) names[i] = w->run->model->sensor[i].name;
+  enum um_status status =
+      um_output_netcdf_names(w, UM_NC_SENSOR, "telescopes with detectors", names);
+  um_core_free(w->context, names);
+  UM_TRY(status);
+  UM_TRY(um_output_netcdf_double(w, "count_rate", ts, 2, "s-1", "counts, NaN where hidden",
+                                 r->count_rate));
+  return um_output_netcdf_double(w, "count_rate_error", ts, 2, "s-1",
+                                 "Monte-Carlo error of the counts", r->count_rate_error);
 }
 
 enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
@@ -62,11 +84,15 @@ enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
   UM_TRY(put_bins(w));
   UM_TRY(um_output_netcdf_double(w, "irradiance", tb, 2, "W m-2",
                                  "at the aperture, NaN where hidden", r->irradiance));
-  UM_TRY(put_magnitude(w));
+  UM_TRY(put_magnitude(w, "magnitude_ab", "AB magnitude without an atmosphere, NaN: none", false));
+  UM_TRY(put_magnitude(w, "magnitude_vega",
+                       "magnitude relative to Vega without an atmosphere, NaN: none", true));
+  UM_TRY(put_counts(w));
   UM_TRY(um_output_netcdf_double(w, "standard_error", tb, 2, "W sr-1",
                                  "Monte-Carlo error of the intensity", r->standard_error));
   UM_TRY(um_output_netcdf_double(w, "intensity", tbmk, 4, "W sr-1",
                                  "radiant intensity toward the observer", r->intensity));
-  return um_output_netcdf_double(w, "spectral_intensity", twk, 3, "W sr-1 m-1",
-                                 "spectral radiant intensity toward the observer", r->spectral);
+  return um_output_netcdf_double(
+      w, "spectral_intensity", twk, 3, "W sr-1 m-1",
+      "spectral radiant intensity toward the observer, before any filter", r->spectral);
 }

@@ -19,12 +19,13 @@ struct um_output_run {
 
 /* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,
  * temperatures.csv, heat.csv, temperatures.cic, run.nc, run.xdmf, scenario.yaml (with overrides),
- * log.txt. Light-curve files only with an observer. UM_ERR_IO. */
+ * log.txt. Light-curve files only with an observer, counts.csv only with sensors. UM_ERR_IO. */
 enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
                                    struct um_core_folder *folder);
 
 /* Single files, to an open stream; used by um_output_write_run and by tests. */
 enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file);
+enum um_status um_output_write_counts(const struct um_output_run *run, FILE *file);
 enum um_status um_output_write_materials(const struct um_output_run *run, FILE *file);
 enum um_status um_output_write_temperatures(const struct um_output_run *run, FILE *file);
 enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file);

@@ -30,12 +30,12 @@
 
 /* ---- radiance ---- */
 
-/* Radiance over the band [W/m^2/sr]. */
+/* Radiance of the band, through its filter [W/m^2/sr]. */
 static float pixel_radiance(const struct um_optics_image *image, size_t pixel)
 {
   double sum = 0.0;
   for (size_t b = 0; b < image->nbin; b++)
-    sum += image->radiance[pixel * image->nbin + b] * image->bin_width[b];
+    sum += image->radiance[pixel * image->nbin + b] * image->transmission[b] * image->bin_width[b];
   return (float)sum;
 }
 

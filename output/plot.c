@@ -28,7 +28,7 @@
 #define TEMPERATURES 380
 #define NAMES        760 /* right of it the names of the curves stand */
 
-/* Columns of lightcurve.csv: eight before the bands, then nine per band. */
+/* Columns of lightcurve.csv: eight before the bands, then ten per band. */
 enum {
   TOTAL,
   SUN,
@@ -39,6 +39,7 @@ enum {
   STDERR,
   IRRADIANCE,
   MAGNITUDE_AB,
+  MAGNITUDE_VEGA,
   NCOLUMN
 };
 #define FIRST_COLUMN 9

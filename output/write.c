@@ -48,6 +48,8 @@ enum um_status um_output_write_run(struct um_context *context, const struct um_o
   if (run->model->has_observer) {
     UM_TRY(write_file(context, run, folder, "lightcurve.csv", um_output_write_lightcurve));
     UM_TRY(write_file(context, run, folder, "materials.csv", um_output_write_materials));
+    if (run->model->nsensor > 0)
+      UM_TRY(write_file(context, run, folder, "counts.csv", um_output_write_counts));
   }
   UM_TRY(write_file(context, run, folder, "temperatures.csv", um_output_write_temperatures));
   UM_TRY(write_file(context, run, folder, "heat.csv", um_output_write_heat));

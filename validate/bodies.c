@@ -18,8 +18,8 @@
 #define CLOSED "closed form"
 #define FLOAT  3e-7 /* relative */
 
-static const struct um_optics_band vis = {"vis", 0.38e-6, 0.78e-6, 20};
-static const struct um_optics_band lwir = {"lwir", 8e-6, 12e-6, 40};
+static const struct um_optics_band vis = {"vis", 0.38e-6, 0.78e-6, 20, NULL};
+static const struct um_optics_band lwir = {"lwir", 8e-6, 12e-6, 40, NULL};
 
 /* One part of one material, at most 64 instants. */
 struct stage {

@@ -7,8 +7,8 @@
 #include "core/constants.h"
 #include "core/planck.h"
 #include "environment/environment.h"
+#include "instrument/photometry.h"
 #include "optics/atmosphere.h"
-#include "optics/optics.h"
 #include "validate/cases_impl.h"
 
 #define PLANCK "Planck's law"
@@ -104,7 +104,8 @@ static void ab_photons(struct um_validate_report *report)
              {"Photons of AB 0 at 1000 nm", 1000e-9, 5.479870e7}};
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     double e = 1.0, l = row[i].wavelength, width = 1e-12;
-    double zero = pow(10.0, 0.4 * um_optics_magnitude_ab(&e, &l, &width, 1)); /* [W/m^2/m] */
+    const struct um_instrument_bins bins = {1, &l, &width, NULL};
+    double zero = pow(10.0, 0.4 * um_instrument_magnitude_ab(&bins, &e)); /* [W/m^2/m] */
     double digit = pow(10.0, floor(log10(row[i].rate)) - 6.0);
     um_validate_report_add(report, row[i].name, "1/s/m^2/nm", row[i].rate,
                            1e-9 * zero * l / (UM_PLANCK * UM_LIGHT_SPEED), 0.51 * digit,
@@ -118,6 +119,7 @@ static void ab_sun(struct um_validate_report *report)
 {
   enum { BINS = 400 };
   double e[BINS], wavelength[BINS], width[BINS];
+  const struct um_instrument_bins bins = {BINS, wavelength, width, NULL};
   struct um_environment environment;
   um_environment_defaults(&environment);
   environment.solar_irradiance = 1366.09;
@@ -128,7 +130,7 @@ static void ab_sun(struct um_validate_report *report)
            width[i];
   }
   um_validate_report_add(report, "AB magnitude of the Sun, 380-780 nm", "mag", -26.697,
-                         um_optics_magnitude_ab(e, wavelength, width, BINS), 1e-3, "ASTM E490");
+                         um_instrument_magnitude_ab(&bins, e), 1e-3, "ASTM E490");
 }
 
 static void airmass(struct um_validate_report *report)

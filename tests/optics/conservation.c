@@ -21,7 +21,7 @@ static void test_reflected_is_not_absorbed(void **state)
   static const struct {
     double n, k, alpha, incidence;
   } tried[] = {{1.3, 7.4, 0.5, 0.0}, {1.3, 7.4, 0.5, 60.0}, {0.2, 3.1, 0.4, 45.0}};
-  const struct um_optics_band band = {"line", 0.599e-6, 0.601e-6, 1};
+  const struct um_optics_band band = {"line", 0.599e-6, 0.601e-6, 1, NULL};
   for (size_t i = 0; i < sizeof tried / sizeof tried[0]; i++) {
     struct fixture f;
     fixture_create(&f);

@@ -10,8 +10,8 @@
 #include "core/constants.h"
 #include "tests/support/temporary.h"
 
-const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20};
-const struct um_optics_band fixture_lwir = {"lwir", 8e-6, 12e-6, 40};
+const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20, NULL};
+const struct um_optics_band fixture_lwir = {"lwir", 8e-6, 12e-6, 40, NULL};
 
 void fixture_create(struct fixture *f)
 {

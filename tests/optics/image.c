@@ -6,8 +6,8 @@
 
 static const struct um_geometry_skin ball_skin = {NULL, "blanket", NULL};
 static const struct um_geometry_skin plate_skin = {NULL, "cell", "blanket"};
-static const struct um_optics_band vis = {"vis", 0.38e-6, 0.78e-6, 3};
-static const struct um_optics_band lwir = {"lwir", 8e-6, 12e-6, 3};
+static const struct um_optics_band vis = {"vis", 0.38e-6, 0.78e-6, 3, NULL};
+static const struct um_optics_band lwir = {"lwir", 8e-6, 12e-6, 3, NULL};
 
 /* Shaded plate behind a ball. */
 static void scene(struct fixture *f)

@@ -9,8 +9,8 @@
 
 static const struct um_geometry_skin body_skin = {NULL, "blanket", NULL};
 static const struct um_geometry_skin wing_skin = {NULL, "cell", "back"};
-static const struct um_optics_band bands[] = {{"vis", 0.38e-6, 0.78e-6, 8},
-                                              {"lwir", 8e-6, 12e-6, 10}};
+static const struct um_optics_band bands[] = {{"vis", 0.38e-6, 0.78e-6, 8, NULL},
+                                              {"lwir", 8e-6, 12e-6, 10, NULL}};
 
 /* A box with a wing that shades it and turns with the Sun; every mechanism is at work. */
 static void satellite(struct fixture *f, size_t ntime, bool turning)
@@ -241,10 +241,10 @@ static void test_refusals(void **state)
   expect_message(&f, um_optics_view_trace(f.context, f.geometry, f.samples, 2, 4, &view),
                  UM_ERR_INPUT, "sample 1");
   assert_null(view);
-  struct um_optics_band bad = {"swir", 2e-6, 1e-6, 3};
+  struct um_optics_band bad = {"swir", 2e-6, 1e-6, 3, NULL};
   expect_message(&f, um_optics_lightcurve_compute(f.context, &f.scene, &bad, 1, &curve),
                  UM_ERR_INPUT, "'swir'");
-  bad = (struct um_optics_band){"mwir", 3e-6, 5e-6, 0};
+  bad = (struct um_optics_band){"mwir", 3e-6, 5e-6, 0, NULL};
   expect_message(&f, um_optics_lightcurve_compute(f.context, &f.scene, &bad, 1, &curve),
                  UM_ERR_INPUT, "'mwir': 0 bins");
   const struct um_materials_record *record = f.record[1];

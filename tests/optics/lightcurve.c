@@ -183,7 +183,7 @@ static void test_mirror_energy(void **state)
     f.samples[t].sun = polar(30.0 * UM_DEG, 0.0);
     f.samples[t].to_observer = um_vec3_scale(d, 1.0 / r);
   }
-  struct um_optics_band band = {"vis", 0.5e-6, 0.6e-6, 1};
+  struct um_optics_band band = {"vis", 0.5e-6, 0.6e-6, 1, NULL};
   fixture_run(&f, 1, &band, 1);
   double sum = 0.0;
   for (size_t t = 0; t < GRID * GRID; t++)
@@ -254,7 +254,8 @@ static void test_planck_tables(void **state)
   size_t n = um_geometry_mesh(f.geometry)->nsurface;
   for (size_t i = 0; i < COUNT * n; i++)
     f.temperature[i] = 30.0 * pow(50.0, (double)(i / n) / (COUNT - 1)); /* 30 to 1500 K */
-  const struct um_optics_band bands[] = {{"vis", 0.38e-6, 0.78e-6, 5}, {"lwir", 8e-6, 12e-6, 40}};
+  const struct um_optics_band bands[] = {{"vis", 0.38e-6, 0.78e-6, 5, NULL},
+                                         {"lwir", 8e-6, 12e-6, 40, NULL}};
   fixture_run(&f, 1, bands, 2);
   double worst = 0.0;
   for (size_t t = 0; t < COUNT; t++)

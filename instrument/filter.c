@@ -1,0 +1,161 @@
+/* Transmission curves from files. */
+#include "instrument/filter.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "core/data.h"
+#include "core/interpolation.h"
+#include "core/listing.h"
+#include "core/words.h"
+
+#define SHORTEST 0.1e-6 /* [m] */
+#define LONGEST  100e-6 /* [m] */
+#define TAIL     ".csv"
+
+void um_instrument_filter_destroy(struct um_context *context, struct um_instrument_filter **filter)
+{
+  if (filter == NULL || *filter == NULL) return;
+  um_core_free(context, (*filter)->wavelength);
+  um_core_free(context, (*filter)->transmission);
+  um_core_free(context, *filter);
+  *filter = NULL;
+}
+
+/* Column of the wavelength and its unit [m]. */
+static enum um_status wavelength_column(struct um_context *context, const struct um_core_csv *csv,
+                                        size_t *column, double *unit)
+{
+  size_t um = um_core_csv_find(csv, "wavelength_um"), nm = um_core_csv_find(csv, "wavelength_nm");
+  if ((um == (size_t)-1) == (nm == (size_t)-1))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: %s; accepted: one of the columns wavelength_um and wavelength_nm",
+                        um_core_csv_name(csv),
+                        um == (size_t)-1 ? "no column of wavelengths" : "wavelengths twice");
+  *column = um != (size_t)-1 ? um : nm;
+  *unit = um != (size_t)-1 ? 1e-6 : 1e-9;
+  return UM_OK;
+}
+
+static enum um_status fill(struct um_context *context, const struct um_core_csv *csv,
+                           struct um_instrument_filter *f)
+{
+  size_t x = 0, y = 0;
+  double unit = 1.0, largest = 0.0;
+  UM_TRY(wavelength_column(context, csv, &x, &unit));
+  UM_TRY(um_core_csv_require(context, csv, "transmission", &y));
+  f->n = um_core_csv_rows(csv);
+  if (f->n < 2)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: %zu rows; accepted: 2 or more",
+                        um_core_csv_name(csv), f->n);
+  UM_TRY(um_core_allocate(context, f->n, sizeof *f->wavelength, &f->wavelength));
+  UM_TRY(um_core_allocate(context, f->n, sizeof *f->transmission, &f->transmission));
+  for (size_t i = 0; i < f->n; i++) {
+    double value, l;
+    UM_TRY(um_core_csv_number(context, csv, i, x, &value));
+    l = value * unit;
+    if (!(l >= SHORTEST && l <= LONGEST))
+      return um_core_csv_fail(context, csv, i, x, "%g; accepted: %g to %g", value, SHORTEST / unit,
+                              LONGEST / unit);
+    if (i > 0 && !(l > f->wavelength[i - 1]))
+      return um_core_csv_fail(context, csv, i, x, "%g follows %g; accepted: ascending values",
+                              value, f->wavelength[i - 1] / unit);
+    f->wavelength[i] = l;
+    UM_TRY(um_core_csv_number(context, csv, i, y, &value));
+    if (!(value >= 0.0 && value <= 1.0))
+      return um_core_csv_fail(context, csv, i, y, "%g; accepted: 0 to 1, not in percent", value);
+    f->transmission[i] = value;
+    largest = fmax(largest, value);
+  }
+  if (largest > 0.0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s: column 'transmission': 0 in every row; accepted: a filter through which "
+                      "light passes",
+                      um_core_csv_name(csv));
+}
+
+enum um_status um_instrument_filter_read(struct um_context *context, const char *path,
+                                         struct um_instrument_filter **out)
+{
+  enum um_status status;
+  struct um_core_csv *csv = NULL;
+  struct um_instrument_filter *f = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_csv_read(context, path, &csv));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *f, &f));
+  UM_CHECK(fill(context, csv, f));
+  *out = f;
+  f = NULL;
+done:
+  um_instrument_filter_destroy(context, &f);
+  um_core_csv_destroy(&csv);
+  return status;
+}
+
+enum um_status um_instrument_filter_names(struct um_context *context, char ***names, size_t *count)
+{
+  char *folder;
+  *names = NULL;
+  *count = 0;
+  UM_TRY(um_core_data_folder(context, "filters", &folder));
+  enum um_status status = um_core_listing(context, folder, TAIL, "filters", names, count);
+  um_core_free(context, folder);
+  for (size_t i = 0; i < *count; i++) (*names)[i][strlen((*names)[i]) - strlen(TAIL)] = '\0';
+  return status;
+}
+
+static enum um_status refuse_name(struct um_context *context, const char *name, char *const *names,
+                                  size_t count)
+{
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[640] = "", hint[UM_CORE_WORDS_HINT];
+  for (size_t i = 0; i < count; i++) {
+    um_core_words_append(accepted, sizeof accepted, names[i]);
+    um_core_words_consider(&guess, names[i]);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "no filter '%s'%s; accepted: %s", name,
+                      um_core_words_hint(&guess, hint), accepted);
+}
+
+enum um_status um_instrument_filter_find(struct um_context *context, const char *name,
+                                         struct um_instrument_filter **out)
+{
+  enum um_status status;
+  char **names = NULL, *folder = NULL, *path = NULL;
+  size_t count = 0, at = 0;
+  *out = NULL;
+  UM_CHECK(um_instrument_filter_names(context, &names, &count));
+  while (at < count && strcmp(names[at], name) != 0) at++;
+  if (at == count) {
+    status = refuse_name(context, name, names, count);
+    goto done;
+  }
+  UM_CHECK(um_core_data_folder(context, "filters", &folder));
+  UM_CHECK(um_core_asprintf(context, &path, "%s/%s.csv", folder, name));
+  UM_CHECK(um_instrument_filter_read(context, path, out));
+done:
+  um_core_free(context, path);
+  um_core_free(context, folder);
+  um_core_listing_free(context, names, count);
+  return status;
+}
+
+double um_instrument_filter_mean(const struct um_instrument_filter *filter, double from, double to)
+{
+  return um_core_integrate_linear(filter->wavelength, filter->transmission, filter->n, from, to) /
+         (to - from);
+}
+
+double um_instrument_filter_pivot(const struct um_instrument_filter *filter)
+{
+  double up = 0.0, down = 0.0;
+  for (size_t i = 1; i < filter->n; i++) {
+    double a = filter->wavelength[i - 1], b = filter->wavelength[i], w = b - a;
+    double ta = filter->transmission[i - 1], slope = (filter->transmission[i] - ta) / w;
+    double offset = ta - slope * a; /* T = offset + slope lambda */
+    up += offset * (b * b - a * a) / 2.0 + slope * (b * b * b - a * a * a) / 3.0;
+    down += offset * log(b / a) + slope * w;
+  }
+  return sqrt(up / down);
+}

@@ -1,0 +1,41 @@
+/* Counts of an exposure by a run's sensors. */
+#include "model/counts.h"
+
+#include <math.h>
+
+#include "optics/atmosphere.h"
+
+struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
+                                        const double *efficiency)
+{
+  size_t first = 0, n = 0;
+  while (result->bin_band[first] != band) first++;
+  while (first + n < result->nbin && result->bin_band[first + n] == band) n++;
+  return (struct um_instrument_bins){n, result->wavelength + first, result->bin_width + first,
+                                     efficiency != NULL ? efficiency
+                                                        : result->transmission + first};
+}
+
+struct um_instrument_exposure um_model_expose(const struct um_model *model,
+                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_result *result, size_t k,
+                                              size_t s)
+{
+  const struct um_model_sensor *sensor = &model->sensor[s];
+  struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
+  if (precomputed->hidden[k])
+    return (struct um_instrument_exposure){NAN, NAN, NAN, false, NAN, NAN};
+  return um_instrument_expose(&sensor->optics, &bins, result->count_rate[k * result->nsensor + s],
+                              result->irradiance[k * result->nband + sensor->band],
+                              sensor->exposure);
+}
+
+double um_model_scintillation(const struct um_model *model,
+                              const struct um_model_precomputed *precomputed, size_t k, size_t s)
+{
+  const struct um_model_sensor *sensor = &model->sensor[s];
+  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
+  if (!(elevation > 0.0) || !(sensor->exposure > 0.0) || precomputed->hidden[k]) return NAN;
+  return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure,
+                                     um_optics_airmass(elevation), model->observer.height);
+}

@@ -1,0 +1,24 @@
+/* Exposures of a run's sensors. Nothing here fails. */
+#ifndef UMBRA_MODEL_COUNTS_H
+#define UMBRA_MODEL_COUNTS_H
+
+#include "model/model.h"
+#include "model/precomputed.h"
+#include "model/result.h"
+
+/* Observation k through sensor s: electrons and signal-to-noise of one exposure. What is not known
+ * (hidden, no pixels) is NaN. */
+struct um_instrument_exposure um_model_expose(const struct um_model *model,
+                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_result *result, size_t k,
+                                              size_t s);
+/* Relative scintillation of that exposure [1]; NaN from space, at the horizon, and without an
+ * exposure. */
+double um_model_scintillation(const struct um_model *model,
+                              const struct um_model_precomputed *precomputed, size_t k, size_t s);
+/* Bins of a band of the result with what passes of each; efficiency NULL: the filter alone.
+ * Borrowed. */
+struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
+                                        const double *efficiency);
+
+#endif
