@@ -134,7 +134,8 @@ static void test_bad_measurements(void **state)
   refused(HEAD T0 ",temperature,wing,280,1\n",
           "m.csv:2: column 'of': the scenario has no place 'wing'");
   refused(HEAD T0 ",irradiance,vis,1,1\n", "m.csv:2: column 'quantity': unknown quantity");
-  refused(HEAD T0 ",count_rate,ufo,1,1\n", "m.csv:2: column 'quantity': count_rate of 'ufo'");
+  refused(HEAD T0 ",count_rate,ufo,1,1\n",
+          "m.csv:2: column 'of': 'ufo' is not a sensor: the scenario has none");
   refused(HEAD T1 ",temperature,bus,280,1\n" T0 ",temperature,bus,280,1\n",
           "m.csv:3: column 'time_utc': 2016-09-06T18:10:00.000Z is before");
   refused(HEAD T0 ",temperature,bus,280,1\n2017-09-06T18:10:00Z,temperature,bus,280,1\n",

@@ -6,19 +6,13 @@
  *     | range              E = I / range^2
  *   station                m = -2.5 log10(E_lambda lambda^2 / (c 3631 Jy))
  */
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "compare_test.h"
+#include "compared.h"
 #include "environment/environment.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
 #include "orbit/time.h"
 
-#define SCENARIO "scenario.yaml"
-#define HEAD     "time_utc,quantity,of,value,sigma,satellite_height_km,azimuth_deg,elevation_deg"
-#define TIME     "2022-03-20T19:10:00Z"
-#define UP       TIME ",magnitude_ab,v,6,0.1,550,10,90"
+#define HEAD "time_utc,quantity,of,value,sigma,satellite_height_km,azimuth_deg,elevation_deg"
+#define TIME "2022-03-20T19:10:00Z"
+#define UP   TIME ",magnitude_ab,v,6,0.1,550,10,90"
 
 static const char *const scenario_text =
     "schema: 1\n"    /* 1 */
@@ -52,44 +46,6 @@ static int tear_down(void **state)
 {
   remove(SCENARIO);
   return compare_tear_down(state);
-}
-
-static struct um_model *model_with(const char *override)
-{
-  struct um_model *model;
-  struct um_model_options options = {.overrides = &override, .noverride = override != NULL};
-  assert_ok(um_model_create(context, SCENARIO, &options, &model));
-  return model;
-}
-
-struct compared {
-  struct um_compare_measurements *measurements;
-  struct um_compare_plan *plan;
-  struct um_model_precomputed *precomputed;
-  struct um_model_result *result;
-  struct um_compare_comparison *comparison;
-};
-
-static struct compared compare(struct um_model *model, const char *rows)
-{
-  struct compared p = {0};
-  put("m.csv", rows);
-  assert_ok(um_compare_measurements_read(context, "m.csv", &p.measurements));
-  assert_ok(um_compare_plan_create(context, model, p.measurements, &p.plan));
-  assert_ok(um_compare_plan_trace(context, model, p.plan, &p.precomputed));
-  assert_ok(um_model_run(context, model, p.precomputed, &p.result));
-  struct um_compare_run run = {model, p.plan, p.precomputed, p.result};
-  assert_ok(um_compare_create(context, &run, 0.0, &p.comparison));
-  return p;
-}
-
-static void compared_end(struct compared *p)
-{
-  um_compare_destroy(context, &p->comparison);
-  um_model_result_destroy(context, &p->result);
-  um_model_precomputed_destroy(context, &p->precomputed);
-  um_compare_plan_destroy(context, &p->plan);
-  um_compare_measurements_destroy(context, &p->measurements);
 }
 
 /* Sine of the Sun's elevation at the intersection of equator and prime meridian, and its distance
@@ -215,7 +171,8 @@ static void row_refusals(void **state)
   refused_rows(
       model, HEAD "\n" TIME ",temperature,plate,280,1,550,0,60\n",
       "m.csv:2: column 'quantity': temperature wants heat that is followed along an orbit, "
-      "orbit.points has none; accepted: band_irradiance, radiant_intensity, magnitude_ab");
+      "orbit.points has none; accepted: band_irradiance, radiant_intensity, magnitude_ab, "
+      "magnitude_vega, count_rate");
   refused_rows(model, HEAD "\n" TIME ",magnitude_ab,v,6,0.1,0.05,0,60\n",
                "m.csv:2: satellite height 0.05 km; accepted: above the station at 0.1 km");
   refused_rows(model, HEAD "\n2022-03-22T00:00:00Z,magnitude_ab,v,6,0.1,550,0,60\n",

@@ -125,13 +125,11 @@ static void test_refusals(void **state)
           "m.csv:2: column 'of': the scenario has no place 'frnt'; did you mean 'front'?; "
           "accepted: " PLACES);
   refused(model, HEAD DAY "12:00Z,magnitude_vega,Clear,1,1\n",
-          "m.csv:2: column 'quantity': magnitude_vega of 'Clear' wants a filter, which scenarios "
-          "of this version do not have; accepted: band_irradiance, radiant_intensity, "
-          "magnitude_ab, temperature, or a flag that leaves the row out");
-  refused(model, HEAD DAY "12:00Z,count_rate,ufo,1,1\n",
-          "m.csv:2: column 'quantity': count_rate of 'ufo' wants a sensor, which scenarios "
-          "of this version do not have; accepted: band_irradiance, radiant_intensity, "
-          "magnitude_ab, temperature, or a flag that leaves the row out");
+          "m.csv:2: column 'of': the scenario has no band 'Clear'; accepted: vis, lwir");
+  refused(
+      model, HEAD DAY "12:00Z,count_rate,ufo,1,1\n",
+      "m.csv:2: column 'of': 'ufo' is not a sensor: the scenario has none; accepted: a scenario "
+      "with sensors");
   refused(model, HEAD DAY "12:00Z,temperature,+x,280,1\n" DAY "20:05Z,temperature,+x,280,1\n",
           "m.csv:3: column 'time_utc': 2016-09-06T18:20:05.000Z is outside the scenario; accepted: "
           "2016-09-06T18:08:00.000Z to 2016-09-06T18:20:00.000Z (time.start_utc, time.stop_utc)");

@@ -54,7 +54,7 @@ static const char *draw(const struct um_environment_sample *sample)
 {
   float radiance[SIDE * SIDE];
   uint32_t surface[SIDE * SIDE];
-  double wavelength = 5.5e-7, width = 4e-7;
+  double wavelength = 5.5e-7, width = 4e-7, transmission = 1.0;
   for (int i = 0; i < SIDE * SIDE; i++) {
     bool covered = i % SIDE >= SIDE / 2 && i / SIDE >= SIDE / 2;
     surface[i] = covered ? 0 : UM_GEOMETRY_NONE;
@@ -66,6 +66,7 @@ static const char *draw(const struct um_environment_sample *sample)
                                         .nbin = 1,
                                         .wavelength = &wavelength,
                                         .bin_width = &width,
+                                        .transmission = &transmission,
                                         .radiance = radiance,
                                         .surface = surface};
   const struct um_optics_band band = {.name = "vis", .from = 3.8e-7, .to = 7.8e-7};
