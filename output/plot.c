@@ -5,26 +5,15 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "orbit/time.h"
-#include "output/output.h"
-#include "plot/plot.h"
+#include "output/plot_impl.h"
 
-#define PEAK_CONTRAST 5.0 /* highest over mean in sunlight that asks for a logarithmic axis */
-#define LOG_FLOOR     1e-5
-#define MAGNITUDES    12.5   /* below the brightest: LOG_FLOOR */
-#define VISIBLE       2.5e-6 /* [m] below which magnitudes are spoken of */
-#define SHARE         0.01   /* of the largest total: what is less is not drawn */
+#define MAGNITUDES 12.5   /* below the brightest: UM_PLOT_LOG_FLOOR */
+#define VISIBLE    2.5e-6 /* [m] below which magnitudes are spoken of */
+#define SHARE      0.01   /* of the largest total: what is less is not drawn */
 
 /* Pixels. */
-#define WIDTH        1000
-#define LEFT         100
-#define RIGHT        980
-#define TOP          82
-#define INTENSITY    240
 #define MAGNITUDE    170
-#define KEY          36 /* above a panel */
 #define GAP          22
-#define BELOW        58
 #define TEMPERATURES 380
 #define NAMES        760 /* right of it the names of the curves stand */
 
@@ -45,14 +34,6 @@ enum {
 #define FIRST_COLUMN 9
 
 static size_t column_of(size_t band, size_t what) { return FIRST_COLUMN + NCOLUMN * band + what; }
-
-static struct um_plot_time time_of(const struct um_output_run *run)
-{
-  char start[32];
-  const struct um_model_precomputed *t = run->precomputed;
-  um_orbit_time_format(t->t_obs[0], start);
-  return um_plot_time(t->t_obs[0], t->t_obs[t->nobs - 1], start);
-}
 
 /* ---- light ---- */
 
@@ -90,26 +71,12 @@ static bool has_magnitudes(const struct um_output_run *run, size_t band, const s
   return run->model->band[band].to <= VISIBLE && e->brightest <= e->faintest;
 }
 
-/* Specular peaks outshine the rest by orders of magnitude; such a band gets a logarithmic axis,
- * five decades down from its maximum. Out: power of ten in whose units the axis is. */
-static double ordinate(struct um_plot *plot, const struct um_optics_band *band,
-                       const struct extent *e)
+static void band_ordinate(struct um_plot *plot, const struct um_optics_band *band,
+                          const struct extent *e)
 {
-  char name[200], unit[80], words[120];
-  bool wide = e->largest > PEAK_CONTRAST * e->mean_lit;
-  double power = um_plot_power(wide ? 1.0 : e->largest, "W/sr", unit);
+  char name[200];
   snprintf(name, sizeof name, "%.150s %g–%g µm", band->name, band->from * 1e6, band->to * 1e6);
-  snprintf(words, sizeof words, "radiant intensity [%s]", unit);
-  um_plot_ylabel(plot, name, words);
-  if (wide)
-    um_plot_add(plot, "set logscale y\nset yrange [%.3g:%.3g]\nset format y '10^{%%T}'\n",
-                LOG_FLOOR * e->largest, 2.0 * e->largest);
-  else
-    um_plot_add(plot, "unset logscale y\nset yrange [0:%.6g]\nset format y '%%g'\n",
-                e->largest > 0.0 ? 1.06 * e->largest / power : 1.0);
-  um_plot_add(plot, "v(i) = column(i) / %g\nup(v) = v > %g ? v : %g\n", power,
-              wide ? LOG_FLOOR * e->largest : 0.0, wide ? LOG_FLOOR * e->largest : 0.0);
-  return power;
+  um_output_plot_ordinate(plot, name, "radiant intensity", "W/sr", e->largest, e->mean_lit);
 }
 
 static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
@@ -157,13 +124,13 @@ static void magnitudes(struct um_plot *plot, size_t band, const struct extent *e
 static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
 {
   size_t n = run->model->nband;
-  int height = TOP - KEY + BELOW, at = TOP;
-  struct um_plot_time time = time_of(run);
+  int height = UM_PLOT_TOP - UM_PLOT_KEY + UM_PLOT_BELOW, at = UM_PLOT_TOP;
+  struct um_plot_time time = um_output_plot_time(run);
   for (size_t b = 0; b < n; b++) {
     struct extent e = extent_of(run, b);
-    height += KEY + INTENSITY + (has_magnitudes(run, b, &e) ? GAP + MAGNITUDE : 0);
+    height += UM_PLOT_KEY + UM_PLOT_PANEL + (has_magnitudes(run, b, &e) ? GAP + MAGNITUDE : 0);
   }
-  um_plot_picture(plot, "lightcurve", WIDTH, height);
+  um_plot_picture(plot, "lightcurve", UM_PLOT_WIDTH, height);
   um_plot_title(plot, run->model->scenario->name, "");
   um_plot_time_axis(plot, &time);
   um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
@@ -172,16 +139,17 @@ static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
   for (size_t b = 0; b < n; b++) {
     struct extent e = extent_of(run, b);
     bool faint = has_magnitudes(run, b, &e);
-    um_plot_panel(plot, LEFT, at, RIGHT, at + INTENSITY);
-    (void)ordinate(plot, &run->model->band[b], &e);
+    um_plot_panel(plot, UM_PLOT_LEFT, at, UM_PLOT_RIGHT, at + UM_PLOT_PANEL);
+    band_ordinate(plot, &run->model->band[b], &e);
     if (b + 1 == n && !faint) {
       um_plot_xnumbers(plot, true);
       um_plot_time_label(plot, &time);
     }
     intensity(plot, b, &e);
-    at += INTENSITY + KEY;
+    at += UM_PLOT_PANEL + UM_PLOT_KEY;
     if (!faint) continue;
-    um_plot_panel(plot, LEFT, at - KEY + GAP, RIGHT, at - KEY + GAP + MAGNITUDE);
+    um_plot_panel(plot, UM_PLOT_LEFT, at - UM_PLOT_KEY + GAP, UM_PLOT_RIGHT,
+                  at - UM_PLOT_KEY + GAP + MAGNITUDE);
     if (b + 1 == n) {
       um_plot_xnumbers(plot, true);
       um_plot_time_label(plot, &time);
@@ -195,9 +163,10 @@ static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
 
 static void temperatures(struct um_plot *plot, const struct um_output_run *run)
 {
-  struct um_plot_time time = time_of(run);
+  struct um_plot_time time = um_output_plot_time(run);
   int style = 1;
-  um_plot_picture(plot, "temperatures", WIDTH, TOP - GAP + TEMPERATURES + BELOW);
+  um_plot_picture(plot, "temperatures", UM_PLOT_WIDTH,
+                  UM_PLOT_TOP - GAP + TEMPERATURES + UM_PLOT_BELOW);
   um_plot_title(plot, run->model->scenario->name,
                 "mean temperatures; shaded: lowest to highest of each material");
   um_plot_time_axis(plot, &time);
@@ -205,11 +174,11 @@ static void temperatures(struct um_plot *plot, const struct um_output_run *run)
                 run->precomputed->sunlit);
   um_plot_time_label(plot, &time);
   um_plot_ylabel(plot, "", "temperature [K]");
-  um_plot_panel(plot, LEFT, TOP - GAP, NAMES, TOP - GAP + TEMPERATURES);
+  um_plot_panel(plot, UM_PLOT_LEFT, UM_PLOT_TOP - GAP, NAMES, UM_PLOT_TOP - GAP + TEMPERATURES);
   um_plot_add(plot,
               "set key at screen %.4f, graph 1 left top vertical maxrows auto Left "
               "reverse noenhanced\nplot ",
-              (NAMES + 12.0) / WIDTH);
+              (NAMES + 12.0) / UM_PLOT_WIDTH);
   for (size_t p = 0; p < run->result->nplace; p++) {
     const char *name = run->result->place[p].name;
     bool material = strncmp(name, "material:", 9) == 0;
@@ -238,6 +207,7 @@ enum um_status um_output_plot_run(struct um_context *context, const char *folder
   struct um_plot *plot = NULL;
   UM_TRY(um_plot_create(context, folder, "plots.gp", &plot));
   if (run->model->has_observer) lightcurve(plot, run);
+  if (run->model->has_observer && run->model->nsensor > 0) um_output_plot_counts(plot, run);
   temperatures(plot, run);
   return um_plot_draw(context, &plot);
 }
