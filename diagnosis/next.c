@@ -22,7 +22,7 @@
 #include "diagnosis/next_impl.h"
 #include "diagnosis/state_impl.h"
 #include "diagnosis/verdict_impl.h"
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 
 #define USUAL_RELATIVE    0.02  /* of a band that was not measured [1] */
 #define USUAL_TEMPERATURE 0.5   /* of a place that was not measured [K] */
@@ -92,7 +92,7 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
 static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
   const struct um_model_precomputed *p = run->precomputed;
-  return um_optics_airmass(p->look[k * p->nsub + p->nsub / 2].elevation);
+  return um_environment_airmass(p->look[k * p->nsub + p->nsub / 2].elevation);
 }
 
 /* Airmass above which a third of the observations of a segment lie; NaN: no station, or too little

@@ -178,6 +178,9 @@ struct um_effect_hooks {
   struct um_quat (*attitude)(const struct um_effect_use *, double t_tai, struct um_quat q);
   enum um_status (*observation)(struct um_context *, const struct um_effect_use *,
                                 struct um_effect_observation *);
+  /* The air above the station, where the scenario states it. */
+  enum um_status (*sky)(struct um_context *, const struct um_effect_use *,
+                        struct um_environment_clear_sky *);
 };
 
 /* Sizes of everything that hooks read and change, mixed (Fowler-Noll-Vo): an object that was

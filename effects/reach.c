@@ -13,6 +13,7 @@ uint32_t um_effects_reach(const struct um_effect *effect)
   if (h->environment != NULL || effect->on_by_default)
     reach |= UM_REACH_LIGHT | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->material != NULL) reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->sky != NULL) reach |= UM_REACH_OPTICS;
   if (h->part != NULL || h->group != NULL || h->contact != NULL) reach |= UM_REACH_THERMAL;
   if (h->observation != NULL) reach |= UM_REACH_OBSERVATION;
   return reach;

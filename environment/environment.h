@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "core/vec.h"
+#include "environment/clear_sky.h"
 #include "environment/ground.h"
 #include "materials/materials.h"
 
@@ -59,7 +60,8 @@ struct um_environment {
    * 300 K, or as their spectra say */
   bool absorptance_by_angle, emittance_by_temperature;
   double
-      gas_density_factor;   /* of the heat that the atmosphere brings, accommodation included [1] */
+      gas_density_factor; /* of the heat that the atmosphere brings, accommodation included [1] */
+  struct um_environment_clear_sky sky; /* between a station and space */
   bool bulk_by_temperature; /* heat capacity and conductivity as their records say, or of 300 K */
 };
 void um_environment_defaults(struct um_environment *out);

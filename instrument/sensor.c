@@ -33,6 +33,13 @@ double um_instrument_count_rate_ab0(const struct um_instrument_sensor *sensor,
   return um_instrument_area(sensor) / sensor->gain * UM_AB_ZERO_JY * JANSKY / UM_PLANCK * sum;
 }
 
+double um_instrument_sky_rate(const struct um_instrument_sensor *sensor,
+                              const struct um_instrument_bins *bins, const double *radiance)
+{
+  double side = sensor->pixel / 3600.0 * UM_DEG; /* [rad] */
+  return um_instrument_area(sensor) * side * side * um_instrument_photons(bins, radiance);
+}
+
 /* Share of a Gaussian image within the pixel that it is centred on. */
 static double central_pixel(const struct um_instrument_sensor *sensor)
 {
@@ -43,7 +50,8 @@ static double central_pixel(const struct um_instrument_sensor *sensor)
 
 struct um_instrument_exposure um_instrument_expose(const struct um_instrument_sensor *sensor,
                                                    const struct um_instrument_bins *bins,
-                                                   double rate, double irradiance, double time)
+                                                   double rate, double irradiance, double glow,
+                                                   double time)
 {
   struct um_instrument_exposure e = {NAN, NAN, NAN, false, NAN, NAN};
   double electrons = rate * sensor->gain * time; /* of the whole image */
@@ -57,7 +65,7 @@ struct um_instrument_exposure um_instrument_expose(const struct um_instrument_se
   double q = sensor->radius, radius = q * sensor->fwhm / sensor->pixel;
   double enclosed = 1.0 - exp2(-4.0 * q * q), n = UM_PI * radius * radius;
   double sky = zero * pow(10.0, -0.4 * sensor->sky) * sensor->pixel * sensor->pixel; /* [e/s/px] */
-  double per_pixel = (sky + sensor->dark) * time;
+  double per_pixel = (sky + glow + sensor->dark) * time;
   double read2 = sensor->read_noise * sensor->read_noise;
   double noise2 = n * (1.0 + n / sensor->annulus) * (per_pixel + read2); /* beside the source's */
   e.signal = enclosed * electrons;

@@ -43,14 +43,18 @@ struct um_instrument_exposure {
   double snr;      /* [1] */
   double limit_ab; /* magnitude at which that would be 5; NAN where there are no pixels */
 };
-/* rate: counts per second of the whole source; irradiance: through the filter [W/m^2]; time: length
- * of the exposure [s]. SNR by the CCD equation (Merline & Howell 1995, Exp. Astron. 6:163),
- *   S t / sqrt(S t + n (1 + n/n_a) (B t + D t + R^2)),
- * n pixels in the circle, of which a Gaussian fills 1 - 2^(-4 q^2) for a radius of q FWHM; or
- * irradiance over the noise-equivalent one. */
+/* Electrons per second and pixel of a sky of radiance per bin [n] [W/m^2/sr/m]. */
+double um_instrument_sky_rate(const struct um_instrument_sensor *sensor,
+                              const struct um_instrument_bins *bins, const double *radiance);
+/* glow: electrons per second and pixel beside the stated sky; rate: counts per second of the whole
+ * source; irradiance: through the filter [W/m^2]; time: length of the exposure [s]. SNR by the CCD
+ * equation (Merline & Howell 1995, Exp. Astron. 6:163), S t / sqrt(S t + n (1 + n/n_a) (B t + D t +
+ * R^2)), n pixels in the circle, of which a Gaussian fills 1 - 2^(-4 q^2) for a radius of q FWHM;
+ * or irradiance over the noise-equivalent one. */
 struct um_instrument_exposure um_instrument_expose(const struct um_instrument_sensor *sensor,
                                                    const struct um_instrument_bins *bins,
-                                                   double rate, double irradiance, double time);
+                                                   double rate, double irradiance, double glow,
+                                                   double time);
 
 /* Relative fluctuation by scintillation [1], an upper bound for what moves fast (Young 1967, AJ
  * 72:747; Osborn et al. 2015, MNRAS 452:1707), C_Y = 1.5:

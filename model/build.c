@@ -5,6 +5,7 @@
 
 #include "effects/effects.h"
 #include "environment/map.h"
+#include "environment/sky_table.h"
 #include "model/build_blocked_impl.h"
 #include "model/build_environment_impl.h"
 #include "model/build_orbit_impl.h"
@@ -76,6 +77,7 @@ enum um_status um_model_variant_create(struct um_context *context, const struct 
   model->scenario = origin->scenario;
   model->registry = origin->registry;
   model->earth_map = origin->earth_map;
+  model->sky_table = origin->sky_table;
   model->limb = origin->limb;
   UM_CHECK(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
   memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
@@ -110,6 +112,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_arena_release(context, &m->memory);
   if (m->origin == NULL) {
     um_environment_map_destroy(context, &m->earth_map);
+    um_environment_sky_table_destroy(context, &m->sky_table);
     um_core_free(context, m->limb);
     um_effects_registry_destroy(context, &m->registry);
     um_document_destroy(&m->document);

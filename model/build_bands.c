@@ -186,6 +186,22 @@ static enum um_status build_sensor(struct um_context *context, struct um_model *
   return build_efficiency(context, model, from, to);
 }
 
+/* Air that the scenario states must be known where its bands are. */
+static enum um_status check_air(struct um_context *context, const struct um_model *model)
+{
+  const struct um_environment_clear_sky *sky = &model->environment.sky;
+  for (size_t b = 0; sky->present && b < model->nband; b++)
+    if (!um_environment_clear_sky_covers(sky, model->band[b].from, model->band[b].to))
+      return um_model_fail(
+          context, &model->scenario->observer->air->at, sky->table != NULL ? "file" : NULL,
+          "band '%s', %g to %g um, is beyond the air that is known; accepted: bands "
+          "within %s",
+          model->band[b].name, model->band[b].from * 1e6, model->band[b].to * 1e6,
+          sky->table != NULL ? "the file's wavelengths"
+                             : "0.3 to 1.16 um or 7.02 to 14.28 um, or a file");
+  return UM_OK;
+}
+
 /* --- all ------------------------------------------------------------------------------------- */
 
 enum um_status um_model_build_bands(struct um_context *context, struct um_model *model)
@@ -211,6 +227,7 @@ enum um_status um_model_build_bands(struct um_context *context, struct um_model 
   for (size_t i = 0; i < list->count; i++)
     UM_TRY(build_band(context, model, &from[i], &model->band[i]));
   for (size_t b = 0; b < model->nband; b++) UM_TRY(build_vega(context, model, b));
+  UM_TRY(check_air(context, model));
   UM_TRY(um_core_arena_allocate(context, memory, counts->count, sizeof *model->sensor,
                                 &model->sensor));
   for (; model->nsensor < counts->count; model->nsensor++)

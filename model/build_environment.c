@@ -6,6 +6,7 @@
 #include "core/constants.h"
 #include "environment/map.h"
 #include "environment/shadow_light.h"
+#include "environment/sky_table.h"
 #include "model/effects_impl.h"
 #include "model/scenario_environment_impl.h"
 #include "model/words_impl.h"
@@ -79,6 +80,36 @@ static enum um_status build_earth(struct um_context *context, struct um_model *m
   return UM_OK;
 }
 
+static double or_else(double value, double other) { return isnan(value) ? other : value; }
+
+/* The air above the station; that of a file a variant has from its origin. */
+static enum um_status build_sky(struct um_context *context, struct um_model *model)
+{
+  const struct um_scenario_observer *observer = model->scenario->observer;
+  const struct um_scenario_air *from = observer != NULL ? observer->air : NULL;
+  struct um_environment_clear_sky *to = &model->environment.sky;
+  const char *path;
+  if (from == NULL) return UM_OK;
+  if (observer->station == NULL)
+    return um_model_fail(context, &from->at, NULL,
+                         "there is no air before an observer in space; accepted: a station");
+  *to = um_environment_clear_sky_of((enum um_environment_sky_profile)from->profile,
+                                    observer->station->height_m);
+  to->on = true;
+  to->temperature = or_else(from->temperature_K, to->temperature);
+  to->water = or_else(from->water_mm, to->water);
+  to->ozone_dobson = or_else(from->ozone_DU, to->ozone_dobson);
+  to->aerosol = from->aerosol;
+  to->angstrom = from->angstrom_exponent;
+  if (from->file != NULL && model->origin == NULL) {
+    UM_TRY(um_model_resolve(context, model, &from->at, from->file, &path));
+    UM_TRY(um_model_blame(context, &from->at, "file",
+                          um_environment_sky_table_read(context, path, &model->sky_table)));
+  }
+  to->table = model->sky_table;
+  return UM_OK;
+}
+
 /* The air of the Earth's limb; an effect may want it that the scenario withholds. */
 static enum um_status build_limb(struct um_context *context, struct um_model *model)
 {
@@ -96,6 +127,7 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
   um_model_scenario_environment(model->scenario->environment, &model->environment);
   UM_TRY(build_earth(context, model));
   UM_TRY(build_limb(context, model));
+  UM_TRY(build_sky(context, model));
   model->sun_frozen = model->scenario->environment->sun == UM_SUN_FROZEN;
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
@@ -103,8 +135,11 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
         e->off ? e->effect->switch_off : e->effect->switch_on;
     if (turn != NULL) UM_TRY(turn(context, &model->environment));
   }
-  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
     if (use.effect->hooks.environment != NULL)
       UM_TRY(use.effect->hooks.environment(context, &use, &model->environment));
+    if (use.effect->hooks.sky != NULL)
+      UM_TRY(use.effect->hooks.sky(context, &use, &model->environment.sky));
+  }
   return UM_OK;
 }

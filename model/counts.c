@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 
 struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
                                         const double *efficiency)
@@ -14,6 +14,27 @@ struct um_instrument_bins um_model_bins(const struct um_model_result *result, si
   return (struct um_instrument_bins){n, result->wavelength + first, result->bin_width + first,
                                      efficiency != NULL ? efficiency
                                                         : result->transmission + first};
+}
+
+/* Electrons per second and pixel of air that glows by its own heat. */
+static double glow(const struct um_model *model, const struct um_model_precomputed *precomputed,
+                   size_t k, const struct um_instrument_sensor *sensor,
+                   const struct um_instrument_bins *bins)
+{
+  const struct um_environment_clear_sky *sky = &model->environment.sky;
+  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
+  double sum = 0.0;
+  if (!sky->on || isnan(sensor->pixel) || !(elevation >= 0.0)) return 0.0;
+  for (size_t i = 0; i < bins->n; i++) {
+    double half = 0.5 * bins->width[i];
+    struct um_instrument_bins one = {1, bins->wavelength + i, bins->width + i,
+                                     bins->transmission + i};
+    double radiance = um_environment_clear_sky_radiance(sky, bins->wavelength[i] - half,
+                                                        bins->wavelength[i] + half,
+                                                        um_environment_airmass(elevation));
+    sum += um_instrument_sky_rate(sensor, &one, &radiance);
+  }
+  return sum;
 }
 
 struct um_instrument_exposure um_model_expose(const struct um_model *model,
@@ -27,6 +48,7 @@ struct um_instrument_exposure um_model_expose(const struct um_model *model,
     return (struct um_instrument_exposure){NAN, NAN, NAN, false, NAN, NAN};
   return um_instrument_expose(&sensor->optics, &bins, result->count_rate[k * result->nsensor + s],
                               result->irradiance[k * result->nband + sensor->band],
+                              glow(model, precomputed, k, &sensor->optics, &bins),
                               sensor->exposure);
 }
 
@@ -37,5 +59,5 @@ double um_model_scintillation(const struct um_model *model,
   double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
   if (!(elevation > 0.0) || !(sensor->exposure > 0.0) || precomputed->hidden[k]) return NAN;
   return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure,
-                                     um_optics_airmass(elevation), model->observer.height);
+                                     um_environment_airmass(elevation), model->observer.height);
 }

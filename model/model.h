@@ -81,9 +81,10 @@ struct um_model {
   bool points; /* orbit.points: observations stand alone, the trajectory has no state */
   struct um_orbit_observer *station; /* [nstation] of points: the observer's, then the others */
   size_t nstation;
-  struct um_environment_map *earth_map; /* of environment.earth.file; NULL: none. A variant
-                                           borrows that of its origin */
-  struct um_environment_limb *limb;     /* the Earth's air before the Sun; of the origin likewise */
+  struct um_environment_map *earth_map;       /* of environment.earth.file; NULL: none. A variant
+                                                 borrows that of its origin */
+  struct um_environment_sky_table *sky_table; /* of observer.air.file, likewise */
+  struct um_environment_limb *limb; /* the Earth's air before the Sun; of the origin likewise */
   struct um_vec3 pole;      /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */
   struct um_vec3 greenwich; /* prime meridian at the equator, GCRS, at the start */
   bool sun_frozen;

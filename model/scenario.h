@@ -122,11 +122,18 @@ struct um_scenario_moving_observer {
   struct um_mark at;
   const char *tle, *table;
 };
+struct um_scenario_air { /* above the station; NaN: the profile's */
+  struct um_mark at;
+  int profile; /* enum um_environment_sky_profile */
+  double temperature_K, water_mm, ozone_DU, aerosol, angstrom_exponent;
+  const char *file;
+};
 struct um_scenario_observer {
   struct um_mark at;
   struct um_scenario_station *station;
   struct um_scenario_direction *direction;
   struct um_scenario_moving_observer *trajectory;
+  struct um_scenario_air *air;
   double minimum_elevation_deg;
 };
 

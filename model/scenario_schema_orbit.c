@@ -247,12 +247,36 @@ static const struct um_schema_field moving_observer_fields[] = {
 OBJECT(moving_observer_object, struct um_scenario_moving_observer, "trajectory",
        "An observer in orbit.", FIELDS(moving_observer_fields), .exactly_one = one);
 
+static const char *const air_choices[] = {"us_standard", "mid_latitude_summer",
+                                          "mid_latitude_winter", NULL};
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_air, member, key, type, __VA_ARGS__)
+static const struct um_schema_field air_fields[] = {
+    F(profile, "profile", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = air_choices,
+      HELP("temperature, water and ozone where no other key states them")),
+    F(temperature_K, "temperature_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(180, 330),
+      HELP("near the ground")),
+    F(water_mm, "water_mm", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 80),
+      HELP("precipitable, above the station")),
+    F(ozone_DU, "ozone_DU", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 700), HELP("Dobson units")),
+    F(aerosol, "aerosol", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 3),
+      HELP("optical depth in the zenith at 0.55 um")),
+    F(angstrom_exponent, "angstrom_exponent", UM_SCHEMA_NUMBER, DEFAULT(1.3), BETWEEN(-1, 4),
+      HELP("of the aerosol: depth goes like wavelength to minus this")),
+    F(file, "file", UM_SCHEMA_TEXT, NAMES_FILE,
+      HELP("CSV with zenith_deg, wavelength_um, transmission and radiance_W_m2_sr_um, of another "
+           "program, in place of all these")),
+};
+#undef F
+OBJECT(air_object, struct um_scenario_air, "air",
+       "Clear air above the station (effect atmosphere).", FIELDS(air_fields));
 #define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_observer, member, key, type, __VA_ARGS__)
 static const struct um_schema_field observer_fields[] = {
     F(station, "station", UM_SCHEMA_MAP, .object = &station_object, .alternative = 1),
     F(direction, "direction", UM_SCHEMA_MAP, .object = &direction_object, .alternative = 1),
     F(trajectory, "trajectory", UM_SCHEMA_MAP, .object = &moving_observer_object, .alternative = 1),
+    F(air, "air", UM_SCHEMA_MAP, .object = &air_object,
+      HELP("default: irradiance and counts are those without air")),
     F(minimum_elevation_deg, "minimum_elevation_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0),
       BETWEEN(-5, 90), HELP("for `umbra passes`")),
 };

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 #include "orbit/time.h"
 #include "output/netcdf_groups_impl.h"
 
@@ -107,7 +107,7 @@ static enum um_status put_look(const struct um_output_netcdf *w, double *v)
       const double all[] = {look->azimuth / UM_DEG,
                             look->elevation / UM_DEG,
                             s->range,
-                            um_optics_airmass(look->elevation),
+                            um_environment_airmass(look->elevation),
                             um_vec3_angle(s->sun, s->to_observer) / UM_DEG,
                             look->sun_elevation / UM_DEG};
       v[k] = all[i];

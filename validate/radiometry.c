@@ -8,7 +8,7 @@
 #include "core/planck.h"
 #include "environment/environment.h"
 #include "instrument/photometry.h"
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 #include "validate/cases_impl.h"
 
 #define PLANCK "Planck's law"
@@ -144,7 +144,7 @@ static void airmass(struct um_validate_report *report)
              {"Airmass at 5 deg", 5.0, 10.30579, 5e-6}};
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
     um_validate_report_add(report, row[i].name, "1", row[i].expected,
-                           um_optics_airmass(row[i].elevation * UM_DEG), row[i].tolerance,
+                           um_environment_airmass(row[i].elevation * UM_DEG), row[i].tolerance,
                            "Kasten & Young 1989");
 }
 

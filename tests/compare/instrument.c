@@ -4,6 +4,7 @@
  * magnitude in any filter is the Sun's, dimmed by one number k for all of them, and its counts are
  * those of the dimmed Sun. k is taken from a narrow band, the rest is predicted. */
 #include "compared.h"
+#include "environment/clear_sky.h"
 #include "environment/environment.h"
 #include "instrument/filter.h"
 #include "instrument/photometry.h"
@@ -139,6 +140,36 @@ static void test_effects(void **state)
   um_model_destroy(context, &dim);
 }
 
+/* Clear air: what it takes of a narrow band it takes of irradiance; counts through the filter lose
+ * the mean of it over what they count, to the curvature of the air within a bin; magnitudes lose
+ * nothing. */
+static void test_air(void **state)
+{
+  (void)state;
+  struct um_model *bare = model_with(NULL);
+  struct um_model *air =
+      model_with("observer={station: {name: Zero, latitude_deg: 0, longitude_deg: 0, height_m: "
+                 "100}, air: {profile: mid_latitude_summer, aerosol: 0.2}}");
+  struct compared a = compare(bare, rows), b = compare(air, rows);
+  const double *x = a.comparison->model, *y = b.comparison->model;
+  struct um_environment_clear_sky sky =
+      um_environment_clear_sky_of(UM_SKY_MID_LATITUDE_SUMMER, 100.0);
+  sky.aerosol = 0.2;
+  double airmass = 0.99971;
+  assert_close(y[0] / x[0],
+               um_environment_clear_sky_transmission(&sky, 0.549e-6, 0.551e-6, airmass), 1e-6);
+  assert_true(y[0] / x[0] > 0.70 && y[0] / x[0] < 0.80);
+  assert_close(y[2], x[2], 0.0);
+  assert_close(y[4], x[4], 0.0);
+  assert_close((y[5] / x[5]) / (y[1] / x[1]), 1.0, 0.02);
+  assert_true(y[5] / x[5] != y[1] / x[1]); /* the detector weighs the colours its own way */
+  assert_close(b.result->irradiance_error[1] * x[1], a.result->irradiance_error[1] * y[1], 1e-30);
+  compared_end(&a);
+  compared_end(&b);
+  um_model_destroy(context, &bare);
+  um_model_destroy(context, &air);
+}
+
 /* An error of the model in flux: relative to Vega it is that of AB times the flux between zeros. */
 static void test_errors(void **state)
 {
@@ -180,12 +211,26 @@ static void test_refused(void **state)
   refused_scenario("bands.V={filter: jonson_v}",
                    "bands.V.filter: no filter 'jonson_v'; did you mean 'johnson_v'?");
   refused_scenario("bands.V={filter_file: nowhere.csv}", "bands.V.filter_file: ");
-  refused_scenario("sensors.ufo.band=W",
-                   "sensors.ufo.band: the scenario has no band 'W'; did you mean 'V'?; accepted: line, V, own");
+  refused_scenario(
+      "sensors.ufo.band=W",
+      "sensors.ufo.band: the scenario has no band 'W'; did you mean 'V'?; accepted: line, V, own");
   refused_scenario("sensors.ufo.quantum_efficiency=0.5",
                    "sensors.ufo.quantum_efficiency: is given beside quantum_efficiency_file");
   refused_scenario("sensors.ufo.pixel_arcsec=0.5",
                    "sensors.ufo.pixel_arcsec: noise is that of an exposure, whose length");
+  refused_scenario("observer={direction: {unit_gcrs: [1, 0, 0], range_km: 1000}, air: {}}",
+                   "observer.air: there is no air before an observer in space");
+#define STATION "observer={station: {name: Zero, latitude_deg: 0, longitude_deg: 0}, air: {"
+  refused_scenario(STATION "file: nowhere.csv}}", "observer.air.file: ");
+  struct um_model *none;
+  const char *const far[] = {STATION "profile: us_standard}}",
+                             "bands={swir: {from_um: 1.5, to_um: 1.7}}", "sensors={}"};
+  struct um_model_options options = {.overrides = far, .noverride = 3};
+  um_core_message_clear(context);
+  assert_int_not_equal(um_model_create(context, SCENARIO, &options, &none), UM_OK);
+  assert_non_null(strstr(um_core_message(context),
+                         "band 'swir', 1.5 to 1.7 um, is beyond the air that is known; accepted: "
+                         "bands within 0.3 to 1.16 um or 7.02 to 14.28 um, or a file"));
   refused_scenario("sensors={q/e: {band: V, aperture_m: 1}}", "'q/e' cannot name a sensor");
   put("qe.csv", "wavelength_nm,transmission\n900,0.4\n1000,0.6\n");
   refused_scenario("name=far", "quantum_efficiency_file: counts nothing of band 'V'; accepted: a "
@@ -208,6 +253,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_one_spectrum, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_effects, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(test_air, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_errors, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_refused, set_up, tear_down),
   };

@@ -32,6 +32,7 @@ static const struct entry cases[] = {
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
     {"shadow_refraction", NULL, 0.0, "bus", "a switch"},
+    {"atmosphere", NULL, 0.0, "bus", "a switch"},
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
@@ -76,6 +77,8 @@ static const struct entry cases[] = {
     {"exposure", NULL, 64.0, "bus", NULL},
     {"earthshine_level", NULL, 0.3, "bus", NULL},
     {"earth_reflection_level", NULL, 0.1, "bus", NULL},
+    {"water_vapour", NULL, 0.3, "bus", NULL},
+    {"aerosol", NULL, 0.05, "bus", "air without aerosol is clear"},
     {"extinction", "lwir", 0.05, "bus", NULL},
     {"zero_point", "vis", 0.1, "bus", NULL},
     {"background", "lwir", 1e-13, "bus", NULL},
@@ -127,13 +130,14 @@ static void put_satellite(void)
   put(SCENARIO, text);
 }
 
-#define ISOTHERMAL 6
+#define ISOTHERMAL 7
 static const char *const isothermal[ISOTHERMAL] = {"thermal.start=isothermal",
                                                    "thermal.orbits_before=0.1",
                                                    "parts.panel.electrical_extraction=0.2",
                                                    "time.exposure_s=10",
                                                    "time.exposure_samples=2",
-                                                   "environment.earth=knocke"};
+                                                   "environment.earth=knocke",
+                                                   "observer.air={profile: us_standard}"};
 
 /* At null plus `steps` times the step of its case. */
 static struct um_model_addition away(const struct um_effect *effect, const struct entry *entry,

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 
@@ -46,7 +46,7 @@ static void expect(const char *with, unsigned mask, double k, double factor, dou
   assert_true(case_same_temperatures(&a, &b));
   assert_true(case_same_intensities(&a, &b));
   for (size_t t = 0; t < a.result->nobs; t++) {
-    double airmass = um_optics_airmass(a.precomputed->look[t].elevation);
+    double airmass = um_environment_airmass(a.precomputed->look[t].elevation);
     assert_true(airmass > 1.0 && airmass < 3.0);
     for (size_t band = 0; band < 2; band++) {
       double before = a.result->irradiance[2 * t + band],

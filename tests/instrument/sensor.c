@@ -90,14 +90,14 @@ static void test_ccd_equation(void **state)
   s.dark = 0.1;
   double sky = 5.0 / (s.pixel * s.pixel); /* [e/s/arcsec^2] */
   s.sky = -2.5 * log10(sky / um_instrument_count_rate_ab0(&s, &bins));
-  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1e4, NAN, 1.0);
+  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1e4, NAN, 0.0, 1.0);
   assert_close(e.snr, 97.0639, 1e-4);
   assert_close(e.background, 78.5 * 5.1, 1e-9);
-  assert_close(um_instrument_expose(&s, &bins, 100.0, NAN, 1.0).snr, 3.7420, 1e-4);
+  assert_close(um_instrument_expose(&s, &bins, 100.0, NAN, 0.0, 1.0).snr, 3.7420, 1e-4);
   /* a source of the limiting magnitude has SNR 5 */
   double rate = um_instrument_count_rate_ab0(&s, &bins) * pow(10.0, -0.4 * e.limit_ab);
-  assert_close(um_instrument_expose(&s, &bins, rate, NAN, 1.0).snr, 5.0, 1e-9);
-  assert_close(um_instrument_expose(&s, &bins, 0.0, NAN, 1.0).snr, 0.0, 0.0);
+  assert_close(um_instrument_expose(&s, &bins, rate, NAN, 0.0, 1.0).snr, 5.0, 1e-9);
+  assert_close(um_instrument_expose(&s, &bins, 0.0, NAN, 0.0, 1.0).snr, 0.0, 0.0);
 }
 
 /* D.7: encircled energy 0.5, 0.9375, 0.998047 at 0.5, 1, 1.5 FWHM; photons alone leave sqrt(S). */
@@ -111,7 +111,7 @@ static void test_encircled(void **state)
   s.gain = 2.0;
   for (int i = 0; i < 3; i++) {
     s.radius = q[i];
-    struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1000.0, NAN, 3.0);
+    struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1000.0, NAN, 0.0, 3.0);
     assert_close(e.signal, 6000.0 * share[i], 1e-9);
     assert_close(e.snr, sqrt(6000.0 * share[i]), 1e-9);
   }
@@ -132,11 +132,11 @@ static void test_peak(void **state)
   }
   sum *= s.pixel * s.pixel / (N * N) / (2.0 * UM_PI * sigma * sigma);
   s.dark = 7.0;
-  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1e5, NAN, 2.0);
+  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0);
   assert_close(e.peak / (2e5 * sum + 14.0), 1.0, 1e-6);
   assert_false(e.saturated);
   s.saturation = e.peak * 0.999;
-  assert_true(um_instrument_expose(&s, &bins, 1e5, NAN, 2.0).saturated);
+  assert_true(um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0).saturated);
 }
 
 /* A thermal imager is rated by the irradiance that equals its noise; without pixels nothing else is
@@ -149,7 +149,7 @@ static void test_noise_equivalent(void **state)
   struct um_instrument_sensor s = ufo();
   s.pixel = NAN;
   s.noise_equivalent_irradiance = 4.53e-10;
-  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 10.0, 9.06e-10, 1.0);
+  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 10.0, 9.06e-10, 0.0, 1.0);
   assert_close(e.snr, 2.0, 1e-12);
   assert_true(isnan(e.background) && isnan(e.peak) && isnan(e.limit_ab) && !e.saturated);
 }

@@ -62,6 +62,8 @@ static const struct {
     {"dusk-hollow", "dawn-hollow", {"interior_capacity", "bus", "bus", 0, -2000.0, 3000.0}},
     {"dusk-cells", "dawn-cells", {"panel_extraction", "array", "array", 0, -0.08, 0.08}},
     {"dusk-low", NULL, {"free_molecular_heating", "", NULL, 0, NAN, 6.0}},
+    {"dusk-air", "dawn-air", {"water_vapour", "", "", 0, 0.5, 2.0}},
+    {"dusk-air", NULL, {"aerosol", "", NULL, 0, NAN, 0.2}},
     {"days", NULL, {"contamination", "white", NULL, 0, -0.015, 0.02}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
 };
@@ -83,6 +85,7 @@ static const struct {
                 {"penumbra", true, true},
                 {"oblateness", true, true},
                 {"shadow_refraction", true, true},
+                {"atmosphere", true, true},
                 {"absorptance_angle", true, false},
                 {"emittance_temperature", true, false},
                 {"bulk_temperature", true, false},

@@ -19,6 +19,7 @@
           "time.exposure_s=0.3",                                                                   \
           "thermal.start=isothermal",                                                              \
           "thermal.orbits_before=0"}
+#define AIR "observer.air={profile: mid_latitude_summer, water_mm: 15}"
 #define WITHOUT(s)                                                                                 \
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
 #define SPECTRA                                                                                    \
@@ -40,6 +41,12 @@ static const struct lab_world worlds[] = {
     WITHOUT("shadow_refraction"),
     WITHOUT("mutual_radiation"),
     WITHOUT("solar_multiple_reflection"),
+
+    /* Air that is stated; the truth has it, and the analyst no air, or less water and no haze. */
+    {.name = "dusk-atmosphere", DUSK, .set = {AIR}, .without = "atmosphere"},
+    {.name = "dawn-atmosphere", DAWN, PLACES, .set = {AIR}, .without = "atmosphere"},
+    {.name = "dusk-air", DUSK, .set = {AIR}},
+    {.name = "dawn-air", DAWN, PLACES, .set = {AIR}},
 
     /* Only materials with spectra go with angle and temperature. */
     SPECTRAL("absorptance_angle"),

@@ -5,7 +5,7 @@
 #include "core/constants.h"
 #include "core/csv.h"
 #include "core/interpolation.h"
-#include "optics/atmosphere.h"
+#include "environment/airmass.h"
 #include "tests/scenarios/support.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/flying-laptop"
@@ -72,7 +72,7 @@ static void counts(void **state)
               (UM_PLANCK * UM_LIGHT_SPEED) *
               um_core_interpolate(nm, electrons, rows, r->wavelength[b] * 1e9);
     }
-    double air = pow(10.0, -0.4 * 0.20 * um_optics_airmass(run.precomputed->look[k].elevation));
+    double air = pow(10.0, -0.4 * 0.20 * um_environment_airmass(run.precomputed->look[k].elevation));
     rate *= large * 0.7 / 0.45 * air;
     assert_close(r->count_rate[2 * k] / rate, 1.0, 1e-4);
     assert_close(r->count_rate[2 * k + 1] / r->count_rate[2 * k], small / large, 1e-12);
