@@ -8,7 +8,7 @@
 #include "materials/lobe.h"
 
 static const struct um_geometry_skin skin = {NULL, "m", "m"};
-static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1};
+static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};
 
 static void grey(struct fixture *f, double specular, const char *lobe)
 {
