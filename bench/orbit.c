@@ -99,7 +99,7 @@ static double erfa_cost(double epoch)
 static double sun_cost(double epoch)
 {
   double began = bench_cpu();
-  for (int k = 0; k < FRAMES; k++) sink = um_orbit_sun_position(epoch + k).x;
+  for (int k = 0; k < FRAMES; k++) sink = um_orbit_sun_position(NULL, epoch + k).x;
   return 1e9 * (bench_cpu() - began) / FRAMES;
 }
 

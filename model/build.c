@@ -35,6 +35,7 @@ static enum um_status create_sky(struct um_context *context, const char *path,
   UM_CHECK(um_model_scenario_read(context, path, options == NULL ? NULL : options->overrides,
                                   options == NULL ? 0 : options->noverride, &model->document,
                                   &model->scenario));
+  UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
   UM_CHECK(um_model_build_effects(context, model, options));
   UM_CHECK(um_model_build_environment(context, model));
   UM_CHECK(um_model_build_orbit(context, model));
@@ -79,6 +80,7 @@ enum um_status um_model_variant_create(struct um_context *context, const struct 
   model->earth_map = origin->earth_map;
   model->sky_table = origin->sky_table;
   model->limb = origin->limb;
+  model->ephemeris = origin->ephemeris;
   UM_CHECK(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
   memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
   model->neffect = origin->neffect;
@@ -114,6 +116,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
     um_environment_map_destroy(context, &m->earth_map);
     um_environment_sky_table_destroy(context, &m->sky_table);
     um_core_free(context, m->limb);
+    um_orbit_ephemeris_destroy(context, &m->ephemeris);
     um_effects_registry_destroy(context, &m->registry);
     um_document_destroy(&m->document);
   }

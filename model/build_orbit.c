@@ -15,6 +15,7 @@
 static enum um_status build_orientation(struct um_context *context, struct um_model *model)
 {
   const struct um_scenario_orientation *from = model->scenario->orbit->earth_orientation;
+  model->orientation.ephemeris = model->ephemeris;
   if (from == NULL) {
     /* |UT1-UTC| < 0.9 s turns the Earth by at most 13.5 arcsec, 420 m at the equator */
     um_core_log(context, UM_LOG_INFO,
@@ -345,6 +346,7 @@ enum um_status um_model_build_orbit(struct um_context *context, struct um_model 
   UM_TRY(build_observer(context, model));
   UM_TRY(um_model_build_points(context, model));
   if (model->sun_frozen)
-    model->frozen_sun_position = um_orbit_sun_position(model->scenario->time->start);
+    model->frozen_sun_position =
+        um_orbit_sun_position(model->ephemeris, model->scenario->time->start);
   return UM_OK;
 }

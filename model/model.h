@@ -69,6 +69,7 @@ struct um_model {
   struct um_model_effect *effect;       /* [neffect] those it uses */
   size_t neffect;
   struct um_environment environment;
+  struct um_orbit_ephemeris *ephemeris; /* pole and Earth; of the origin likewise */
   struct um_orbit_earth_orientation orientation;
   struct um_orbit_trajectory *trajectory, *observer_trajectory;
   double orbit_age, orbit_error,

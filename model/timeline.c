@@ -18,7 +18,7 @@ static void sun_of(const struct um_model *model, double t_tai, struct um_vec3 r,
     *distance = um_vec3_norm(to);
     *direction = um_vec3_scale(to, 1.0 / *distance);
   } else {
-    um_orbit_sun_apparent(t_tai, r, um_vec3(0, 0, 0), direction, distance);
+    um_orbit_sun_apparent(model->ephemeris, t_tai, r, um_vec3(0, 0, 0), direction, distance);
   }
   if (!isnan(model->scenario->environment->sun_distance_au))
     *distance = model->scenario->environment->sun_distance_au * UM_AU;
@@ -46,7 +46,8 @@ static void light_of(const struct um_model *model, struct um_environment_sample 
 static enum um_status attitude_of(struct um_context *context, const struct um_model *model,
                                   struct um_environment_sample *s)
 {
-  struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer};
+  struct um_orbit_attitude_input in = {s->t_tai, s->r,           s->v,
+                                       s->sun,   s->to_observer, model->ephemeris};
   struct um_effect_use use;
   UM_TRY(um_orbit_attitude_at(context, model->attitude, &in, &s->q));
   for (size_t i = 0; um_model_effect_next(model, &i, &use);)

@@ -263,7 +263,7 @@ static double turn_at(const struct um_orbit_attitude_law *law, double t_tai)
 static enum um_status magnetic(struct um_context *context, const struct um_orbit_attitude_law *law,
                                const struct um_orbit_attitude_input *input, struct um_quat *q)
 {
-  const struct um_orbit_earth_orientation none = {0};
+  const struct um_orbit_earth_orientation none = {.ephemeris = input->ephemeris};
   struct um_mat3 m;
   UM_TRY(um_orbit_frames_gcrs_to_itrf(context, &none, input->t_tai, &m));
   struct um_vec3 field =

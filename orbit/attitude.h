@@ -9,13 +9,15 @@
 
 #include "core/context.h"
 #include "core/vec.h"
+#include "orbit/ephemeris.h"
 
 /* What a law may look at, all GCRS. */
 struct um_orbit_attitude_input {
   double t_tai;
-  struct um_vec3 r, v;     /* [m], [m/s] */
-  struct um_vec3 sun;      /* unit, from the satellite */
-  struct um_vec3 observer; /* unit, from the satellite; zero when there is none */
+  struct um_vec3 r, v;                  /* [m], [m/s] */
+  struct um_vec3 sun;                   /* unit, from the satellite */
+  struct um_vec3 observer;              /* unit, from the satellite; zero when there is none */
+  struct um_orbit_ephemeris *ephemeris; /* MAGNETIC: NULL: the series; borrowed */
 };
 
 enum um_orbit_attitude_kind {

@@ -3,12 +3,14 @@
 #define UMBRA_ORBIT_FINALS_H
 
 #include "core/context.h"
+#include "orbit/ephemeris.h"
 
 /* Earth orientation: constant values, or a table from an IERS finals2000A file. */
 struct um_orbit_earth_orientation {
   double ut1_utc;                 /* [s] */
   double xp, yp;                  /* pole [rad] */
   struct um_orbit_finals *finals; /* NULL: the constants above hold; owned by whoever read it */
+  struct um_orbit_ephemeris *ephemeris; /* precession and nutation, NULL: their series; borrowed */
 };
 
 /* Read an IERS finals2000A.all/daily file (fixed columns). UM_ERR_IO, UM_ERR_INPUT with the line.

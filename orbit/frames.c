@@ -2,7 +2,7 @@
  *
  *   TEME -> PEF    R3(GMST82(UT1)), no equation of the equinoxes
  *   PEF  -> ITRF   R1(-yp) R2(-xp)
- *   GCRS -> ITRF   IAU 2006/2000A with polar motion (eraC2t06a)
+ *   GCRS -> ITRF   IAU 2006/2000A with polar motion (the steps of eraC2t06a)
  *   v_PEF = R3 v_TEME - omega x r_PEF,  omega = 7.29211514670698e-5 (1 - LOD / 86400 s) rad/s
  * References: Vallado, Crawford, Hujsak & Kelso 2006, AIAA 2006-6753, appendix C; IERS TN36. */
 #include "orbit/frames.h"
@@ -15,8 +15,10 @@
 
 /* Earth orientation and the two Julian dates that belong to one instant. */
 struct instant {
-  double tt[2], ut1[2]; /* [d] */
-  double xp, yp;        /* [rad] */
+  double t_tai;                         /* [s] */
+  double tt[2], ut1[2];                 /* [d] */
+  double xp, yp;                        /* [rad] */
+  struct um_orbit_ephemeris *ephemeris; /* NULL: the series */
 };
 
 static enum um_status instant_at(struct um_context *context,
@@ -25,6 +27,8 @@ static enum um_status instant_at(struct um_context *context,
 {
   double ut1_utc;
   UM_TRY(um_orbit_earth_orientation_at(context, orientation, t_tai, &ut1_utc, &now->xp, &now->yp));
+  now->t_tai = t_tai;
+  now->ephemeris = orientation->ephemeris;
   um_orbit_time_tt(t_tai, now->tt);
   um_orbit_time_ut1(t_tai, ut1_utc, now->ut1);
   return UM_OK;
@@ -39,8 +43,12 @@ static struct um_mat3 matrix(double m[3][3])
 
 static struct um_mat3 gcrs_to_itrf(const struct instant *now)
 {
-  double m[3][3];
-  eraC2t06a(now->tt[0], now->tt[1], now->ut1[0], now->ut1[1], now->xp, now->yp, m);
+  double celestial[3][3], pole[3][3], m[3][3];
+  struct um_orbit_cip cip;
+  um_orbit_ephemeris_cip(now->ephemeris, now->t_tai, &cip);
+  eraC2ixys(cip.x, cip.y, cip.s, celestial);
+  eraPom00(now->xp, now->yp, eraSp00(now->tt[0], now->tt[1]), pole);
+  eraC2tcio(celestial, eraEra00(now->ut1[0], now->ut1[1]), pole, m);
   return matrix(m);
 }
 

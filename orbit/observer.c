@@ -68,7 +68,8 @@ static void station_angles(const struct um_orbit_observer *observer, const struc
   double azimuth = atan2(enu.x, enu.y);
   out->azimuth = azimuth < 0.0 ? azimuth + 2.0 * UM_PI : azimuth;
   out->elevation = elevation_of(enu);
-  struct um_vec3 sun = um_mat3_apply(place->gcrs_to_itrf, um_orbit_sun_position(t));
+  struct um_vec3 sun =
+      um_mat3_apply(place->gcrs_to_itrf, um_orbit_sun_position(observer->orientation.ephemeris, t));
   out->sun_elevation = elevation_of(um_orbit_geodesy_enu(lat, lon, h, sun));
 }
 

@@ -19,12 +19,11 @@ static struct um_vec3 vector(const double p[3], double unit)
   return um_vec3(unit * p[0], unit * p[1], unit * p[2]);
 }
 
-struct um_vec3 um_orbit_sun_position(double t_tai)
+struct um_vec3 um_orbit_sun_position(struct um_orbit_ephemeris *ephemeris, double t_tai)
 {
-  double tt[2], earth_heliocentric[2][3], earth_barycentric[2][3];
-  um_orbit_time_tt(t_tai, tt);
-  eraEpv00(tt[0], tt[1], earth_heliocentric, earth_barycentric);
-  return vector(earth_heliocentric[0], -UM_AU);
+  struct um_orbit_earth_motion earth;
+  um_orbit_ephemeris_earth(ephemeris, t_tai, &earth);
+  return vector(earth.r, -UM_AU);
 }
 
 struct um_vec3 um_orbit_moon_position(double t_tai)
@@ -35,17 +34,17 @@ struct um_vec3 um_orbit_moon_position(double t_tai)
   return vector(moon[0], UM_AU);
 }
 
-void um_orbit_sun_apparent(double t_tai, struct um_vec3 r_gcrs, struct um_vec3 v_gcrs,
-                           struct um_vec3 *direction, double *distance)
+void um_orbit_sun_apparent(struct um_orbit_ephemeris *ephemeris, double t_tai,
+                           struct um_vec3 r_gcrs, struct um_vec3 v_gcrs, struct um_vec3 *direction,
+                           double *distance)
 {
-  double tt[2], heliocentric[2][3], barycentric[2][3];
-  um_orbit_time_tt(t_tai, tt);
-  eraEpv00(tt[0], tt[1], heliocentric, barycentric);
+  struct um_orbit_earth_motion earth;
+  um_orbit_ephemeris_earth(ephemeris, t_tai, &earth);
 
   /* Sun from the observer now, and the Sun's own barycentric velocity (some 13 m/s) */
-  struct um_vec3 now = um_vec3_sub(vector(heliocentric[0], -UM_AU), r_gcrs);
-  struct um_vec3 earth_velocity = vector(barycentric[1], AU_PER_DAY);
-  struct um_vec3 sun_velocity = um_vec3_sub(earth_velocity, vector(heliocentric[1], AU_PER_DAY));
+  struct um_vec3 now = um_vec3_sub(vector(earth.r, -UM_AU), r_gcrs);
+  struct um_vec3 earth_velocity = vector(earth.v_b, AU_PER_DAY);
+  struct um_vec3 sun_velocity = um_vec3_sub(earth_velocity, vector(earth.v, AU_PER_DAY));
 
   /* p = s(t) - v_sun tau - o(t); one pass leaves tau right to (13 m/s / c) tau = 2e-5 s */
   double tau = um_vec3_norm(now) / UM_LIGHT_SPEED; /* [s] */

@@ -125,7 +125,7 @@ enum um_status um_orbit_trajectory_create_circular(struct um_context *context, d
     return um_core_fail(context, UM_ERR_INPUT, "circular orbit: the epoch is not a finite number");
   UM_TRY(allocate(context, TRAJECTORY_CIRCULAR, out));
   double radius = earth_radius + altitude;
-  struct um_vec3 s = um_vec3_unit(um_orbit_sun_position(epoch_tai));
+  struct um_vec3 s = um_vec3_unit(um_orbit_sun_position(NULL, epoch_tai));
   struct um_vec3 m = um_vec3_unit(um_vec3_axpy(um_vec3(0.0, 0.0, 1.0), -s.z, s));
   struct um_vec3 h = um_vec3_axpy(um_vec3_scale(s, sin(beta)), cos(beta), m);
   struct um_vec3 u = um_vec3_axpy(um_vec3_scale(s, cos(beta)), -sin(beta), m);

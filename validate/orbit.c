@@ -168,8 +168,8 @@ static enum um_status sun_and_moon(struct um_context *context, struct um_validat
     double t, distance;
     struct um_vec3 apparent;
     UM_TRY(um_orbit_time_parse(context, row[i].utc, &t));
-    struct um_vec3 sun = um_orbit_sun_position(t), moon = um_orbit_moon_position(t);
-    um_orbit_sun_apparent(t, zero, zero, &apparent, &distance);
+    struct um_vec3 sun = um_orbit_sun_position(NULL, t), moon = um_orbit_moon_position(t);
+    um_orbit_sun_apparent(NULL, t, zero, zero, &apparent, &distance);
     const double *s = row[i].sun, *a = row[i].apparent, *m = row[i].moon;
     um_validate_report_add(report, row[i].name[0], "rad", 0.0,
                            um_vec3_angle(sun, um_vec3(s[0], s[1], s[2])), 2e-5, ASTROPY);
@@ -201,7 +201,7 @@ static enum um_status envisat_look(struct pass *pass, const char *utc, struct um
   struct um_vec3 sun;
   UM_TRY(um_orbit_time_parse(pass->context, utc, &t));
   UM_TRY(um_orbit_observer_look(pass->context, &pass->graz, pass->orbit, t, look));
-  um_orbit_sun_apparent(look->t_satellite, look->r_gcrs, look->v_gcrs, &sun, &distance);
+  um_orbit_sun_apparent(NULL, look->t_satellite, look->r_gcrs, look->v_gcrs, &sun, &distance);
   *phase = um_vec3_angle(sun, look->to_observer);
   return UM_OK;
 }
@@ -300,7 +300,7 @@ static enum um_status scene_at(void *self, double t, struct um_vec3 *r, struct u
   struct um_mat3 to_itrf;
   UM_TRY(um_orbit_trajectory_state(pass->context, pass->orbit, t, r, &v));
   UM_TRY(um_orbit_frames_gcrs_to_itrf(pass->context, &iers, t, &to_itrf));
-  um_orbit_sun_apparent(t, *r, v, sun, distance);
+  um_orbit_sun_apparent(NULL, t, *r, v, sun, distance);
   *pole = um_vec3(to_itrf.m[2][0], to_itrf.m[2][1], to_itrf.m[2][2]);
   return UM_OK;
 }

@@ -32,7 +32,7 @@ static enum um_status scene_at(void *self, double t, struct um_vec3 *r, struct u
   struct um_mat3 to_itrf;
   UM_TRY(um_orbit_trajectory_state(scene->context, scene->trajectory, t, r, &v));
   UM_TRY(um_orbit_frames_gcrs_to_itrf(scene->context, &scene->orientation, t, &to_itrf));
-  um_orbit_sun_apparent(t, *r, v, sun, distance);
+  um_orbit_sun_apparent(NULL, t, *r, v, sun, distance);
   *pole = um_vec3(to_itrf.m[2][0], to_itrf.m[2][1], to_itrf.m[2][2]);
   return UM_OK;
 }

@@ -79,7 +79,7 @@ static void fill_loads(struct fixture *f, const struct set *set, const struct um
 static void fill_samples(struct fixture *f, const struct set *set, const struct um_core_csv *csv)
 {
   struct um_orbit_earth_orientation orientation = {set->ut1_utc, set->xp * UM_ARCSEC,
-                                                   set->yp * UM_ARCSEC, NULL};
+                                                   set->yp * UM_ARCSEC, NULL, NULL};
   struct um_orbit_tle tle;
   struct um_orbit_trajectory *trajectory;
   FIXTURE_OK(f, um_orbit_tle_parse(f->context, set->tle, 1, &tle));
@@ -100,7 +100,7 @@ static void fill_samples(struct fixture *f, const struct set *set, const struct 
     s->range = look.range;
     /* seen from the geocentre's frame: aberration by the satellite's own motion would move the limb
      * of the Earth along with the Sun */
-    um_orbit_sun_apparent(s->t_tai, s->r, um_vec3(0.0, 0.0, 0.0), &s->sun, &s->sun_distance);
+    um_orbit_sun_apparent(NULL, s->t_tai, s->r, um_vec3(0.0, 0.0, 0.0), &s->sun, &s->sun_distance);
     struct um_mat3 itrf;
     FIXTURE_OK(f, um_orbit_frames_gcrs_to_itrf(f->context, &orientation, s->t_tai, &itrf));
     s->pole = um_vec3(itrf.m[2][0], itrf.m[2][1], itrf.m[2][2]);

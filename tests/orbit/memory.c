@@ -18,10 +18,12 @@ static enum um_status everything(struct um_context *context, const struct paths 
   struct um_orbit_attitude *attitude = NULL;
   struct um_orbit_pass *passes = NULL;
   struct um_orbit_earth_orientation eop = {0};
+  struct um_orbit_ephemeris *ephemeris = NULL;
   struct um_orbit_tle elements;
   struct um_orbit_attitude_law law = {.kind = UM_ATTITUDE_TABLE, .table_path = paths->attitude};
   struct um_orbit_observer station = {.latitude = 0.8};
   size_t count;
+  UM_CHECK(um_orbit_ephemeris_create(context, &ephemeris));
   UM_CHECK(um_orbit_finals_read(context, paths->finals, &eop.finals));
   UM_CHECK(
       um_orbit_tle_parse(context,
@@ -39,6 +41,7 @@ done:
   um_orbit_trajectory_destroy(&table);
   um_orbit_trajectory_destroy(&tle);
   um_orbit_finals_destroy(&eop.finals);
+  um_orbit_ephemeris_destroy(context, &ephemeris);
   return status;
 }
 

@@ -37,7 +37,7 @@ static double phase_angle(const struct um_orbit_look *look)
 {
   struct um_vec3 sun;
   double distance;
-  um_orbit_sun_apparent(look->t_satellite, look->r_gcrs, look->v_gcrs, &sun, &distance);
+  um_orbit_sun_apparent(NULL, look->t_satellite, look->r_gcrs, look->v_gcrs, &sun, &distance);
   return um_vec3_angle(sun, look->to_observer);
 }
 

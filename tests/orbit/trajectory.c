@@ -70,7 +70,7 @@ static void circular_orbit(void **state)
 {
   struct um_context *context = *state;
   double epoch = utc(context, "2016-06-21T10:00:00Z");
-  struct um_vec3 sun = um_vec3_unit(um_orbit_sun_position(epoch)), r, v;
+  struct um_vec3 sun = um_vec3_unit(um_orbit_sun_position(NULL, epoch)), r, v;
   for (int beta = -90; beta <= 90; beta += 15) {
     struct um_orbit_trajectory *orbit = NULL;
     assert_ok(context, um_orbit_trajectory_create_circular(context, epoch, 408e3, 6371e3,
