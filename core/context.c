@@ -129,10 +129,14 @@ enum um_status um_core_allocate(struct um_context *context, size_t count, size_t
   if (size != 0 && count > SIZE_MAX / 2 / size)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory: %zu objects of %zu bytes", count,
                         size);
-  size_t bytes = count * size;
-  block = context->allocator.allocate(context->allocator.self, bytes == 0 ? 1 : bytes);
-  if (block == NULL) return um_core_fail(context, UM_ERR_MEMORY, "out of memory: %zu bytes", bytes);
-  memset(block, 0, bytes == 0 ? 1 : bytes);
+  size_t bytes = count * size == 0 ? 1 : count * size;
+  const struct um_core_allocator *from = &context->allocator;
+  /* pages that the system gives are zero already; those of a table that is not written stay so */
+  bool zeroed = from->allocate == default_allocate;
+  block = zeroed ? calloc(1, bytes) : from->allocate(from->self, bytes);
+  if (block == NULL)
+    return um_core_fail(context, UM_ERR_MEMORY, "out of memory: %zu bytes", count * size);
+  if (!zeroed) memset(block, 0, bytes);
   memcpy(out, &block, sizeof block);
   return UM_OK;
 }

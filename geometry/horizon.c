@@ -2,24 +2,26 @@
  * stand before them, so their fractions are exact without rays.
  *
  * Each test would cost all vertices. Three things make it cheap: facets of one plane share the
- * answer, a part whose bounding box lies behind the plane is skipped, and the vertex that closed
- * the last surface is tried first. */
+ * answer, boxes around runs of vertices, and around runs of such boxes, are skipped where they lie
+ * behind the plane, and the vertex that closed the last surface is tried first. */
 #include "geometry/horizon_impl.h"
 
 struct box {
   struct um_vec3 low, high; /* [m] */
-  size_t begin, end;        /* its vertices */
+  size_t begin, end;        /* its vertices, or boxes */
 };
 
 struct search {
   const struct um_geometry_visibility *visibility;
   struct box *box; /* runs of vertices */
   size_t nbox;
+  struct box *block; /* runs of boxes */
+  size_t nblock;
   size_t last; /* vertex that stood before the last surface that is not open */
 };
 
-/* Vertices per bounding box. */
-#define RUN 64
+/* Vertices per bounding box, and boxes per block of them. */
+#define RUN 16
 
 static void fill_boxes(struct search *search)
 {
@@ -36,6 +38,38 @@ static void fill_boxes(struct search *search)
     }
     search->box[search->nbox++] = box;
   }
+  search->nblock = 0;
+  for (size_t begin = 0; begin < search->nbox; begin += RUN) {
+    size_t end = begin + RUN < search->nbox ? begin + RUN : search->nbox;
+    struct box block = {search->box[begin].low, search->box[begin].high, begin, end};
+    for (size_t i = begin + 1; i < end; i++) {
+      const struct box *box = &search->box[i];
+      block.low = um_vec3(fmin(block.low.x, box->low.x), fmin(block.low.y, box->low.y),
+                          fmin(block.low.z, box->low.z));
+      block.high = um_vec3(fmax(block.high.x, box->high.x), fmax(block.high.y, box->high.y),
+                           fmax(block.high.z, box->high.z));
+    }
+    search->block[search->nblock++] = block;
+  }
+}
+
+/* Does the corner of a box that is farthest along n lie beyond the height? Products and sums of
+ * rounded numbers keep their order, so that no vertex inside is beyond where this is not. */
+static bool reaches(const struct box *box, struct um_vec3 n, double height)
+{
+  struct um_vec3 farthest =
+      um_vec3(n.x > 0.0 ? box->high.x : box->low.x, n.y > 0.0 ? box->high.y : box->low.y,
+              n.z > 0.0 ? box->high.z : box->low.z);
+  return um_vec3_dot(n, farthest) > height;
+}
+
+/* The first vertex of a box that has n . p > height; SIZE_MAX: none. */
+static size_t vertex_beyond(const struct box *box, const struct um_vec3 *vertex, struct um_vec3 n,
+                            double height)
+{
+  for (size_t i = box->begin; i < box->end; i++)
+    if (um_vec3_dot(n, vertex[i]) > height) return i;
+  return SIZE_MAX;
 }
 
 /* True when no vertex p has n . p > height. */
@@ -43,17 +77,16 @@ static bool plane_is_open(struct search *search, struct um_vec3 n, double height
 {
   const struct um_vec3 *vertex = search->visibility->pose->vertex;
   if (um_vec3_dot(n, vertex[search->last]) > height) return false;
-  for (size_t b = 0; b < search->nbox; b++) {
-    const struct box *box = &search->box[b];
-    struct um_vec3 farthest =
-        um_vec3(n.x > 0.0 ? box->high.x : box->low.x, n.y > 0.0 ? box->high.y : box->low.y,
-                n.z > 0.0 ? box->high.z : box->low.z);
-    if (!(um_vec3_dot(n, farthest) > height)) continue;
-    for (size_t i = box->begin; i < box->end; i++)
-      if (um_vec3_dot(n, vertex[i]) > height) {
-        search->last = i;
-        return false;
-      }
+  for (size_t k = 0; k < search->nblock; k++) {
+    const struct box *block = &search->block[k];
+    if (!reaches(block, n, height)) continue;
+    for (size_t b = block->begin; b < block->end; b++) {
+      if (!reaches(&search->box[b], n, height)) continue;
+      size_t found = vertex_beyond(&search->box[b], vertex, n, height);
+      if (found == SIZE_MAX) continue;
+      search->last = found;
+      return false;
+    }
   }
   return true;
 }
@@ -62,8 +95,10 @@ enum um_status um_geometry_horizon_find(struct um_geometry_visibility *visibilit
 {
   const struct um_geometry_mesh *mesh = visibility->mesh;
   struct search search = {.visibility = visibility};
-  UM_TRY(um_core_allocate(visibility->context, mesh->nvertex / RUN + 1, sizeof *search.box,
+  size_t nbox = mesh->nvertex / RUN + 1;
+  UM_TRY(um_core_allocate(visibility->context, nbox + nbox / RUN + 1, sizeof *search.box,
                           (void *)&search.box));
+  search.block = search.box + nbox;
   fill_boxes(&search);
   /* last plane tested, for each side */
   struct um_vec3 last_normal[2] = {{0, 0, 0}, {0, 0, 0}};

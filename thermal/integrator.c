@@ -19,6 +19,7 @@
 #include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
+#include "thermal/vector_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -148,18 +149,6 @@ static int newton_callback(realtype t, N_Vector y, N_Vector rate, SUNMatrix matr
   return 0;
 }
 
-/* sqrt(sum (x w)^2 / n), summed in four strands: a fifth of the run went into waiting for one. */
-static realtype weighted_norm(N_Vector x, N_Vector w)
-{
-  const double *a = N_VGetArrayPointer(x), *b = N_VGetArrayPointer(w);
-  size_t n = (size_t)N_VGetLength(x), k = 0;
-  double sum[4] = {0.0, 0.0, 0.0, 0.0};
-  for (; k + 4 <= n; k += 4)
-    for (size_t s = 0; s < 4; s++) sum[s] += a[k + s] * b[k + s] * (a[k + s] * b[k + s]);
-  for (; k < n; k++) sum[0] += a[k] * b[k] * (a[k] * b[k]);
-  return sqrt((sum[0] + sum[1] + sum[2] + sum[3]) / (double)n);
-}
-
 /* Sensor minus the threshold that is next, of every thermostat [K]. */
 static int switch_callback(realtype t, N_Vector y, realtype *out, void *self)
 {
@@ -253,8 +242,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(bool), &integrator->heating));
   if (SUNContext_Create(NULL, &integrator->sun) != 0) return fail(integrator, CV_MEM_FAIL);
   sunindextype n = (sunindextype)system->nunknown;
-  integrator->y = N_VNew_Serial(n, integrator->sun);
-  if (integrator->y != NULL) integrator->y->ops->nvwrmsnorm = weighted_norm; /* clones inherit it */
+  integrator->y = um_thermal_vector_create(system->nunknown, integrator->sun);
   integrator->dense = N_VNew_Serial(n, integrator->sun);
   integrator->quadrature = N_VNew_Serial(UM_AUDIT_TERMS, integrator->sun);
   integrator->matrix = um_thermal_linear_matrix(system, integrator->sun);

@@ -36,16 +36,24 @@ static void row_judge(struct scan *s, size_t low, size_t last)
     double width = grid[last] - grid[last - 2 * m];
     double u = width > 0.0 ? (grid[last - m] - grid[last - 2 * m]) / width : 0.5;
     const double *a = row_of(s, last - 2 * m), *b = row_of(s, last - m), *c = row_of(s, last);
-    for (size_t i = 0; i < s->system->n; i++)
-      s->worst[level] = fmax(s->worst[level], fabs(b[i] - (1.0 - u) * a[i] - u * c[i]));
+    double worst = s->worst[level];
+    for (size_t i = 0; i < s->system->n; i++) {
+      double bend = fabs(b[i] - (1.0 - u) * a[i] - u * c[i]);
+      worst = bend > worst ? bend : worst;
+    }
+    s->worst[level] = worst;
   }
 }
 
 static void largest_see(struct scan *s, size_t row)
 {
   um_thermal_system_loads_at(s->system, s->system->grid[row]);
-  for (size_t i = 0; i < s->system->n; i++)
-    s->largest = fmax(s->largest, fabs(s->system->now.q[i]));
+  double largest = s->largest;
+  for (size_t i = 0; i < s->system->n; i++) {
+    double q = fabs(s->system->now.q[i]);
+    largest = q > largest ? q : largest;
+  }
+  s->largest = largest;
 }
 
 /* Rows low to high; false as soon as not even m = 1 will hold: some rows are looked at first, and
