@@ -8,8 +8,10 @@
  *    grazing the ray;
  *  - a candidate that the ray misses in double precision by more than float can blur, or that lies
  *    beyond the limit or behind the origin.
- * No epsilon moves an origin. Rays go in packets of eight whatever their number, in the order in
- * which they come; scenes are robust (watertight at shared edges). */
+ * No epsilon moves an origin. A candidate costs as much as a ray, and nearly all would be the facet
+ * that the ray leaves: Embree is asked from where the ray has come SKIN above it. Rays go in
+ * packets of eight whatever their number, in the order in which they come; scenes are robust
+ * (watertight at shared edges). */
 #include "geometry/visibility_impl.h"
 
 #if UM_EMBREE_MAJOR >= 4
@@ -27,6 +29,12 @@
 
 /* Blur of Embree's hit points relative to the model size [1]: about 80 units in the last place. */
 #define FLOAT_BLUR 1e-5
+
+/* Height above the facet that a ray leaves below which nothing is met, relative to the model size
+ * [1]: 0.4 um of 20 m, what float rounds coordinates by. At most SHALLOW^-1 as far along the ray.
+ */
+#define SKIN    2e-8
+#define SHALLOW 0.05
 
 #if RTC_VERSION_MAJOR >= 4
 typedef struct RTCRayQueryContext embree_context;
@@ -255,6 +263,14 @@ bool um_geometry_visibility_is_open(const struct um_geometry_visibility *visibil
   return visibility->open[surface] != 0;
 }
 
+/* Where on a ray Embree is asked from [lengths of its direction]. */
+static double nearest(const struct um_geometry_visibility *v, const struct um_geometry_ray *ray)
+{
+  if (ray->from_facet == UM_GEOMETRY_NONE) return 0.0;
+  double rise = fabs(um_vec3_dot(v->pose->facet_normal[ray->from_facet], ray->direction));
+  return SKIN * v->size / (rise > SHALLOW ? rise : SHALLOW);
+}
+
 /* Up to eight rays into a packet; the double-precision limit is kept by the filter. */
 static void fill_packet(const struct um_geometry_visibility *v, const struct um_geometry_ray *rays,
                         size_t n, int valid[PACKET], struct RTCRay8 *packet)
@@ -269,7 +285,7 @@ static void fill_packet(const struct um_geometry_visibility *v, const struct um_
     packet->dir_x[i] = (float)ray->direction.x;
     packet->dir_y[i] = (float)ray->direction.y;
     packet->dir_z[i] = (float)ray->direction.z;
-    packet->tnear[i] = 0.0f;
+    packet->tnear[i] = (float)nearest(v, ray);
     packet->tfar[i] = (float)(ray->limit * (1.0 + FLOAT_BLUR) + FLOAT_BLUR * v->size);
     packet->time[i] = 0.0f;
     packet->mask[i] = 0xffffffffu;
