@@ -3,6 +3,7 @@
 
 #include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_data_impl.h"
+#include "thermal/integrator_impl.h"
 #include "thermal/vector_impl.h"
 
 #define NEWTON_SHARE   1e-4

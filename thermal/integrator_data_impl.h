@@ -1,13 +1,13 @@
-/* What an integration holds, and its parts: what CVODES asks of it (integrator_equations.c), where
- * it stops (integrator_stops.c), its making (integrator_create.c) and its words when it fails
- * (integrator_fault.c). Private to integrator*.c. */
+/* What an integration (integrator_impl.h) holds, and its parts: what CVODES asks of it
+ * (integrator_equations.c), where it stops (integrator_stops.c), its making (integrator_create.c)
+ * and its words when it fails (integrator_fault.c). Private to integrator*.c. */
 #ifndef UMBRA_THERMAL_INTEGRATOR_DATA_IMPL_H
 #define UMBRA_THERMAL_INTEGRATOR_DATA_IMPL_H
 
 #include <cvodes/cvodes.h>
 
-#include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
+#include "thermal/system_impl.h"
 
 struct um_thermal_integrator {
   struct um_thermal_system *system; /* borrowed */

@@ -6,6 +6,7 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include "thermal/integrator_data_impl.h"
+#include "thermal/integrator_impl.h"
 
 int um_thermal_integrator_rate(realtype t, N_Vector y, N_Vector rate, void *self)
 {
