@@ -5,7 +5,7 @@
  *
  * It shows in eclipse on blankets that face space; a sunlit blanket hardly feels it. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "effects/mli_impl.h"
 
 static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
                             const char *part, const char *group, struct um_thermal_group_spec *spec,
@@ -13,29 +13,15 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
 {
   (void)spec;
   (void)wall;
-  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
-  if (mli != NULL) {
-    mli->effective_emittance *= use->value[0];
-    if (mli->effective_emittance <= 1.0) return UM_OK;
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect 'mli_emittance': emittance_factor %g makes the effective emittance "
-                        "of '%s.%s' %g; accepted: up to 1",
-                        use->value[0], part, group, mli->effective_emittance);
-  }
-  if (use->target == NULL || strcmp(use->target, part) == 0) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_emittance': '%s.%s' has no MLI", part,
-                      group);
-}
-
-/* A part that is named has MLI somewhere. */
-static enum um_status check(struct um_context *context, const struct um_effect_use *use,
-                            const char *part, struct um_thermal_part_spec *spec)
-{
-  if (use->target == NULL || strcmp(use->target, part) != 0) return UM_OK;
-  for (size_t g = 0; g < spec->ngroup; g++)
-    if (spec->groups[g].mli != NULL) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_emittance': the part '%s' has no MLI",
-                      part);
+  bool acts;
+  UM_TRY(um_effects_mli_acts(context, use, part, group, mli, &acts));
+  if (!acts) return UM_OK;
+  mli->effective_emittance *= use->value[0];
+  if (mli->effective_emittance <= 1.0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect 'mli_emittance': emittance_factor %g makes the effective emittance "
+                      "of '%s.%s' %g; accepted: up to 1",
+                      use->value[0], part, group, mli->effective_emittance);
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -65,5 +51,5 @@ const struct um_effect um_effects_mli_emittance = {
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,
-    .hooks = {.group = scale, .part = check},
+    .hooks = {.group = scale, .part = um_effects_mli_check},
 };

@@ -5,7 +5,7 @@
  * u the conductance of all seams over the blanket's area: length of seam per area times conductance
  * per length of seam. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "effects/mli_impl.h"
 
 static enum um_status add(struct um_context *context, const struct um_effect_use *use,
                           const char *part, const char *group, struct um_thermal_group_spec *spec,
@@ -13,23 +13,10 @@ static enum um_status add(struct um_context *context, const struct um_effect_use
 {
   (void)spec;
   (void)wall;
-  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
-  if (mli != NULL) {
-    mli->seam_conductance += use->value[0];
-    return UM_OK;
-  }
-  if (use->target == NULL || strcmp(use->target, part) == 0) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_seams': '%s.%s' has no MLI", part, group);
-}
-
-/* A part that is named has MLI somewhere. */
-static enum um_status check(struct um_context *context, const struct um_effect_use *use,
-                            const char *part, struct um_thermal_part_spec *spec)
-{
-  if (use->target == NULL || strcmp(use->target, part) != 0) return UM_OK;
-  for (size_t g = 0; g < spec->ngroup; g++)
-    if (spec->groups[g].mli != NULL) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_seams': the part '%s' has no MLI", part);
+  bool acts;
+  UM_TRY(um_effects_mli_acts(context, use, part, group, mli, &acts));
+  if (acts) mli->seam_conductance += use->value[0];
+  return UM_OK;
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -56,5 +43,5 @@ const struct um_effect um_effects_mli_seams = {
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,
-    .hooks = {.group = add, .part = check},
+    .hooks = {.group = add, .part = um_effects_mli_check},
 };

@@ -7,7 +7,7 @@
  * real blanket rises toward the cold, n = -2 (spacers alone) to 0.67 (shields alone). It leaks most
  * in an eclipse, where one e* fitted in sunlight is too small. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "effects/mli_impl.h"
 
 static enum um_status add(struct um_context *context, const struct um_effect_use *use,
                           const char *part, const char *group, struct um_thermal_group_spec *spec,
@@ -15,25 +15,10 @@ static enum um_status add(struct um_context *context, const struct um_effect_use
 {
   (void)spec;
   (void)wall;
-  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
-  if (mli != NULL) {
-    mli->exponent += use->value[0];
-    return UM_OK;
-  }
-  if (use->target == NULL || strcmp(use->target, part) == 0) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "effect 'mli_temperature_law': '%s.%s' has no MLI",
-                      part, group);
-}
-
-/* A part that is named has MLI somewhere. */
-static enum um_status check(struct um_context *context, const struct um_effect_use *use,
-                            const char *part, struct um_thermal_part_spec *spec)
-{
-  if (use->target == NULL || strcmp(use->target, part) != 0) return UM_OK;
-  for (size_t g = 0; g < spec->ngroup; g++)
-    if (spec->groups[g].mli != NULL) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "effect 'mli_temperature_law': the part '%s' has no MLI", part);
+  bool acts;
+  UM_TRY(um_effects_mli_acts(context, use, part, group, mli, &acts));
+  if (acts) mli->exponent += use->value[0];
+  return UM_OK;
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -59,5 +44,5 @@ const struct um_effect um_effects_mli_temperature_law = {
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     .parameters = parameters,
     .nparameter = 1,
-    .hooks = {.group = add, .part = check},
+    .hooks = {.group = add, .part = um_effects_mli_check},
 };
