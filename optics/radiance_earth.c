@@ -21,7 +21,7 @@ void um_optics_instant_earth(const struct um_environment *environment,
   now->observer_nadir = um_vec3_dot(now->observer_body, now->nadir_body);
   now->observer_sun = um_vec3_dot(now->observer_body, now->sun_body);
   now->nadir_sun = um_vec3_dot(now->nadir_body, now->sun_body);
-  if (now->earth_varies) {
+  if (now->earth_varies && now->earthshine > 0.0) {
     struct um_environment uniform = *environment;
     struct um_environment_globe globe = {sample->t_tai, sample->pole, sample->greenwich};
     struct um_environment_earth_flux varied, white;

@@ -90,7 +90,7 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
                           const struct um_optics_work *work, struct um_optics_sight *sight);
 
 /* Where the Earth stands at an instant, and how bright it is, for lobes that look at it. Where it
- * varies it has the albedo of what lights a plate that faces it. */
+ * varies it has the albedo of what lights a plate that faces it, found where earthshine is on. */
 void um_optics_instant_earth(const struct um_environment *environment,
                              const struct um_environment_sample *sample,
                              struct um_optics_instant *now);
