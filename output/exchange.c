@@ -83,10 +83,12 @@ static enum um_status write_couplings(struct um_context *context, const struct u
 {
   FILE *file = NULL;
   UM_TRY(um_core_folder_open(context, folder, "couplings.csv", &file));
-  fprintf(file, "# total exchange areas [m2] between patches, emittances and all reflections "
-                "included: sigma times it times (T_from^4 - T_to^4) flows; patches are those of "
-                "outside.csv, then those of inside-*.csv\n"
-                "pose,from,to,exchange_area_m2,from_place,to_place\n");
+  fprintf(file,
+          "# total exchange areas [m2] between patches, emittances (of records: at 300 K) and "
+          "all reflections included: sigma times it times (T_from^4 - T_to^4) flows; patches are "
+          "those of "
+          "outside.csv, then those of inside-*.csv\n"
+          "pose,from,to,exchange_area_m2,from_place,to_place\n");
   for (size_t k = 0; k < table->npose; k++)
     for (size_t p = 0; p < table->patches->npatch; p++)
       if (k == 0 || p < table->noutside) put_row(model, table, exchange, k, p, file);
