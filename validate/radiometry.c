@@ -6,9 +6,9 @@
 
 #include "core/constants.h"
 #include "core/planck.h"
+#include "environment/airmass.h"
 #include "environment/environment.h"
 #include "instrument/photometry.h"
-#include "environment/airmass.h"
 #include "validate/cases_impl.h"
 
 #define PLANCK "Planck's law"
