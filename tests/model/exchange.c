@@ -8,6 +8,7 @@
 #include "model/thermal_solution.h"
 #include "model/thermal_solution_impl.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 #include "thermal/exchange_impl.h"
 
 #define ELBOW UMBRA_SOURCE_DIR "/tests/scenarios/data/elbow"
@@ -16,8 +17,6 @@
   do {                                                                                             \
     if ((call) != UM_OK) fail_msg("%s", um_core_message(context));                                 \
   } while (0)
-
-static struct um_context *context;
 
 struct run {
   struct um_model *model;
@@ -104,24 +103,11 @@ static void periodic_start(void **state)
   release(&run);
 }
 
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(stated_start),
       cmocka_unit_test(periodic_start),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

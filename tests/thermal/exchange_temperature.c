@@ -348,19 +348,6 @@ static void renewal(void **state)
   room_close(&r);
 }
 
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -368,5 +355,5 @@ int main(void)
       cmocka_unit_test(isothermal_room),  cmocka_unit_test(aged_walls),
       cmocka_unit_test(earth_infrared),   cmocka_unit_test(renewal),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -11,6 +11,7 @@
 
 #include "core/constants.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 #include "thermal/solve.h"
 
 #define OK(call)                                                                                   \
@@ -18,7 +19,6 @@
     if ((call) != UM_OK) fail_msg("%s", um_core_message(context));                                 \
   } while (0)
 
-static struct um_context *context;
 static const struct um_geometry_skin two_sided = {NULL, "in", "out"};
 
 struct room {
