@@ -7,17 +7,14 @@
  *
  *   s_pq = (d_p a_pq + d_q a_qp) / (d_p + d_q).
  *
- * Points go with directions as points of facets go with points of the Sun's disc (points.c): a
- * four-dimensional sequence of low discrepancy; the disc is lifted to the hemisphere (Malley),
- * which makes the cosine. */
+ * (view_factor_rays.c says where rays go.) */
 #include "geometry/view_factors.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/sampling.h"
 #include "core/sort.h"
-#include "geometry/points_impl.h"
+#include "geometry/view_factor_rays_impl.h"
 #include "geometry/view_factors_impl.h"
 
 #define BATCH   ((size_t)1 << 17) /* rays whose ends are kept at a time */
@@ -25,7 +22,6 @@
 #define FEWEST  4                 /* rays of one surface */
 #define SPACE   UINT32_MAX
 #define ITSELF  (UINT32_MAX - 1) /* the inside of a closed part: it comes back */
-#define KEY_RAY UINT64_C(0x76696577)
 #define NO_RAYS "view factors by %zu rays of each patch; accepted: 1 or more"
 
 /* Entries in rows as they are found. */
@@ -42,9 +38,8 @@ struct trace {
   const struct um_geometry_pose *pose;
   const struct um_geometry_visibility *visibility;
   const struct um_geometry_patches *patches;
-  bool closed;       /* nothing goes to space */
-  size_t *count;     /* [nmember] rays of each member of the patches */
-  size_t *before;    /* [nmember] rays of members of its patch before it */
+  bool closed; /* nothing goes to space */
+  struct um_geometry_ray_counts rays;
   size_t *first;     /* [nmember] place of its first ray among those of its batch */
   uint32_t *end;     /* [BATCH or more] patch, SPACE or ITSELF */
   double *sum;       /* [npatch] areas of the row being made [m^2] */
@@ -69,58 +64,29 @@ static uint32_t end_of(const struct trace *t, const struct um_geometry_hit *hit)
   return patch == UM_GEOMETRY_NONE ? out : patch; /* grazed within the rounding of a plane */
 }
 
-/* Rays of member i; those of a patch go on from member to member along one sequence. */
+/* Where the rays of member i end. */
 static void trace_member(const struct trace *t, size_t i)
 {
-  uint32_t surface = t->patches->surface[i], *end = t->end + t->first[i];
-  size_t count = t->count[i];
-  uint64_t key = um_core_hash(KEY_RAY, t->patches->patch[surface]), start = key >> 16;
+  uint32_t *end = t->end + t->first[i];
+  size_t count = t->rays.count[i];
   struct um_geometry_ray ray[BUNDLE];
   struct um_geometry_hit hit[BUNDLE];
-  uint32_t facet = t->mesh->surface[surface].facet;
-  struct um_vec3 across, along, normal = um_geometry_surface_normal(t->mesh, t->pose, surface);
-  um_core_vec3_frame(normal, &across, &along);
-  const uint32_t *c = t->mesh->corner[facet];
-  struct um_vec3 corner = t->pose->vertex[c[0]];
-  struct um_vec3 ab = um_vec3_sub(t->pose->vertex[c[1]], corner);
-  struct um_vec3 ac = um_vec3_sub(t->pose->vertex[c[2]], corner);
   for (size_t begin = 0; begin < count; begin += BUNDLE) {
     size_t n = count - begin < BUNDLE ? count - begin : BUNDLE;
-    for (size_t k = 0; k < n; k++) {
-      double u[2], w[3], xy[2];
-      um_core_sample_2d(key, t->before[i] + begin + k, u);
-      um_core_sample_triangle(u, w);
-      um_geometry_points_second(start + t->before[i] + begin + k, u);
-      um_core_sample_disc(u, xy);
-      /* from a corner, so that points of a facet lie in its plane to the last place */
-      struct um_vec3 origin = um_vec3_axpy(um_vec3_axpy(corner, w[1], ab), w[2], ac);
-      double z = sqrt(fmax(0.0, 1.0 - xy[0] * xy[0] - xy[1] * xy[1]));
-      struct um_vec3 d = um_vec3_axpy(um_vec3_scale(across, xy[0]), xy[1], along);
-      ray[k] = (struct um_geometry_ray){origin, um_vec3_axpy(d, z, normal), INFINITY, facet};
-    }
+    um_geometry_view_factor_rays(t->mesh, t->pose, t->patches, &t->rays, i, begin, n, ray);
     um_geometry_visibility_closest(t->visibility, ray, n, hit);
     for (size_t k = 0; k < n; k++) end[begin + k] = end_of(t, &hit[k]);
   }
 }
 
-/* Rays of every member of the patches: in all of a patch `rays` or a little more. */
 static enum um_status count_rays(struct trace *t, size_t rays)
 {
-  const struct um_geometry_patches *patches = t->patches;
-  size_t nmember = patches->begin[patches->npatch], most = BATCH;
-  UM_TRY(um_core_allocate(t->context, nmember, sizeof *t->count, &t->count));
-  UM_TRY(um_core_allocate(t->context, nmember, sizeof *t->before, &t->before));
+  size_t nmember = t->patches->begin[t->patches->npatch];
+  UM_TRY(um_geometry_ray_counts_create(t->context, t->mesh, t->patches, rays, FEWEST, &t->rays));
+  t->out->rays = t->rays.all;
   UM_TRY(um_core_allocate(t->context, nmember, sizeof *t->first, &t->first));
-  for (size_t p = 0; p < patches->npatch; p++)
-    for (size_t i = patches->begin[p]; i < patches->begin[p + 1]; i++) {
-      double area = t->mesh->area[t->mesh->surface[patches->surface[i]].facet];
-      double share = ceil((double)rays * area / patches->area[p] * (1.0 - 1e-12));
-      t->count[i] = (size_t)fmax(share, fmin((double)rays, FEWEST));
-      if (i > patches->begin[p]) t->before[i] = t->before[i - 1] + t->count[i - 1];
-      t->out->rays += t->count[i];
-      if (t->count[i] > most) most = t->count[i];
-    }
-  return um_core_allocate(t->context, most, sizeof *t->end, &t->end);
+  return um_core_allocate(t->context, t->rays.most > BATCH ? t->rays.most : BATCH, sizeof *t->end,
+                          &t->end);
 }
 
 static void add(struct trace *t, uint32_t patch, double area)
@@ -161,9 +127,9 @@ static enum um_status row_end(struct trace *t, size_t p)
 static void member_add(struct trace *t, size_t p, size_t i)
 {
   double area = t->mesh->area[t->mesh->surface[t->patches->surface[i]].facet];
-  double each = area / (double)t->count[i];
+  double each = area / (double)t->rays.count[i];
   const uint32_t *end = t->end + t->first[i];
-  for (size_t k = 0; k < t->count[i]; k++) {
+  for (size_t k = 0; k < t->rays.count[i]; k++) {
     if (end[k] == SPACE)
       t->out->space[p] += each;
     else
@@ -194,9 +160,9 @@ static enum um_status trace_rows(struct trace *t)
   UM_TRY(um_core_allocate(t->context, npatch, sizeof *t->touched, &t->touched));
   for (size_t from = 0, to = 0; from < nmember; from = to) {
     size_t rays = 0;
-    for (to = from; to < nmember && (to == from || rays + t->count[to] <= BATCH); to++) {
+    for (to = from; to < nmember && (to == from || rays + t->rays.count[to] <= BATCH); to++) {
       t->first[to] = rays;
-      rays += t->count[to];
+      rays += t->rays.count[to];
     }
     UM_TRY(batch_run(t, from, to, &patch));
   }
@@ -237,7 +203,7 @@ static enum um_status pool(struct trace *t, const struct rows *b, double cutoff)
   for (size_t p = 0; p < n; p++) {
     density[p] = 0.0;
     for (size_t i = t->patches->begin[p]; i < t->patches->begin[p + 1]; i++)
-      density[p] += (double)t->count[i] / area[p];
+      density[p] += (double)t->rays.count[i] / area[p];
   }
   size_t at = 0;
   for (size_t p = 0; p < n; p++) {
@@ -303,8 +269,7 @@ done:
   um_core_progress_end(context);
   rows_free(context, &t.rows);
   rows_free(context, &columns);
-  um_core_free(context, t.count);
-  um_core_free(context, t.before);
+  um_geometry_ray_counts_clear(context, &t.rays);
   um_core_free(context, t.first);
   um_core_free(context, t.end);
   um_core_free(context, t.sum);
