@@ -138,6 +138,15 @@ double um_materials_emittance(const struct um_materials_record *record,
 double um_materials_normal_emittance(const struct um_materials_record *record,
                                      const struct um_materials_adjustment *adjustment,
                                      double temperature);
+/* Shares of what a record reflects that go in a lobe narrow enough (Beckmann alpha below 0.1, see
+ * mirror.c) to be taken as a mirror's where surfaces exchange heat; 0 for others. Adjustments do
+ * not change them: they act on absorptance and emittance, which leave the rest to be shared. Test:
+ * materials/mirror. */
+struct um_materials_mirror {
+  double solar;    /* of reflected sunlight [1] */
+  double infrared; /* of reflected infrared [1] */
+};
+struct um_materials_mirror um_materials_mirror(const struct um_materials_record *record);
 /* Catalogue values that the record quotes, NaN where none: value and its stated uncertainty. */
 struct um_materials_catalogue {
   double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance;

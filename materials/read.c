@@ -162,6 +162,7 @@ static enum um_status read_input(struct um_context *context, const struct um_mat
   else
     UM_TRY(um_materials_substrate_read(context, in, record));
   um_materials_integrals_build(sun, record);
+  um_materials_mirror_build(sun, record);
   compare_catalogue(context, sun, record);
   return UM_OK;
 }

@@ -66,6 +66,7 @@ struct um_materials_record {
   double solar_absorptance;                                         /* normal incidence */
   double absorptance[UM_MATERIALS_INCIDENCES], diffuse_absorptance; /* by angle; from all sides */
   double emittance[UM_MATERIALS_TEMPERATURES], normal_emittance[UM_MATERIALS_TEMPERATURES];
+  struct um_materials_mirror mirror;
 };
 
 /* Reflectance R [1] of the surface at a wavelength [m] and cosine, split into what is scattered
@@ -107,6 +108,10 @@ double um_materials_albedo(const struct um_materials_record *record,
 /* Fill solar_absorptance and the emittance tables from the optics. */
 void um_materials_integrals_build(const struct um_materials_sun *sun,
                                   struct um_materials_record *record);
+
+/* Fill mirror from the optics. */
+void um_materials_mirror_build(const struct um_materials_sun *sun,
+                               struct um_materials_record *record);
 
 /* Read one file into a new record; the caller destroys. */
 enum um_status um_materials_record_read(struct um_context *context,
