@@ -57,7 +57,8 @@ static bool sees_mirror(const struct trace *t, const struct um_geometry_view_fac
 static void closest(const struct trace *t, size_t n)
 {
   long bundles = (long)((n + BUNDLE - 1) / BUNDLE);
-#pragma omp parallel for schedule(dynamic, 4) num_threads(um_core_context_threads(t->context))
+#pragma omp parallel for schedule(dynamic, 4)                                                      \
+    num_threads(um_core_context_threads(t->context)) if (bundles > 8)
   for (long b = 0; b < bundles; b++) {
     size_t from = (size_t)b * BUNDLE, many = n - from < BUNDLE ? n - from : BUNDLE;
     if (!um_core_stopped(t->context))

@@ -276,6 +276,39 @@ static enum um_status fill(struct lattice *l, size_t limit,
   return um_geometry_view_factor_keep(l->context, "outside", options, &set);
 }
 
+static enum um_status mirrors_copy(struct um_context *context,
+                                   const struct um_geometry_mirrors *from,
+                                   struct um_geometry_mirrors **out)
+{
+  UM_TRY(um_geometry_mirrors_create(context, from->nsurface, out));
+  (*out)->nclass = from->nclass;
+  memcpy((*out)->of, from->of, from->nsurface * sizeof *from->of);
+  return UM_OK;
+}
+
+/* Paths by way of mirrors, in every pose. */
+static enum um_status fill_mirrored(struct lattice *l,
+                                    const struct um_geometry_view_factor_options *options)
+{
+  struct um_geometry_view_factor_table *table = l->table;
+  const struct um_geometry_mirrors *mirrors = options->mirrors;
+  bool any = false;
+  for (size_t p = 0; p < table->patches->npatch && !any; p++)
+    any = um_geometry_mirrors_patch(mirrors, table->patches, p) != UM_GEOMETRY_NO_MIRROR;
+  if (!any) return UM_OK;
+  UM_TRY(um_core_allocate(l->context, l->npose, sizeof(void *), (void *)&table->mirrored));
+  for (size_t k = 0; k < l->npose; k++) {
+    struct scene scene;
+    UM_TRY(scene_create(l, k, &scene));
+    enum um_status status = um_geometry_mirror_paths_create(
+        l->context, um_geometry_mesh(l->geometry), scene.pose, scene.visibility, table->patches,
+        table->pose[k], mirrors, options, &table->mirrored[k]);
+    scene_destroy(l, &scene);
+    UM_TRY(status);
+  }
+  return mirrors_copy(l->context, mirrors, &table->mirrors);
+}
+
 enum um_status
 um_geometry_view_factor_table_create(struct um_context *context, const struct um_geometry *geometry,
                                      const double *angles, size_t ntime, size_t limit,
@@ -293,6 +326,7 @@ um_geometry_view_factor_table_create(struct um_context *context, const struct um
   UM_CHECK(find_moving(&l));
   UM_CHECK(place_all(&l));
   UM_CHECK(fill(&l, limit, options));
+  if (options->mirrors != NULL) UM_CHECK(fill_mirrored(&l, options));
   l.table->nsurface = l.table->patches->nsurface;
   l.table->noutside = l.table->patches->npatch;
   *out = l.table;
@@ -330,6 +364,10 @@ void um_geometry_view_factor_table_destroy(struct um_context *context,
     um_geometry_view_factors_destroy(context, &t->room[k].factors);
   um_core_free(context, t->room);
   um_geometry_patches_destroy(context, &t->patches);
+  for (size_t k = 0; k < t->npose && t->mirrored != NULL; k++)
+    um_geometry_mirror_paths_destroy(context, &t->mirrored[k]);
+  um_core_free(context, (void *)t->mirrored);
+  um_geometry_mirrors_destroy(context, &t->mirrors);
   um_core_free(context, (void *)t->pose);
   um_core_free(context, t->corner);
   um_core_free(context, t->weight);

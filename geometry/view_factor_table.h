@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "geometry/view_factors.h"
+#include "geometry/mirror_paths.h"
 
 /* The inside of a closed part, the same in every pose. */
 struct um_geometry_room {
@@ -26,6 +26,9 @@ struct um_geometry_view_factor_table {
   uint32_t *corner; /* [ntime][ncorner] pose */
   double *weight;   /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used */
   double step;      /* between poses [rad]; 0: nothing moves */
+  struct um_geometry_mirrors *mirrors;        /* of the options, a copy; NULL: none, or none that
+                                                 another patch sees */
+  struct um_geometry_mirror_paths **mirrored; /* [npose] NULL where a pose has none; NULL: none */
   struct um_geometry_view_factor_key key;
   double interpolation; /* estimate of the largest error of a view factor between poses [1] */
 };
@@ -34,7 +37,8 @@ struct um_geometry_view_factor_table {
  * NULL with ntime 1 where there is no joint. Poses stand 15 deg apart, or so much farther that
  * there are at most 64; those that some time needs are traced. Between them exchange areas are
  * linear in the angle of each joint (in a simplex of the lattice where several move), so that they
- * stay closed and reciprocal; the error is judged by second differences. limit: of patches, see
+ * stay closed and reciprocal; the error is judged by second differences. Where the options name
+ * mirrors, their paths are traced in every pose. limit: of patches, see
  * um_geometry_patches_create. Progress is reported. The caller destroys. Test:
  * geometry/view_factor_table. */
 enum um_status

@@ -12,6 +12,8 @@
 #include "geometry/patches.h"
 #include "geometry/visibility.h"
 
+struct um_geometry_mirrors;
+
 struct um_geometry_view_factor_options {
   size_t rays;        /* from each patch, shared among its surfaces by area */
   double cutoff;      /* pairs with both view factors below are left out [1] */
@@ -19,6 +21,8 @@ struct um_geometry_view_factor_options {
   bool closed;        /* nothing has a way out: a ray that slips through an edge comes back */
   const char *cache;  /* folder of those made before (view_factor_file.h); NULL: none */
   const char *import; /* folder of those to take instead; NULL: none */
+  const struct um_geometry_mirrors *mirrors; /* surfaces of the outside whose mirrored paths a table
+                                                is to have too, borrowed; NULL: none */
 };
 /* rays 4096, cutoff 1e-5. */
 void um_geometry_view_factor_defaults(struct um_geometry_view_factor_options *options);
