@@ -8,7 +8,15 @@
 #include "thermal/exchange_maker_impl.h"
 #include "thermal/network_impl.h"
 #include "thermal/surface_aging_impl.h"
-#include "thermal/surface_reflectance_impl.h"
+
+static enum um_status mirrored_check(const struct um_thermal_exchange_maker *m)
+{
+  if (m->mirrored == NULL || (m->loads != NULL && m->loads->ntime == m->mirrored->ntime))
+    return UM_OK;
+  return um_core_fail(m->context, UM_ERR_INPUT,
+                      "mirrored sunlight at %zu times for loads at %zu; accepted: as many",
+                      m->mirrored->ntime, m->loads != NULL ? m->loads->ntime : 0);
+}
 
 static enum um_status sizes_check(const struct um_thermal_exchange_maker *m)
 {
@@ -77,93 +85,23 @@ static enum um_status take_optics(struct um_thermal_exchange_maker *m)
   return UM_OK;
 }
 
-/* Weight of a pose at a row of the loads. */
-static double weight_of(const struct um_thermal_exchange *x, size_t row, size_t pose)
-{
-  double sum = 0.0;
-  size_t at = x->ntime > 1 ? row * x->ncorner : 0;
-  for (size_t c = 0; c < x->ncorner; c++)
-    if (x->corner[at + c] == pose) sum += x->weight[at + c];
-  return sum;
-}
-
-/* The loads that are reflected. */
-enum load { SUN, ALBEDO, PLANET };
-
-/* What surface s reflects of a load at a row, per area. */
-static double reflected_of(const struct um_thermal_exchange_maker *m, enum load load, size_t row,
-                           size_t s)
-{
-  const struct um_irradiation_loads *loads = m->loads;
-  size_t at = row * loads->nsurface + s;
-  struct um_thermal_reflectances r =
-      um_thermal_surface_reflectances(m->network, loads, m->aging, row, s);
-  if (load == SUN) return r.sun * (double)loads->sun[at];
-  return load == ALBEDO ? r.albedo * (double)loads->albedo[at]
-                        : r.planet * (double)loads->planet[at];
-}
-
-/* out[row] += w A^-1 B r E of one load, r E its mean over each patch. scratch [npatch]. */
-static void reflect_row(const struct um_thermal_exchange_maker *m, size_t row, double weight,
-                        enum load load, double *scratch, double *out)
-{
-  const struct um_geometry_patches *patches = m->table->patches;
-  size_t n = m->table->noutside, stride = patches->npatch;
-  bool any = false;
-  for (size_t p = 0; p < n; p++) {
-    double sum = 0.0;
-    for (size_t i = patches->begin[p]; i < patches->begin[p + 1]; i++) {
-      uint32_t s = patches->surface[i];
-      if (s < m->network->nsurface && m->network->attached[s])
-        sum += m->network->surface[s].area * reflected_of(m, load, row, s);
-    }
-    scratch[p] = sum / patches->area[p];
-    any = any || scratch[p] != 0.0;
-  }
-  for (size_t p = 0; any && p < n; p++) {
-    const double *b = m->b + p * n;
-    double sum = 0.0;
-    for (size_t q = 0; q < n; q++) sum += b[q] * scratch[q];
-    out[row * stride + p] += weight * sum / patches->area[p];
-  }
-}
-
-/* What the pose in hand adds to the reflected load of all rows. */
-static enum um_status reflect(struct um_thermal_exchange_maker *m, size_t pose, enum load load,
-                              double *out)
-{
-  double *scratch = NULL;
-  size_t n = m->out->npatch;
-  int threads = um_core_context_threads(m->context);
-  UM_TRY(um_core_allocate(m->context, m->loads->ntime * n, sizeof *scratch, &scratch));
-  long ntime = (long)m->loads->ntime;
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (long k = 0; k < ntime; k++) {
-    size_t row = (size_t)k;
-    double weight = weight_of(m->out, row, pose);
-    if (weight != 0.0) reflect_row(m, row, weight, load, scratch + row * n, out);
-  }
-  um_core_free(m->context, scratch);
-  return um_core_stop_check(m->context, "reflected loads were added up");
-}
-
 /* After make_infrared of that pose: where the Earth's infrared meets the same numbers B stands. */
 static enum um_status make_planet(struct um_thermal_exchange_maker *m, size_t pose)
 {
   size_t n = m->table->noutside;
   if (n > 0 && memcmp(m->planet, m->emittance, n * sizeof *m->planet) != 0)
-    UM_TRY(um_thermal_exchange_make_reflections(m, m->table->pose[pose], 0, m->planet));
+    UM_TRY(um_thermal_exchange_make_pose(m, pose, m->planet, m->lobe_infrared));
   else /* keep_between took what it is made of */
     m->n = n;
-  return reflect(m, pose, PLANET, m->out->reflected.planet);
+  return um_thermal_exchange_reflect(m, pose, UM_THERMAL_PLANET, m->out->reflected.planet);
 }
 
 static enum um_status make_solar(struct um_thermal_exchange_maker *m, size_t pose)
 {
   struct um_thermal_exchange *x = m->out;
-  UM_TRY(um_thermal_exchange_make_reflections(m, m->table->pose[pose], 0, m->absorptance));
-  UM_TRY(reflect(m, pose, SUN, x->reflected.sun));
-  return reflect(m, pose, ALBEDO, x->reflected.albedo);
+  UM_TRY(um_thermal_exchange_make_pose(m, pose, m->absorptance, m->lobe_solar));
+  UM_TRY(um_thermal_exchange_reflect(m, pose, UM_THERMAL_SUN, x->reflected.sun));
+  return um_thermal_exchange_reflect(m, pose, UM_THERMAL_ALBEDO, x->reflected.albedo);
 }
 
 static enum um_status make(struct um_thermal_exchange_maker *m,
@@ -179,6 +117,11 @@ static enum um_status make(struct um_thermal_exchange_maker *m,
         copy(m->context, options->like->arriving, x->nsurface, sizeof *x->arriving, &x->arriving));
   m->arriving = x->arriving;
   UM_TRY(um_core_allocate(m->context, x->nsurface, sizeof *x->emittance, &x->emittance));
+  if (options->infrared && m->lobe_infrared != NULL) {
+    UM_TRY(
+        copy(m->context, m->lobe_infrared, m->table->mirrors->nclass, sizeof *x->lobe, &x->lobe));
+    m->lobe_infrared = x->lobe;
+  }
   UM_TRY(um_thermal_exchange_maker_create(m));
   UM_TRY(take_optics(m));
   struct um_thermal_reflected *r = &x->reflected;
@@ -213,10 +156,16 @@ enum um_status um_thermal_exchange_create(struct um_context *context,
                                         .loads = loads,
                                         .table = table,
                                         .aging = options->aging};
+  if (options->lobes != NULL && table->mirrors != NULL) {
+    m.lobe_solar = options->lobes->solar;
+    m.lobe_infrared = options->lobes->infrared;
+    m.mirrored = options->mirrored;
+  }
   *out = NULL;
   if (table->patches->npatch == 0 || !(options->infrared || (options->solar && loads != NULL)))
     return UM_OK;
   UM_TRY(sizes_check(&m));
+  UM_TRY(mirrored_check(&m));
   UM_CHECK(um_core_allocate(context, 1, sizeof *m.out, &m.out));
   UM_CHECK(make(&m, options));
   *out = m.out;
@@ -238,6 +187,7 @@ void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_e
   um_core_free(context, x->between);
   um_core_free(context, x->strong);
   um_core_free(context, x->arriving);
+  um_core_free(context, x->lobe);
   um_core_free(context, x->emittance);
   um_core_free(context, x->t);
   um_core_free(context, x->corner);

@@ -14,18 +14,32 @@
  * of it and reflected is taken with one number a patch, as the network states it or, once
  * temperatures are known, at the temperature of what arrives (um_thermal_exchange_renew). The
  * Earth's infrared is absorbed and reflected with what laws say of its spectrum. A patch emits with
- * the mean of T^4 over its area and receives evenly. (A specular share would add exchange areas of
- * mirrored paths to S.) */
+ * the mean of T^4 over its area and receives evenly.
+ *
+ * Mirrors reflect rho_s of what falls in along the mirrored ray and the rest, 1 - rho_s less what
+ * they absorb, evenly. Exchange areas of mirrored paths S' (geometry/mirror_paths.h), whose rows
+ * add up to (1 - rho_s) A, stand in place of S, (1 - rho_s) A of A, eps / (1 - rho_s) of eps: the
+ * equations above for J / (1 - rho_s). The two bands have rho_s of their own. E then is all that
+ * falls in before it is scattered: loads by way of mirrors too. Of sunlight that is the share of
+ * each mirrored ray that arrives (irradiation/mirrored.h); of the Earth, what a patch's own rays
+ * see of it behind mirrors. */
 #ifndef UMBRA_THERMAL_EXCHANGE_H
 #define UMBRA_THERMAL_EXCHANGE_H
 
 #include "geometry/view_factor_table.h"
-#include "irradiation/loads.h"
+#include "irradiation/mirrored.h"
 #include "thermal/network.h"
 
 struct um_thermal_exchange;
 
 struct um_thermal_aging;
+
+/* What mirrors of a table do, by class: the share of what they reflect that goes on as from a
+ * mirror [1], the rest is scattered. A class has one mirror's reflectance, its share of what its
+ * patches reflect in the mean, and no more than the patch that reflects least. */
+struct um_thermal_lobes {
+  const double *solar, *infrared; /* [table->mirrors->nclass] */
+};
 
 struct um_thermal_exchange_options {
   bool infrared; /* emission between surfaces, and infrared of the Earth that they reflect */
@@ -34,6 +48,9 @@ struct um_thermal_exchange_options {
    * or more, is taken at its first row, what they reflect first of a load at the row of that load.
    */
   const struct um_thermal_aging *aging;
+  const struct um_thermal_lobes *lobes;           /* borrowed, NULL: all reflection is diffuse */
+  const struct um_irradiation_mirrored *mirrored; /* of the same loads, patches and mirrors,
+                                                     borrowed; NULL: loads are scattered first */
   const struct um_thermal_exchange *like; /* take the temperatures of the last renewal from there,
                                              borrowed, same patches; NULL: optics as stated */
 };

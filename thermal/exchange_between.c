@@ -41,26 +41,17 @@ enum um_status um_thermal_exchange_maker_create(struct um_thermal_exchange_maker
   size_t n = m->out->npatch, largest = m->table->noutside; /* of the outside, or of a room */
   for (size_t k = 0; k < m->table->nroom; k++)
     if (m->table->room[k].factors->npatch > largest) largest = m->table->room[k].factors->npatch;
-  UM_TRY(um_core_allocate(m->context, n, sizeof(double), &m->emittance));
-  UM_TRY(um_core_allocate(m->context, n, sizeof(double), &m->reflectance));
+  double **const of_patch[5] = {&m->emittance, &m->reflectance, &m->absorbed, &m->mirror, &m->open};
+  for (int k = 0; k < 5; k++) UM_TRY(um_core_allocate(m->context, n, sizeof(double), of_patch[k]));
+  size_t nclass = m->table->mirrors != NULL ? m->table->mirrors->nclass : 0;
+  UM_TRY(um_core_allocate(m->context, nclass, sizeof *m->of_class, &m->of_class));
   return um_core_allocate(m->context, largest * largest, sizeof *m->b, &m->b);
-}
-
-/* B of view factors whose patches stand from `first` on, which are then in hand. */
-enum um_status um_thermal_exchange_make_reflections(struct um_thermal_exchange_maker *m,
-                                                    const struct um_geometry_view_factors *factors,
-                                                    size_t first, const double *absorbed)
-{
-  m->first = first;
-  m->n = factors->npatch;
-  for (size_t p = 0; p < m->n; p++) m->reflectance[p] = 1.0 - absorbed[first + p];
-  return um_thermal_reflections(m->context, factors, m->out->area + first, m->reflectance, m->b);
 }
 
 /* Of patches p and q of those in hand. */
 static double area_between(const struct um_thermal_exchange_maker *m, size_t p, size_t q)
 {
-  return m->b[p * m->n + q] * (m->emittance[m->first + p] * m->emittance[m->first + q]);
+  return m->b[p * m->n + q] * (m->absorbed[p] * m->absorbed[q]);
 }
 
 /* Exchange areas of patch p below which all together are left_out of its emission [m^2]: the
@@ -127,7 +118,7 @@ static enum um_status keep_between(struct um_thermal_exchange_maker *m, double l
 enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_maker *m, size_t pose)
 {
   struct um_thermal_exchange *x = m->out;
-  UM_TRY(um_thermal_exchange_make_reflections(m, m->table->pose[pose], 0, m->emittance));
+  UM_TRY(um_thermal_exchange_make_pose(m, pose, m->emittance, m->lobe_infrared));
   UM_TRY(keep_between(m, LEFT_OUT, &x->between[pose]));
   return keep_between(m, LEFT_OUT_STRONG, &x->strong[pose]);
 }
@@ -151,6 +142,10 @@ void um_thermal_exchange_maker_destroy(struct um_thermal_exchange_maker *m)
   um_core_free(m->context, m->planet);
   um_core_free(m->context, m->absorptance);
   um_core_free(m->context, m->reflectance);
+  um_core_free(m->context, m->absorbed);
+  um_core_free(m->context, m->mirror);
+  um_core_free(m->context, m->of_class);
+  um_core_free(m->context, m->open);
   um_core_free(m->context, m->b);
 }
 
@@ -195,6 +190,7 @@ enum um_status um_thermal_exchange_renew(struct um_context *context,
   UM_CHECK(um_thermal_exchange_arriving(context, exchange, network, temperature, arriving));
   UM_CHECK(um_thermal_exchange_maker_create(&m));
   m.arriving = arriving;
+  m.lobe_infrared = exchange->lobe;
   um_thermal_exchange_take_emittances(&m, of_surface);
   *change = change_of(&m, of_surface);
   if (!(*change > tolerance)) goto done;

@@ -29,6 +29,8 @@ struct um_thermal_exchange {
   double *emittance; /* [nsurface] that `between` is made with; 0 where not attached [1] */
   double *arriving;  /* [nsurface] temperature that these are taken at: of what arrives, where
                         nothing does the surface's own [K]; NULL: they are as stated */
+  double *lobe;      /* [class of the table's mirrors] share of reflected infrared that goes on as
+                        from a mirror [1]; NULL: none */
   struct um_thermal_between *between; /* [npose + 1]: of the outside in each pose, then of all
                                          rooms; NULL: infrared is off */
   struct um_thermal_between *strong;  /* [npose + 1] the larger ones, for Newton's matrix */
@@ -70,7 +72,8 @@ static inline double um_thermal_reflected_at(const struct um_thermal_exchange *e
   return table[row * exchange->npatch + exchange->patch[s]];
 }
 
-/* B of exchange.h [npatch][npatch] for one pose and reflectance [npatch]; reflections.c. */
+/* B of exchange.h [npatch][npatch] for one pose and reflectance [npatch]; reflections.c. area: row
+ * sums of the factors [m^2]. */
 enum um_status um_thermal_reflections(struct um_context *context,
                                       const struct um_geometry_view_factors *factors,
                                       const double *area, const double *reflectance, double *b);

@@ -1,9 +1,9 @@
-/* An exchange while it is made. Private to thermal/exchange.c and exchange_between.c. */
+/* An exchange while it is made. Private to thermal/exchange*.c. */
 #ifndef UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 #define UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 
 #include "geometry/view_factor_table.h"
-#include "irradiation/loads.h"
+#include "irradiation/mirrored.h"
 
 struct um_thermal_aging;
 struct um_thermal_between;
@@ -20,9 +20,17 @@ struct um_thermal_exchange_maker {
   double *emittance;      /* [npatch] for the satellite's own infrared [1] */
   double *planet;         /* [npatch] for the Earth's [1] */
   double *absorptance;    /* [npatch] for sunlight [1] */
-  double *reflectance;    /* [npatch] of the band in hand [1] */
-  double *b;              /* [n][n] of pose, or room, and band in hand [m^2] */
-  size_t first, n;        /* patches in hand */
+  const double *lobe_solar, *lobe_infrared;       /* [class of the table's mirrors] share of what is
+                                                     reflected that mirrors send on; NULL: none */
+  const struct um_irradiation_mirrored *mirrored; /* loads by way of mirrors; NULL: none */
+  /* of the band in hand, mirrors aside: what is absorbed and scattered, as shares of 1 - rho */
+  double *absorbed;    /* [npatch] absorptance or emittance / (1 - rho) [1] */
+  double *reflectance; /* [npatch] 1 - absorbed [1] */
+  double *mirror;      /* [npatch] rho [1] */
+  double *of_class;    /* [class of the table's mirrors] rho [1] */
+  double *open;        /* [npatch] (1 - rho) A [m^2] */
+  double *b;           /* [n][n] of pose, or room, and band in hand [m^2] */
+  size_t first, n;     /* patches in hand */
   struct um_thermal_exchange *out;
 };
 
@@ -31,13 +39,23 @@ enum um_status um_thermal_exchange_maker_create(struct um_thermal_exchange_maker
 void um_thermal_exchange_maker_destroy(struct um_thermal_exchange_maker *m);
 /* Emittances for the satellite's own infrared, of_surface[nsurface] and of patches. */
 void um_thermal_exchange_take_emittances(struct um_thermal_exchange_maker *m, double *of_surface);
-/* B of view factors whose patches stand from `first` on, which are then in hand. */
+/* B of view factors whose patches stand from `first` on, which are then in hand: no mirrors. */
 enum um_status um_thermal_exchange_make_reflections(struct um_thermal_exchange_maker *m,
                                                     const struct um_geometry_view_factors *factors,
                                                     size_t first, const double *absorbed);
+/* B of the outside in a pose, whose patches are then in hand, with mirrors that have these lobes
+ * [class], NULL: none; absorbed [npatch] of what falls in. */
+enum um_status um_thermal_exchange_make_pose(struct um_thermal_exchange_maker *m, size_t pose,
+                                             const double *absorbed, const double *lobe);
 /* Total exchange areas in a pose, whose B is then in hand; of the rooms. */
 enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_maker *m, size_t pose);
 enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker *m);
+/* The loads that are reflected. */
+enum um_thermal_load { UM_THERMAL_SUN, UM_THERMAL_ALBEDO, UM_THERMAL_PLANET };
+/* What the pose in hand adds to that load of all rows, out [ntime][npatch]: what arrives by way of
+ * mirrors and reflections; exchange_reflect.c. */
+enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
+                                           enum um_thermal_load load, double *out);
 void um_thermal_between_clear(struct um_context *context, struct um_thermal_between *between,
                               size_t npose);
 

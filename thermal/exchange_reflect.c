@@ -1,0 +1,188 @@
+/* Loads that patches send on to each other: by way of mirrors M, and scattered, in all orders,
+ *
+ *   H - E = M + A'^-1 B (r_d (E + M)) / (1 - rho),   A' = (1 - rho) A,
+ *
+ * E what falls in from outside, r_d scattered, rho mirrored. What falls in first is scattered and
+ * mirrored by its own reflectance, at its angle and time, in the proportion r_d : rho. */
+#include <math.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "thermal/exchange_impl.h"
+#include "thermal/exchange_maker_impl.h"
+#include "thermal/network_impl.h"
+#include "thermal/surface_reflectance_impl.h"
+
+/* How loads arrive behind mirrors, of the band in hand. */
+struct arrivals {
+  double *set;     /* [sets of mirrored] weights of mirrors met by the Sun [1] */
+  size_t *begin;   /* [noutside + 1] cells of the sky that a patch sees in mirrors */
+  uint32_t *cell;  /* of the body's cube */
+  double *per_sky; /* irradiance per radiance of the cell [sr] */
+};
+
+static void arrivals_free(struct um_context *context, struct arrivals *a)
+{
+  um_core_free(context, a->set);
+  um_core_free(context, a->begin);
+  um_core_free(context, a->cell);
+  um_core_free(context, a->per_sky);
+}
+
+/* Rays of patch p to the sky, those of a cell added up, each with what its mirrors send on. */
+static size_t sky_take(const struct um_thermal_exchange_maker *m,
+                       const struct um_geometry_mirror_paths *paths, const double *weight, size_t p,
+                       size_t at, struct arrivals *a)
+{
+  double unit = UM_PI / m->out->area[p];
+  size_t first = at;
+  for (size_t k = paths->sky_begin[p]; k < paths->sky_begin[p + 1]; k++) {
+    const struct um_geometry_mirror_path *path = &paths->sky[k];
+    if (at == first || a->cell[at - 1] != path->to) {
+      a->cell[at] = path->to;
+      a->per_sky[at++] = 0.0;
+    }
+    a->per_sky[at - 1] += unit * weight[path->sets] * path->area;
+  }
+  return at;
+}
+
+static enum um_status arrivals_make(const struct um_thermal_exchange_maker *m, size_t pose,
+                                    bool of_sun, struct arrivals *a)
+{
+  enum um_status status = UM_OK;
+  const struct um_geometry_mirror_paths *paths = m->table->mirrored[pose];
+  double *weight = NULL;
+  size_t n = m->table->noutside;
+  if (of_sun) {
+    const struct um_geometry_mirror_sets *sets = &m->mirrored->sets;
+    UM_TRY(um_core_allocate(m->context, sets->n, sizeof *a->set, &a->set));
+    for (size_t k = 0; k < sets->n; k++)
+      a->set[k] = um_geometry_mirror_set_weight(&sets->set[k], m->of_class);
+    return UM_OK;
+  }
+  UM_CHECK(um_core_allocate(m->context, n + 1, sizeof *a->begin, &a->begin));
+  if (paths == NULL) return UM_OK;
+  UM_CHECK(um_core_allocate(m->context, paths->sky_begin[n], sizeof *a->cell, &a->cell));
+  UM_CHECK(um_core_allocate(m->context, paths->sky_begin[n], sizeof(double), &a->per_sky));
+  UM_CHECK(um_core_allocate(m->context, paths->sets.n, sizeof *weight, &weight));
+  for (size_t k = 0; k < paths->sets.n; k++)
+    weight[k] = um_geometry_mirror_set_weight(&paths->sets.set[k], m->of_class);
+  for (size_t p = 0; p < n; p++) a->begin[p + 1] = sky_take(m, paths, weight, p, a->begin[p], a);
+done:
+  um_core_free(m->context, weight);
+  return status;
+}
+
+/* Weight of a pose at a row of the loads. */
+static double weight_of(const struct um_thermal_exchange *x, size_t row, size_t pose)
+{
+  double sum = 0.0;
+  size_t at = x->ntime > 1 ? row * x->ncorner : 0;
+  for (size_t c = 0; c < x->ncorner; c++)
+    if (x->corner[at + c] == pose) sum += x->weight[at + c];
+  return sum;
+}
+
+/* What surface s reflects of a load at a row, per area. */
+static double reflected_of(const struct um_thermal_exchange_maker *m, enum um_thermal_load load,
+                           size_t row, size_t s)
+{
+  const struct um_irradiation_loads *loads = m->loads;
+  size_t at = row * loads->nsurface + s;
+  struct um_thermal_reflectances r =
+      um_thermal_surface_reflectances(m->network, loads, m->aging, row, s);
+  if (load == UM_THERMAL_SUN) return r.sun * (double)loads->sun[at];
+  return load == UM_THERMAL_ALBEDO ? r.albedo * (double)loads->albedo[at]
+                                   : r.planet * (double)loads->planet[at];
+}
+
+/* Share of what patch p reflects that goes on as from a mirror. */
+static double mirrored_share(const struct um_thermal_exchange_maker *m, size_t p)
+{
+  double scattered = (1.0 - m->mirror[p]) * (1.0 - m->absorbed[p]);
+  return m->mirror[p] > 0.0 ? m->mirror[p] / (m->mirror[p] + fmax(scattered, 0.0)) : 0.0;
+}
+
+/* arriving[n] by way of mirrors, per area, at a row; reflected[n]: of the Sun, by each patch. */
+static void arrive(const struct um_thermal_exchange_maker *m, const struct arrivals *a, size_t row,
+                   enum um_thermal_load load, const double *reflected, double *arriving)
+{
+  const struct um_irradiation_mirrored *mirrored = m->mirrored;
+  memset(arriving, 0, m->n * sizeof *arriving);
+  if (load == UM_THERMAL_SUN) {
+    const double *area = m->out->area;
+    for (size_t k = mirrored->begin[row]; k < mirrored->begin[row + 1]; k++) {
+      const struct um_irradiation_mirrored_sun *e = &mirrored->sun[k];
+      arriving[e->to] += (double)e->share * a->set[e->sets] * mirrored_share(m, e->from) *
+                         reflected[e->from] * area[e->from] / area[e->to];
+    }
+    return;
+  }
+  const float *sky = (load == UM_THERMAL_ALBEDO ? mirrored->albedo : mirrored->planet) +
+                     row * UM_GEOMETRY_SKY_CELLS;
+  for (size_t p = 0; p < m->n; p++)
+    for (size_t k = a->begin[p]; k < a->begin[p + 1]; k++)
+      arriving[p] += a->per_sky[k] * (double)sky[a->cell[k]];
+}
+
+/* out[row] += w (M + A'^-1 B ...) of one load. reflected, arriving [npatch]: scratch. */
+static void reflect_row(const struct um_thermal_exchange_maker *m, const struct arrivals *a,
+                        size_t row, double weight, enum um_thermal_load load, double *reflected,
+                        double *arriving, double *out)
+{
+  const struct um_geometry_patches *patches = m->table->patches;
+  size_t n = m->table->noutside, stride = patches->npatch;
+  bool any = false;
+  for (size_t p = 0; p < n; p++) {
+    double sum = 0.0;
+    for (size_t i = patches->begin[p]; i < patches->begin[p + 1]; i++) {
+      uint32_t s = patches->surface[i];
+      if (s < m->network->nsurface && m->network->attached[s])
+        sum += m->network->surface[s].area * reflected_of(m, load, row, s);
+    }
+    reflected[p] = sum / patches->area[p];
+    any = any || reflected[p] != 0.0;
+  }
+  if (!any) return; /* then nothing shines on mirrors either */
+  if (a != NULL) arrive(m, a, row, load, reflected, arriving);
+  for (size_t p = 0; p < n; p++) {
+    reflected[p] /= 1.0 - m->mirror[p];
+    if (a == NULL) continue; /* all is scattered */
+    out[row * stride + p] += weight * arriving[p];
+    reflected[p] *= 1.0 - mirrored_share(m, p);
+    reflected[p] += (1.0 - m->absorbed[p]) * arriving[p];
+  }
+  for (size_t p = 0; p < n; p++) {
+    const double *b = m->b + p * n;
+    double sum = 0.0;
+    for (size_t q = 0; q < n; q++) sum += b[q] * reflected[q];
+    out[row * stride + p] += weight * sum / m->open[p];
+  }
+}
+
+enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
+                                           enum um_thermal_load load, double *out)
+{
+  enum um_status status;
+  struct arrivals arrivals = {0};
+  double *scratch = NULL;
+  size_t n = m->out->npatch;
+  int threads = um_core_context_threads(m->context);
+  bool mirrored = m->mirrored != NULL;
+  UM_CHECK(um_core_allocate(m->context, 2 * m->loads->ntime * n, sizeof *scratch, &scratch));
+  if (mirrored) UM_CHECK(arrivals_make(m, pose, load == UM_THERMAL_SUN, &arrivals));
+  long ntime = (long)m->loads->ntime;
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (long k = 0; k < ntime; k++) {
+    size_t row = (size_t)k;
+    double weight = weight_of(m->out, row, pose), *own = scratch + 2 * row * n;
+    if (weight != 0.0)
+      reflect_row(m, mirrored ? &arrivals : NULL, row, weight, load, own, own + n, out);
+  }
+  UM_CHECK(um_core_stop_check(m->context, "reflected loads were added up"));
+done:
+  arrivals_free(m->context, &arrivals);
+  um_core_free(m->context, scratch);
+  return status;
+}
