@@ -5,6 +5,7 @@
 #include "app/terminal.h"
 #include "core/file.h"
 #include "model/build.h"
+#include "model/mirrors.h"
 #include "model/precompute.h"
 #include "model/precomputed.h"
 #include "output/exchange.h"
@@ -33,7 +34,8 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
   struct um_thermal_exchange *exchange = NULL;
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
-  const struct um_thermal_exchange_options infrared = {.infrared = true};
+  struct um_thermal_exchange_options infrared = {.infrared = true};
+  struct um_model_lobes lobes = {0};
   char *out = NULL, *name = NULL;
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_core_asprintf(context, &name, "%s-exchange", model->scenario->name));
@@ -48,6 +50,10 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
     goto done;
   }
   const struct um_geometry_view_factor_table *table = precomputed->view_factors;
+  if (table->mirrors != NULL) {
+    UM_CHECK(um_model_lobes_make(context, model, table->mirrors, &lobes));
+    infrared.lobes = &lobes.lobes;
+  }
   if (model->environment.mutual_radiation_on)
     UM_CHECK(um_thermal_exchange_create(context, model->body->network,
                                         table->ntime == 1 ? NULL : precomputed->loads, table,
@@ -58,6 +64,7 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
   print(options, table, out);
 done:
   um_core_folder_abort(&folder);
+  um_model_lobes_clear(context, &lobes);
   um_thermal_exchange_destroy(context, &exchange);
   um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);

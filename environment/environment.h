@@ -56,6 +56,7 @@ struct um_environment {
   bool earthlight_lobe_on; /* lobes reflect the Earth where they look; or as diffuse surfaces do */
   /* heat between surfaces of the satellite: of their own emission, of sunlight that they reflect */
   bool mutual_radiation_on, solar_reflection_on;
+  bool specular_exchange_on; /* of both, what smooth surfaces reflect goes on as from a mirror */
   /* how surfaces take what comes: at normal incidence for all angles and with the emittance of
    * 300 K, or as their spectra say */
   bool absorptance_by_angle, emittance_by_temperature;

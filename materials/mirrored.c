@@ -1,8 +1,8 @@
 /* What a record mirrors, of what it reflects.
  *
- * A lobe of Beckmann alpha a is 2 atan a wide from its middle to 1/e (D.3): below the limit, 11
- * deg. Patches of a satellite are seen by each other under such angles and more, so what the lobe
- * spreads stays with the patch that a mirror would send it to. Of the reflected
+ * A lobe of Beckmann alpha a is 2 atan a wide from its middle to 1/e (D.3): 11 deg at the limit.
+ * Patches of a satellite see each other under such angles and more, so that what the lobe spreads
+ * mostly stays with the patch that a mirror would send it to. Of the reflected
  *
  *   rho_d + <F>,   <F> = <F E> + <M>,
  *
@@ -10,11 +10,13 @@
  * means over reflected sunlight and over reflected infrared of a black body of 300 K, from all
  * sides: they multiply 1 - absorptance and 1 - emittance, so that what is absorbed, scattered and
  * mirrored adds up to what falls in, whatever changes the absorptance. */
+#include <math.h>
+
 #include "core/planck.h"
 #include "materials/record_impl.h"
 
-#define NARROWEST_SPREAD 0.1   /* Beckmann alpha from which a lobe is no mirror [1] */
-#define INFRARED_OF      300.0 /* [K] */
+#define WIDEST      0.1   /* Beckmann alpha of a lobe that is taken as a mirror [1], at most */
+#define INFRARED_OF 300.0 /* [K] */
 
 /* Reflected and mirrored at a wavelength, added to sums with a weight. */
 static void add(const struct um_materials_record *record, double wavelength, double weight,
@@ -41,7 +43,10 @@ void um_materials_mirror_build(const struct um_materials_sun *sun,
 {
   double reflected = 0.0, mirrored = 0.0, before = 0.0;
   record->mirror = (struct um_materials_mirror){0.0, 0.0};
-  if (!um_materials_has_lobe(record) || !(record->alpha < NARROWEST_SPREAD)) return;
+  if (!um_materials_has_lobe(record)) return;
+  const struct um_materials_lobe *lobe = &record->lobe;
+  if (!(lobe->kind->rough || lobe->kind->delta)) return;
+  if (!(fmax(lobe->alpha, lobe->alpha_across) <= WIDEST)) return;
   if (record->grey) { /* its lobe ends at 2.5 um; its numbers are taken as given */
     const struct um_materials_grey *g = &record->explicit_values;
     record->mirror.solar = share(g->diffuse + g->specular, g->specular);

@@ -1,6 +1,7 @@
 /* How the heat of a model is solved. */
 #include "model/heat_setting_impl.h"
 
+#include "model/mirrors.h"
 #include "model/thermal_equal_impl.h"
 #include "model/tolerances.h"
 #include "thermal/solve.h"
@@ -25,15 +26,20 @@ struct um_thermal_exchange_options um_model_exchange_options(const struct um_mod
                                               .solar = model->environment.solar_reflection_on};
 }
 
+bool um_model_exchange_alike(const struct um_model *a, const struct um_model *b)
+{
+  struct um_thermal_exchange_options x = um_model_exchange_options(a),
+                                     y = um_model_exchange_options(b);
+  return x.infrared == y.infrared && x.solar == y.solar && um_model_mirrors_alike(a, b);
+}
+
 /* Is the radiation between surfaces that of a setting which is at hand? aging: of this model. */
 static bool exchanges_alike(const struct um_model_heat_like *like, const struct um_model *model,
                             const struct um_model_precomputed *precomputed,
                             const struct um_model_aging *aging)
 {
   if (like->setting->options.exchange == NULL) return false;
-  struct um_thermal_exchange_options a = um_model_exchange_options(like->model),
-                                     b = um_model_exchange_options(model);
-  return a.infrared == b.infrared && a.solar == b.solar &&
+  return um_model_exchange_alike(like->model, model) &&
          um_model_aging_equal(like->setting->aging, aging) &&
          um_thermal_network_optics_equal(like->model->body->network, model->body->network) &&
          um_model_view_factors_equal(like->precomputed->view_factors, precomputed->view_factors) &&
@@ -61,10 +67,19 @@ static enum um_status exchange_make(struct um_context *context, const struct um_
   if (precomputed->view_factors == NULL) return UM_OK;
   exchange.aging = out->options.aging;
   exchange.like = like;
-  UM_TRY(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
-                                    precomputed->view_factors, &exchange, &out->exchange));
+  struct um_model_lobes lobes = {0};
+  enum um_status status = UM_OK;
+  if (precomputed->view_factors->mirrors != NULL) {
+    UM_CHECK(um_model_lobes_make(context, model, precomputed->view_factors->mirrors, &lobes));
+    exchange.lobes = &lobes.lobes;
+    exchange.mirrored = precomputed->mirrored;
+  }
+  UM_CHECK(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
+                                      precomputed->view_factors, &exchange, &out->exchange));
   out->options.exchange = out->exchange;
-  return UM_OK;
+done:
+  um_model_lobes_clear(context, &lobes);
+  return status;
 }
 
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,

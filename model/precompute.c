@@ -372,6 +372,7 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_irradiation_loads_destroy(context, &t->ripple);
   um_irradiation_loads_destroy(context, &t->loads);
   um_geometry_view_factor_table_destroy(context, &t->view_factors);
+  um_irradiation_mirrored_destroy(context, &t->mirrored);
   um_optics_view_destroy(context, &t->view);
   um_core_free(context, t);
   *precomputed = NULL;

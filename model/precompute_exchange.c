@@ -8,6 +8,7 @@
 #include "core/constants.h"
 #include "core/file.h"
 #include "geometry/inside.h"
+#include "model/mirrors.h"
 #include "model/words_impl.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
@@ -153,12 +154,16 @@ static enum um_status make_table(struct um_context *context, const struct um_mod
   enum um_status status = UM_OK;
   if (thermal->view_factors != NULL)
     UM_TRY(um_core_path_resolve(context, thermal->at.file, thermal->view_factors, &import));
+  struct um_geometry_mirrors *mirrors = NULL;
   options.import = import;
+  UM_CHECK(um_model_mirrors_create(context, model, &mirrors));
+  options.mirrors = mirrors;
   UM_CHECK(um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
                                                 (size_t)thermal->exchange_patches, &options, out));
   /* whether mutual radiation is on or not: a variant of the model may switch it */
   UM_CHECK(add_rooms(context, model, &options, *out));
 done:
+  um_geometry_mirrors_destroy(context, &mirrors);
   um_core_free(context, import);
   if (status == UM_OK || thermal->view_factors == NULL) return status;
   return um_model_blame(context, &thermal->at, "view_factors", status);

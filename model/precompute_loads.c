@@ -13,6 +13,7 @@
 #include "thermal/ripple.h"
 
 #define GAS_THAT_SHOWS 0.5 /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
+#define MIRROR_POINTS  16  /* on each patch that sends sunlight on; a row in time has points anew */
 #define TURN_SAMPLES   64  /* attitudes of a turn; an error below 3e-4 of the largest load */
 
 /* Heat of the atmosphere that a scenario leaves out though it would show. */
@@ -141,6 +142,23 @@ done:
   return status;
 }
 
+/* Loads by way of mirrors, at the rows of the loads. */
+static enum um_status trace_mirrored(struct um_context *context, const struct um_model *model,
+                                     const struct um_environment_sample *samples,
+                                     struct um_model_precomputed *precomputed)
+{
+  const struct um_geometry_view_factor_table *table = precomputed->view_factors;
+  struct turner turner = {context, model, samples};
+  const struct um_irradiation_turn turn = {
+      .n = TURN_SAMPLES, .period = precomputed->turn_period, .attitude = turned, .self = &turner};
+  const struct um_irradiation_mirrored_options options = {
+      .turn = precomputed->turn_period > 0.0 ? &turn : NULL, .points = MIRROR_POINTS};
+  if (table == NULL || table->mirrors == NULL) return UM_OK;
+  return um_irradiation_mirrored_trace(context, model->geometry, &model->environment, samples,
+                                       precomputed->loads, table->patches, table->mirrors, &options,
+                                       &precomputed->mirrored);
+}
+
 /* Row of what is seen at every observed instant. */
 static enum um_status trace_rows(struct um_context *context,
                                  struct um_model_precomputed *precomputed)
@@ -171,6 +189,7 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
   else
     precomputed->seen = precomputed->loads;
   UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, precomputed));
+  UM_CHECK(trace_mirrored(context, model, samples, precomputed));
   UM_CHECK(trace_rows(context, precomputed));
 done:
   um_core_free(context, samples);

@@ -7,7 +7,7 @@
 
 #include "environment/timeline.h"
 #include "geometry/view_factor_table.h"
-#include "irradiation/loads.h"
+#include "irradiation/mirrored.h"
 #include "optics/optics.h"
 #include "orbit/observer.h"
 
@@ -33,8 +33,9 @@ struct um_model_precomputed {
                                           `loads` are no means */
   struct um_geometry_view_factor_table *view_factors; /* at the times of the loads, or 1 where
                                                          nothing moves; NULL: no heat to follow */
-  struct um_optics_view *view;                        /* [nobs * nsub]; NULL without an observer */
-  struct um_environment_event *event; /* [nevent], eclipse edges from t_start to the end */
+  struct um_irradiation_mirrored *mirrored; /* at the times of the loads; NULL: no mirror */
+  struct um_optics_view *view;              /* [nobs * nsub]; NULL without an observer */
+  struct um_environment_event *event;       /* [nevent], eclipse edges from t_start to the end */
   size_t nevent;
   bool points; /* observations stand alone: one instant and one row of loads each, in their order;
                   the rows are numbered, their t is t_start plus the number [s]; no events; heat is

@@ -192,9 +192,7 @@ static bool exchange_equal(const struct um_model_thermal_solution *heat,
                            const struct um_model *model,
                            const struct um_model_precomputed *precomputed)
 {
-  struct um_thermal_exchange_options a = um_model_exchange_options(heat->model),
-                                     b = um_model_exchange_options(model);
-  return a.infrared == b.infrared && a.solar == b.solar &&
+  return um_model_exchange_alike(heat->model, model) &&
          um_model_view_factors_equal(heat->precomputed->view_factors, precomputed->view_factors);
 }
 

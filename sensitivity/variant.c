@@ -44,7 +44,8 @@ static bool same_light(const struct um_environment *a, const struct um_environme
          a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
          a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
          a->limb_darkening == b->limb_darkening && a->gas_density_factor == b->gas_density_factor &&
-         same_air(a, b) && same_earth(a, b);
+         same_air(a, b) && same_earth(a, b) &&
+         (a->specular_exchange_on || !b->specular_exchange_on); /* paths by mirrors are there */
 }
 
 size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,

@@ -39,6 +39,7 @@ static const struct entry cases[] = {
     {"bulk_temperature", NULL, 0.0, "bus", "a switch"},
     {"mutual_radiation", NULL, 0.0, "bus", "a switch"},
     {"solar_multiple_reflection", NULL, 0.0, "bus", "a switch"},
+    {"specular_exchange", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},

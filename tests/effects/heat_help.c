@@ -25,6 +25,7 @@ static const char *const scenario =
     "effects:\n"
     "  - {effect: mutual_radiation, off: true}\n"
     "  - {effect: solar_multiple_reflection, off: true}\n"
+    "  - {effect: specular_exchange, off: true}\n"
     "  - {effect: shadow_refraction, off: true}\n"
     "  - {effect: earthlight_lobe, off: true}\n"
     "thermal: {relative_tolerance: 1.0e-9, absolute_tolerance_K: 1.0e-7}\n"

@@ -91,7 +91,8 @@ static const struct {
                 {"bulk_temperature", true, false},
                 {"earth_map", true, true},
                 {"mutual_radiation", true, true},
-                {"solar_multiple_reflection", true, true}};
+                {"solar_multiple_reflection", true, true},
+                {"specular_exchange", false, true}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

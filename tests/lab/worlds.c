@@ -56,6 +56,13 @@ static const struct lab_world worlds[] = {
     SPECTRAL("earthlight_lobe"),
     {.name = "dawn-earthlight_lobe", DAWN, PLACES, .without = "earthlight_lobe", SPECTRA},
 
+    /* Mirrors beside each other: a bus of silvered FEP, the array close to it. */
+    {.name = "dawn-specular_exchange",
+     DAWN,
+     PLACES,
+     .without = "specular_exchange",
+     .set = {"parts.bus.outside=fep_silver", "parts.array.pose.position_m=[0, 1.4, 0]"}},
+
     /* Only records with tables store by temperature: an array of sheet aluminium. */
     {.name = "dusk-bulk_temperature",
      DUSK,

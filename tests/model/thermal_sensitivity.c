@@ -39,6 +39,13 @@ static const struct moved moves[] = {
     {"solar_irradiance", NULL, 0, NAN, 0.01, 1.0},
 };
 enum { MOVES = sizeof moves / sizeof moves[0] };
+/* What mirrors reflect moves with what they absorb. */
+static const struct moved mirror_moves[] = {
+    {"emittance", "fep_silver", 0, NAN, 0.01, 1e-3},
+    {"solar_absorptance", "fep_silver", 0, NAN, 0.01, 1e-3},
+    {"solar_absorptance", "cfrp", 0, NAN, 0.01, 1e-3},
+    {"solar_irradiance", NULL, 0, NAN, 0.01, 1.0},
+};
 
 struct world {
   struct um_model *model;
@@ -132,6 +139,43 @@ static void compare(const struct world *scenario, const struct moved *m,
 }
 
 /* All moves in one run. */
+static void differences(const struct um_model_options *options, const struct moved *moves_of,
+                        size_t nmove)
+{
+  struct world base = {0}, small[MOVES];
+  struct um_model_thermal_move move[MOVES];
+  struct um_model_thermal_solution *heat, *moved;
+  struct um_model_thermal_sensitivity *s;
+  bool serves;
+  assert_true(nmove <= MOVES);
+  assert_int_equal(um_model_create(context, SCENARIO, options, &base.model), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
+      UM_OK);
+  for (size_t k = 0; k < nmove; k++) {
+    double step = moves_of[k].small * moves_of[k].width;
+    small[k] = variant(&base, &moves_of[k], step);
+    move[k] = (struct um_model_thermal_move){small[k].model, small[k].precomputed, step};
+    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, small[k].model,
+                                                         small[k].precomputed, &serves),
+                     UM_OK);
+    if (!serves) fail_msg("%s does not serve", moves_of[k].effect);
+  }
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, nmove, &s), UM_OK);
+  for (size_t k = 0; k < nmove; k++) {
+    assert_int_equal(um_model_thermal_solution_move(context, heat, s, k, moves_of[k].width,
+                                                    small[k].model, small[k].precomputed, &moved),
+                     UM_OK);
+    compare(&base, &moves_of[k], heat, moved);
+    um_model_thermal_solution_destroy(context, &moved);
+    world_release(&small[k]);
+  }
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  world_release(&base);
+}
+
 static void test_differences(void **state)
 {
   (void)state;
@@ -140,37 +184,21 @@ static void test_differences(void **state)
   static const char *const with[] = {"panel_extraction:array,efficiency=0.1"};
   const struct um_model_options options = {
       .overrides = overrides, .noverride = 3, .with = with, .nwith = 1};
-  struct world base = {0}, small[MOVES];
-  struct um_model_thermal_move move[MOVES];
-  struct um_model_thermal_solution *heat, *moved;
-  struct um_model_thermal_sensitivity *s;
-  bool serves;
-  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
-      UM_OK);
-  for (size_t k = 0; k < MOVES; k++) {
-    double step = moves[k].small * moves[k].width;
-    small[k] = variant(&base, &moves[k], step);
-    move[k] = (struct um_model_thermal_move){small[k].model, small[k].precomputed, step};
-    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, small[k].model,
-                                                         small[k].precomputed, &serves),
-                     UM_OK);
-    assert_true(serves);
-  }
-  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, MOVES, &s), UM_OK);
-  for (size_t k = 0; k < MOVES; k++) {
-    assert_int_equal(um_model_thermal_solution_move(context, heat, s, k, moves[k].width,
-                                                    small[k].model, small[k].precomputed, &moved),
-                     UM_OK);
-    compare(&base, &moves[k], heat, moved);
-    um_model_thermal_solution_destroy(context, &moved);
-    world_release(&small[k]);
-  }
-  um_model_thermal_sensitivity_destroy(context, &s);
-  um_model_thermal_solution_destroy(context, &heat);
-  world_release(&base);
+  differences(&options, moves, MOVES);
+}
+
+/* The same where surfaces mirror heat and sunlight to each other. */
+static void test_mirrors(void **state)
+{
+  (void)state;
+  static const char *const overrides[] = {"time.step_s=60",
+                                          "time.exposure_s=0",
+                                          "parts.bus.interior.capacity_J_K=3000",
+                                          "parts.bus.outside=fep_silver",
+                                          "parts.array.pose.position_m=[0, 1.4, 0]",
+                                          "effects.+={effect: emittance_temperature, off: true}"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 6};
+  differences(&options, mirror_moves, sizeof mirror_moves / sizeof mirror_moves[0]);
 }
 
 /* What comes or goes, and edges that move, have no derivative here; a temperature of 0 K none to
@@ -259,7 +287,7 @@ static void test_left_to_runs(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_differences),
-                                     cmocka_unit_test(test_refused),
+                                     cmocka_unit_test(test_mirrors), cmocka_unit_test(test_refused),
                                      cmocka_unit_test(test_left_to_runs)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
