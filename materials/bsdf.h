@@ -10,6 +10,9 @@ double um_materials_fresnel(double n, double k, double cos_theta);
  * the passes, unpolarised (s and p summed apart). wavelength [m]. */
 double um_materials_fresnel_sheet(double n, double k, double thickness, double ns, double ks,
                                   double wavelength, double cos_theta);
+/* The same of a film that light is coherent through: amplitudes add, colours of thin films. */
+double um_materials_fresnel_film(double n, double k, double thickness, double ns, double ks,
+                                 double wavelength, double cos_theta);
 /* D(h) [1/sr], cosine from the normal; int D cos = 1. Beckmann & Spizzichino 1963. */
 double um_materials_beckmann_distribution(double alpha, double cos_h);
 /* Smith G1 for Beckmann, exact (erf) form. */

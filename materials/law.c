@@ -9,6 +9,8 @@
 
 /* Range of the grid of constants that hold beyond their table [m]. */
 static const double first_wavelength = 0.2e-6, last_wavelength = 100e-6;
+/* Films in which light may be coherent: thickness, and optical thickness that is resolved [m]. */
+static const double thickest_film = 5e-6, most_fringes = 25e-6;
 
 static const double *numbers(const struct um_schema_list *list) { return list->items; }
 
@@ -126,8 +128,26 @@ static double interface_reflectance(void *self, double wavelength, double cos_th
     if (law->sheet != NULL) law->n = constant_at(law->sheet, wavelength, &law->k);
   }
   if (law->sheet == NULL) return um_materials_fresnel(law->ns, law->ks, cos_theta);
-  return um_materials_fresnel_sheet(law->n, law->k, law->sheet->thickness_um * 1e-6, law->ns,
-                                    law->ks, wavelength, cos_theta);
+  double thickness = law->sheet->thickness_um * 1e-6;
+  return (law->sheet->coherent ? um_materials_fresnel_film : um_materials_fresnel_sheet)(
+      law->n, law->k, thickness, law->ns, law->ks, wavelength, cos_theta);
+}
+
+/* n d of a film that interferes [m]; 0 for a sheet, or none. */
+static enum um_status film_fringes(struct um_context *context,
+                                   const struct um_materials_constants_input *sheet, double *out)
+{
+  *out = 0.0;
+  if (sheet == NULL || !sheet->coherent) return UM_OK;
+  if (!(sheet->thickness_um <= thickest_film * 1e6))
+    return um_document_mark_fail(context, &sheet->at,
+                                 "a coherent film of thickness_um %g has more fringes than are "
+                                 "resolved; accepted: at most %g, or coherent: false",
+                                 sheet->thickness_um, thickest_film * 1e6);
+  for (size_t i = 0; i < sheet->n.count; i++)
+    *out = fmax(*out, numbers(&sheet->n)[i] * sheet->thickness_um * 1e-6);
+  *out = fmin(*out, most_fringes);
+  return UM_OK;
 }
 
 /* Ascending union of two wavelength lists [um], in metres. */
@@ -187,6 +207,8 @@ enum um_status um_materials_substrate_read(struct um_context *context,
   if (in->surface != NULL && !isnan(in->surface->absorption_factor))
     factor = in->surface->absorption_factor;
   UM_TRY(read_lobe(context, in, fraction < 1.0, record));
+  double fringes;
+  UM_TRY(film_fringes(context, sheet, &fringes));
 
   double *nodes;
   size_t room = base->wavelength_um.count + (sheet != NULL ? sheet->wavelength_um.count : 0);
@@ -197,6 +219,7 @@ enum um_status um_materials_substrate_read(struct um_context *context,
       .nnode = merge(&base->wavelength_um, sheet != NULL ? &sheet->wavelength_um : NULL, nodes),
       .first = first_wavelength,
       .last = last_wavelength,
+      .fringes = fringes,
       .angular = true,
       .diffuse_fraction = fraction,
       .absorption_factor = factor,

@@ -75,6 +75,7 @@ struct um_materials_law {
   const double *nodes; /* [nnode] wavelengths that must be on the grid [m], ascending */
   size_t nnode;
   double first, last;       /* [m] the grid covers at least this range */
+  double fringes;           /* optical thickness n d of what interferes [m]; 0: nothing does */
   bool angular;             /* R depends on the angle */
   double diffuse_fraction;  /* of the reflectance that is scattered; angular laws */
   double absorption_factor; /* of 1 - R; angular laws */

@@ -89,7 +89,11 @@ static const struct um_schema_field sheet_fields[] = {
     CONSTANTS(struct um_materials_constants_input),
     UM_FIELD(struct um_materials_constants_input, thickness_um, "thickness_um", UM_SCHEMA_NUMBER,
              .required = true, .minimum = 0.0, .maximum = 1e5, .open_minimum = true,
-             .help = "Thickness; many coherence lengths, passes add as intensities.")};
+             .help =
+                 "Thickness; unless coherent many coherence lengths, passes add as intensities."),
+    UM_FIELD(struct um_materials_constants_input, coherent, "coherent", UM_SCHEMA_BOOL,
+             .default_value = 0.0,
+             .help = "A film of up to 5 um in which passes add as amplitudes: interference.")};
 static const struct um_schema_object sheet_object = {
     .name = "sheet",
     .help = "Film or cover on the substrate.",

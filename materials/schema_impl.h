@@ -27,6 +27,7 @@ struct um_materials_constants_input {
   struct um_mark at;
   struct um_schema_list wavelength_um, n, k; /* of double: [um], [1], [1] */
   double thickness_um;                       /* [um] sheet only */
+  bool coherent;                             /* sheet only: a film that interferes */
 };
 
 struct um_materials_surface_input {

@@ -89,6 +89,16 @@ double um_materials_spectrum_angular(const struct um_materials_spectrum *spectru
   return value < 0.0 ? 0.0 : (value > 1.0 ? 1.0 : value);
 }
 
+/* Nodes of a fringe, which is lambda^2/(2 n d) wide and sharper than a sine toward grazing. */
+static const double nodes_per_fringe = 96.0;
+
+/* Largest ratio of neighbouring wavelengths above this one. */
+static double step_at(const struct um_materials_law *law, double wavelength)
+{
+  if (!(law->fringes > 0.0)) return largest_step;
+  return fmin(largest_step, 1.0 + wavelength / (2.0 * law->fringes * nodes_per_fringe));
+}
+
 /* Nodes of the grid: the law's own, its range, and points between so that no step is large. Called
  * with out = NULL to count. */
 static size_t place_nodes(const struct um_materials_law *law, double *out)
@@ -102,7 +112,12 @@ static size_t place_nodes(const struct um_materials_law *law, double *out)
   while (at < last) {
     double goal = next < law->nnode ? law->nodes[next++] : last;
     if (!(goal > at)) continue;
-    size_t steps = (size_t)ceil(log(goal / at) / log(largest_step));
+    for (; law->fringes > 0.0 && goal > at * largest_step;
+         n++) { /* fringes widen with wavelength */
+      at *= step_at(law, at);
+      if (out != NULL) out[n] = at;
+    }
+    size_t steps = (size_t)ceil(log(goal / at) / log(step_at(law, at)));
     if (steps < 1) steps = 1;
     for (size_t s = 1; s <= steps; s++, n++)
       if (out != NULL) out[n] = s == steps ? goal : at * pow(goal / at, (double)s / (double)steps);

@@ -74,6 +74,33 @@ static void sheet_limits(void **state)
              r + (1.0 - r) * (1.0 - r) * b * t2 / (1.0 - r * b * t2), 1e-7);
 }
 
+/* Coherent films in closed form: no thickness = the substrate, thick and absorbing = the front; a
+ * quarter wave of index n on ns has R = ((ns - n^2)/(ns + n^2))^2, MgF2 (1.38) on glass (1.52) 1.26
+ * % (Born & Wolf 1999, 1.6.4), a half wave is not there; and the mean of R over a fringe is the sum
+ * of intensities where nothing is absorbed, at any angle. */
+static void films(void **state)
+{
+  double l = 0.55e-6, n = 1.38, ns = 1.52, r = (ns - n * n) / (ns + n * n);
+  (void)state;
+  check_near("quarter wave", um_materials_fresnel_film(n, 0.0, l / (4.0 * n), ns, 0.0, l, 1.0),
+             r * r, 1e-14);
+  check_near("MgF2 on glass", r * r, 0.0126, 5e-5);
+  check_near("half wave", um_materials_fresnel_film(n, 0.0, l / (2.0 * n), ns, 0.0, l, 1.0),
+             um_materials_fresnel(ns, 0.0, 1.0), 1e-14);
+  for (double angle = 0.0; angle <= 90.0; angle += 15.0) {
+    double c = cos_deg(angle), sum = 0.0;
+    check_near("no film", um_materials_fresnel_film(1.7, 0.2, 0.0, 0.958, 6.69, l, c),
+               um_materials_fresnel(0.958, 6.69, c), 1e-14);
+    check_near("thick", um_materials_fresnel_film(1.7, 0.2, 1e-3, 0.958, 6.69, l, c),
+               um_materials_fresnel(1.7, 0.2, c), 1e-14);
+    for (int i = 0; i < 64; i++) { /* 2 n d cos(inside)/lambda over one fringe */
+      double d = 1e-6 + l / (2.0 * sqrt(1.7 * 1.7 - 1.0 + c * c)) * i / 64.0;
+      sum += um_materials_fresnel_film(1.7, 0.0, d, 3.5, 0.0, l, c) / 64.0;
+    }
+    check_near("a fringe", sum, um_materials_fresnel_sheet(1.7, 0.0, 1e-6, 3.5, 0.0, l, c), 1e-9);
+  }
+}
+
 /* Table 1 of the Flying Laptop paper: Rq, tau [um], alpha; rounding of the inputs allows 0.8 %. */
 static void roughness_table(void **state)
 {
@@ -194,10 +221,11 @@ static void tabulated_albedo(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(fresnel_table),  cmocka_unit_test(hemispherical_emissivity),
-      cmocka_unit_test(sheet_limits),   cmocka_unit_test(roughness_table),
-      cmocka_unit_test(beckmann_table), cmocka_unit_test(white_furnace),
-      cmocka_unit_test(weak_furnace),   cmocka_unit_test(tabulated_albedo),
+      cmocka_unit_test(fresnel_table),    cmocka_unit_test(hemispherical_emissivity),
+      cmocka_unit_test(sheet_limits),     cmocka_unit_test(films),
+      cmocka_unit_test(roughness_table),  cmocka_unit_test(beckmann_table),
+      cmocka_unit_test(white_furnace),    cmocka_unit_test(weak_furnace),
+      cmocka_unit_test(tabulated_albedo),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

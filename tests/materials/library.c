@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "materials/bsdf.h"
 #include "materials/lobe.h"
 #include "materials/materials.h"
 #include "tests/support/allocator.h"
@@ -229,6 +230,31 @@ static void lobes(void **state)
   }
 }
 
+/* A film of 1 um of index 1.7 on metal: emissivity is one minus Airy's reflectance, at any
+ * wavelength and angle (a smooth lobe). Cubic between angles 1.1e-3, linear between 96 nodes of a
+ * fringe 1.6e-3 at 78 deg, where resonances are sharpest: together 3e-3. */
+static void coherent_film(void **state)
+{
+#define FILM(thickness, more)                                                                      \
+  HEAD                                                                                             \
+      "substrate: {wavelength_um: [0.2, 50], n: [1, 1], k: [6, 6]}\nsheet: {wavelength_um: [0.2, " \
+      "50], n: [1.7, 1.7], k: [1.0e-9, 1.0e-9], thickness_um: " thickness ", " more "}\n"          \
+      "surface: {beckmann_alpha: 0.0005}\n"
+  (void)state;
+  refused(FILM("6", "coherent: true"), ":5:", "thickness_um 6", "at most 5");
+  assert_int_equal(read_text(FILM("1", "coherent: true")), UM_OK);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  double least = 1.0, most = 0.0;
+  for (double l = 0.4e-6; l < 12e-6; l *= 1.0037)
+    for (double c = 0.2; c <= 1.0; c += 0.2) {
+      double exact = um_materials_fresnel_film(1.7, 1e-9, 1e-6, 1.0, 6.0, l, c);
+      check_near("film", um_materials_emissivity(r, NULL, l, c), 1.0 - exact, 3e-3);
+      least = fmin(least, exact);
+      most = fmax(most, exact);
+    }
+  assert_true(most - least > 0.1);
+}
+
 /* Values of a grey record come back as given; defaults as documented. */
 static void grey_record(void **state)
 {
@@ -420,6 +446,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(absorptance_and_reflectance, setup, teardown),
       cmocka_unit_test_setup_teardown(missing_file_and_folder, setup, teardown),
       cmocka_unit_test_setup_teardown(lobes, setup, teardown),
+      cmocka_unit_test_setup_teardown(coherent_film, setup, teardown),
       cmocka_unit_test_setup_teardown(grey_record, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_by_temperature, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_tables_refused, setup, teardown),
