@@ -37,8 +37,9 @@ struct um_app_options {
   /* of diagnose and fit: --only, --exclude, --nuisance, --add, --level, --steps */
   const char **only, **exclude, **nuisance, **add;
   size_t nonly, nexclude, nnuisance, nadd;
-  double level; /* 0: not said */
-  int steps;    /* 0: not said */
+  double level;                                      /* 0: not said */
+  int steps;                                         /* 0: not said */
+  const char *from_brdf, *half_angle, *from_profile; /* of materials */
   bool force, json, thermal, optics, no_plots, allow_effects;
   char *command; /* the command as typed */
 };
@@ -145,6 +146,8 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
 int um_app_filters(struct um_context *context, const struct um_app_options *options);
+int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
+int um_app_materials_fit(struct um_context *context, const struct um_app_options *options);
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);

@@ -74,6 +74,20 @@ static const struct um_app_option table[] = {
     {"force", "force", .takes = UM_APP_FLAG, AT(force),
      .help = "Replace what stands there, even if Umbra did not write it."},
     {"no-plots", "no-plots", .takes = UM_APP_FLAG, AT(no_plots), .help = "Draw no pictures."},
+    {"from-brdf", "from-brdf", "FILE", .takes = UM_APP_TEXT, AT(from_brdf), .offers = UM_APP_FILES,
+     .example = "--from-brdf measured.csv",
+     .help = "Fit a Lambert term and each kind of lobe to measured BRDFs: CSV "
+             "incidence_deg,scattering_deg,brdf_1_sr, and azimuth_deg, surface where there are."},
+    {"half-angle", "half-angle", "DEG", .takes = UM_APP_TEXT, AT(half_angle), .default_value = "0",
+     .example = "--half-angle 10",
+     .help =
+         "Leave out rows nearer to the mirror direction than this half angle, where a spike may "
+         "stand that no lobe follows."},
+    {"from-profile", "from-profile", "FILE", .takes = UM_APP_TEXT, AT(from_profile),
+     .offers = UM_APP_FILES, .example = "--from-profile heights.csv",
+     .help =
+         "Rq, tau and alpha of measured heights: CSV x_um,height_um, or a map x_um,y_um,height_um "
+         "in even steps."},
     {"json", "json", .takes = UM_APP_FLAG, AT(json),
      .help = "Print JSON, for another program to read."},
     {"thermal", "thermal", .takes = UM_APP_FLAG, AT(thermal), .help = "Only the cases of heat."},
