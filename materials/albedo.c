@@ -1,9 +1,9 @@
 /* Directional albedo of a record's lobe, for F = 1, at roughnesses that effects may give it.
  *
  * Beckmann's has a table of its own (beckmann_albedo.c). Others are integrated when the record is
- * read: at the cosines of the spectral grid and at roughnesses of 2^(k/2) times the record's,
- * k = -7 .. 5; Catmull-Rom in k, cubic Lagrange in the square root of the cosine, constant beyond.
- */
+ * read: at the cosines of the spectral grid and at roughnesses of 2^(k/4) times the record's,
+ * k = -14 .. 10, at its own to 2e-4, at the others to 1e-3; Catmull-Rom in k, cubic Lagrange in the
+ * square root of the cosine, constant beyond. */
 #include <assert.h>
 #include <math.h>
 
@@ -12,7 +12,7 @@
 
 #define COSINES UM_MATERIALS_COSINES
 #define SCALES  UM_MATERIALS_SCALES
-#define STATED  7 /* the k of the record's own roughness */
+#define STATED  14 /* the k of the record's own roughness */
 
 enum um_status um_materials_albedo_build(struct um_context *context,
                                          struct um_materials_record *record)
@@ -22,12 +22,15 @@ enum um_status um_materials_albedo_build(struct um_context *context,
   UM_TRY(um_core_allocate(context, SCALES * COSINES, sizeof *record->albedo, &record->albedo));
   for (size_t k = 0; k < SCALES; k++) {
     struct um_materials_lobe lobe = record->lobe;
-    double scale = exp2(0.5 * ((double)k - STATED));
+    double scale = exp2(0.25 * ((double)k - STATED));
     lobe.alpha *= scale;
     lobe.alpha_across *= scale;
-    for (size_t j = 0; j < COSINES; j++)
+    for (size_t j = 0; j < COSINES; j++) {
+      double c = fmax(1e-4, um_materials_node_cosine(j));
       record->albedo[k * COSINES + j] =
-          um_materials_lobe_albedo(&lobe, um_materials_node_cosine(j));
+          k == STATED ? um_materials_lobe_albedo(&lobe, c)
+                      : fmin(1.0, um_materials_lobe_mean(&lobe, c, 96, 16, NULL, NULL));
+    }
   }
   return UM_OK;
 }
@@ -51,7 +54,7 @@ double um_materials_albedo(const struct um_materials_record *record,
   if (lobe->kind == NULL || (!lobe->kind->rough && record->albedo == NULL)) return 1.0;
   if (record->albedo == NULL) return um_materials_lobe_albedo(lobe, cosine);
   double u = sqrt(fmax(0.0, fmin(1.0, cosine))), value[4];
-  double y = 2.0 * log2(lobe->alpha / record->lobe.alpha) + STATED;
+  double y = 4.0 * log2(lobe->alpha / record->lobe.alpha) + STATED;
   y = fmax(0.0, fmin(SCALES - 1.0, y));
   size_t k = y < SCALES - 2.0 ? (size_t)y : SCALES - 2;
   double t = y - (double)k;

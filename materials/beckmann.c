@@ -25,6 +25,9 @@ double um_materials_beckmann_distribution(double alpha, double cos_h)
   return exp((c2 - 1.0) / (c2 * a2)) / (UM_PI * a2 * c2 * c2);
 }
 
+/* Smith's Lambda. */
+static double lambda_at(double a) { return -0.5 * erfc(a) + exp(-a * a) / (2.0 * a * sqrt(UM_PI)); }
+
 double um_materials_beckmann_masking(double alpha, double cos_theta)
 {
   assert(alpha > 0.0);
@@ -32,8 +35,7 @@ double um_materials_beckmann_masking(double alpha, double cos_theta)
   if (cos_theta >= 1.0) return 1.0;
   double a = cos_theta / (alpha * sqrt((1.0 - cos_theta) * (1.0 + cos_theta)));
   if (a > 6.0) return 1.0; /* Lambda < 1e-17 */
-  double lambda = -0.5 * erfc(a) + exp(-a * a) / (2.0 * a * sqrt(UM_PI));
-  return 1.0 / (1.0 + lambda);
+  return 1.0 / (1.0 + lambda_at(a));
 }
 
 double um_materials_beckmann_lobe(double alpha, double cos_h, double cos_i, double cos_o)
@@ -53,8 +55,7 @@ static double slopes(double r2) { return exp(-r2) / UM_PI; }
 static double smith(double c2, double s2)
 {
   if (c2 > 36.0 * s2) return 0.0; /* Lambda < 1e-17 */
-  double a2 = c2 / s2, a = sqrt(a2);
-  return a > 0.0 ? -0.5 * erfc(a) + exp(-a2) / (2.0 * a * sqrt(UM_PI)) : INFINITY;
+  return c2 > 0.0 ? lambda_at(sqrt(c2 / s2)) : INFINITY;
 }
 
 /* For sums over many facets: nothing below 1e-9. */

@@ -15,7 +15,7 @@
 #define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
 #define UM_MATERIALS_TEMPERATURES 49   /* nodes of the emittance tables, uniform in log T */
 #define UM_MATERIALS_INCIDENCES   25   /* nodes of the solar absorptance, cos = u^2, u uniform */
-#define UM_MATERIALS_SCALES       13   /* of roughness that albedos of lobes are tabulated at */
+#define UM_MATERIALS_SCALES       25   /* of roughness that albedos of lobes are tabulated at */
 #define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
 #define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
 
