@@ -14,7 +14,10 @@ static void scene(struct fixture *f)
 {
   fixture_create(f);
   fixture_material(f, "blanket", 0.3, 0.3, 0.2, 0.7);
-  fixture_material(f, "cell", 0.2, 0.1, 0.3, 0.85);
+  fixture_record(f,
+                 "name: cell\nsummary: test\ncitation: test\n"
+                 "grey: {solar_absorptance: 0.7, emittance: 0.85, vis_reflectance_diffuse: 0.2, "
+                 "specular_reflectance: 0.1}\nlobe: {kind: ggx, alpha: 0.1, alpha_across: 0.5}\n");
   struct um_geometry_part_spec parts[2];
   parts[0] = fixture_part("ball", UM_SHAPE_SPHERE, &ball_skin);
   parts[0].radius = 0.5;
@@ -24,6 +27,7 @@ static void scene(struct fixture *f)
   parts[1].size[0] = 2.0;
   parts[1].size[1] = 3.0;
   parts[1].facet_size = 0.3;
+  parts[1].grain = um_vec3(1.0, 2.0, 0.5);
   fixture_scene(f, parts, 2, 2);
   size_t n = um_geometry_mesh(f->geometry)->nsurface;
   for (size_t t = 0; t < 2; t++) {
