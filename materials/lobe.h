@@ -5,8 +5,9 @@
  * f [1/sr] does not depend on wavelength, F [1] of the record not on the surface: at one instant
  * cos_d is the same for all surfaces, so light curves sum f and multiply by spectra afterwards
  * (docs/decisions/0011-lobes.md). Directions are unit vectors in the frame of the surface: z its
- * normal, x along the grain, and point away from it. A kind is one file, materials/NAME.c, and one
- * line of materials/lobes.def; tests/materials/conformance.c holds all of them to the same laws. */
+ * normal, x along the grain, and point away from it. A kind is one file, materials/lobe_NAME.c, and
+ * one line of materials/lobes.def; tests/materials/conformance.c holds all of them to the same
+ * laws. */
 #ifndef UMBRA_MATERIALS_LOBE_H
 #define UMBRA_MATERIALS_LOBE_H
 

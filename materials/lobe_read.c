@@ -6,8 +6,8 @@
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 
-/* Exponents: n = 2/alpha^2 of facets, n = 1/(2 alpha^2) of Phong's lobe (ashikhmin_shirley.c,
- * phong.c). */
+/* Exponents: n = 2/alpha^2 of facets, n = 1/(2 alpha^2) of Phong's lobe (lobe_ashikhmin_shirley.c,
+ * lobe_phong.c). */
 static double alpha_of(const struct um_materials_lobe_kind *kind, double exponent)
 {
   return sqrt((kind == &um_materials_lobe_phong ? 0.5 : 2.0) / exponent);
