@@ -139,7 +139,7 @@ double um_materials_normal_emittance(const struct um_materials_record *record,
                                      const struct um_materials_adjustment *adjustment,
                                      double temperature);
 /* Shares of what a record reflects that go in a lobe narrow enough (Beckmann alpha at most 0.1, see
- * mirrored.c) to be taken as a mirror's where surfaces exchange heat; 0 for others. Adjustments do
+ * mirror.c) to be taken as a mirror's where surfaces exchange heat; 0 for others. Adjustments do
  * not change them: they act on absorptance and emittance, which leave the rest to be shared. Test:
  * materials/mirror. */
 struct um_materials_mirror {
