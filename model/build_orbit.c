@@ -170,6 +170,9 @@ static enum um_status law_of_spin(struct um_context *context, const struct um_mo
   law->period = spin->period_s;
   law->phase = spin->phase_deg * UM_DEG;
   law->at_tai = isnan(spin->at_utc) ? model->scenario->time->start : spin->at_utc;
+  law->nutation[0] = spin->nutation_deg * UM_DEG * cos(spin->nutation_phase_deg * UM_DEG);
+  law->nutation[1] = spin->nutation_deg * UM_DEG * sin(spin->nutation_phase_deg * UM_DEG);
+  law->inertia_ratio = spin->inertia_ratio;
   UM_TRY(um_model_unit(context, &spin->at, "axis_body", spin->axis_body, &law->axis_body));
   if (spin->q_gcrs.count > 0) {
     UM_TRY(exact_numbers(context, &spin->at, "q_gcrs", &spin->q_gcrs, 4));
@@ -268,6 +271,7 @@ static enum um_status build_attitude(struct um_context *context, struct um_model
     UM_CHECK(law_of(context, model, &from[i], &laws[i]));
     for (size_t k = 0; um_model_effect_next(model, &k, &use);)
       if (use.effect->hooks.law != NULL) UM_CHECK(use.effect->hooks.law(context, &use, &laws[i]));
+    model->nutates = model->nutates || laws[i].nutation[0] != 0.0 || laws[i].nutation[1] != 0.0;
     model->points_at_observer = model->points_at_observer || from[i].target != NULL;
     if (i > 0 && !(laws[i].from_tai > laws[i - 1].from_tai)) {
       status = um_model_fail(context, &from[i].at, "from_utc",

@@ -76,6 +76,7 @@ struct um_model {
       orbit_delay; /* of two-line elements at time.start_utc: age [s],
    standard deviation along the track [m] and in time [s]; NaN: unknown */
   struct um_orbit_attitude *attitude;
+  bool nutates;            /* a law spins about an axis that is not the momentum's */
   bool points_at_observer; /* a law looks at the observer, outside observations too */
   bool has_observer;
   struct um_orbit_observer observer;

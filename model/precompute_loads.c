@@ -40,6 +40,8 @@ turning_law(const struct um_model *model, struct um_scenario_turn *turn, const c
   *why = NULL;
   if (laws->count != 1 || !um_scenario_turn(&law[0], turn))
     *why = "the attitude is not one law that turns";
+  else if (model->nutates)
+    *why = "the body nutates";
   else if (um_geometry_joint_moves(model->geometry))
     *why = "a joint moves";
   return *why == NULL ? law : NULL;

@@ -67,6 +67,7 @@ struct um_scenario_spin {
   double axis_body[3];
   struct um_schema_list q_gcrs; /* of double, 4 or 0 */
   double period_s, phase_deg, at_utc /* t_tai [s], NaN: start */;
+  double nutation_deg, nutation_phase_deg, inertia_ratio;
 };
 struct um_scenario_magnetic {
   struct um_mark at;

@@ -168,6 +168,12 @@ static const struct um_schema_field spin_fields[] = {
       HELP("turn at at_utc")),
     F(at_utc, "at_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
       HELP("when the phase holds; default: the start")),
+    F(nutation_deg, "nutation_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 89.9),
+      HELP("angle of axis_body from the angular momentum, which lies along the spin axis")),
+    F(nutation_phase_deg, "nutation_phase_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-360, 360),
+      HELP("about which axis across axis_body it is tipped at at_utc")),
+    F(inertia_ratio, "inertia_ratio", UM_SCHEMA_NUMBER, DEFAULT(1.0), BETWEEN(0.01, 2),
+      HELP("about axis_body over across it; below 1: a long body about its length")),
 };
 #undef F
 OBJECT(spin_object, struct um_scenario_spin, "spin", "Steady rotation about one axis.",

@@ -91,6 +91,14 @@ static enum um_status spin_check(struct um_context *context, struct um_orbit_att
   if (!isfinite(law->phase + law->at_tai))
     return um_core_fail(context, UM_ERR_INPUT,
                         "attitude: spin phase and reference time must be finite numbers");
+  if (law->inertia_ratio == 0.0) law->inertia_ratio = 1.0;
+  if (!(law->inertia_ratio > 0.0 && law->inertia_ratio <= 2.0))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "attitude: inertia ratio %g; accepted: above 0 to 2, as bodies have it",
+                        law->inertia_ratio);
+  if (!(hypot(law->nutation[0], law->nutation[1]) < 0.5 * UM_PI))
+    return um_core_fail(context, UM_ERR_INPUT, "attitude: nutation of %g deg; accepted: below 90",
+                        hypot(law->nutation[0], law->nutation[1]) / UM_DEG);
   return UM_OK;
 }
 
@@ -274,18 +282,41 @@ static enum um_status magnetic(struct um_context *context, const struct um_orbit
   return UM_OK;
 }
 
+/* Free motion of a body that is symmetric about e, from a frame in which e is along the angular
+ * momentum: precession by phi about it, tilt by theta about an axis across it that the body sees at
+ * at_tai, and rotation by psi about the body's own e,
+ *   phi' = L/I_t,  psi' = phi' cos(theta) (1 - k)/k,  k = I_e/I_t
+ * (Goldstein, Classical Mechanics, 3rd ed., 5.6). The period is that of phi + psi, so that a small
+ * tilt turns as without it. */
+static struct um_quat nutating(const struct um_orbit_attitude_law *law, struct um_vec3 e,
+                               double turn)
+{
+  struct um_vec3 t, b;
+  double theta = hypot(law->nutation[0], law->nutation[1]), k = law->inertia_ratio;
+  if (!(theta > 0.0)) return um_quat_from_axis(e, turn);
+  double own = cos(theta) * (1.0 - k) / k, phi = (turn - law->phase) / (1.0 + own);
+  um_core_vec3_frame(e, &t, &b);
+  struct um_vec3 across =
+      um_vec3_axpy(um_vec3_scale(t, law->nutation[0] / theta), law->nutation[1] / theta, b);
+  struct um_quat q = um_quat_then(um_quat_from_axis(e, phi), um_quat_from_axis(across, theta));
+  return um_quat_then(q, um_quat_from_axis(e, law->phase + own * phi));
+}
+
 static enum um_status spin(struct um_context *context, const struct um_orbit_attitude_law *law,
                            const struct um_orbit_attitude_input *input, struct um_quat *q)
 {
-  double angle = turn_at(law, input->t_tai);
+  bool tilted = law->nutation[0] != 0.0 || law->nutation[1] != 0.0;
+  /* phi is no whole number of turns when their sum is one */
+  double angle = tilted ? law->phase + 2.0 * UM_PI * (input->t_tai - law->at_tai) / law->period
+                        : turn_at(law, input->t_tai);
   struct um_quat base = {1.0, 0.0, 0.0, 0.0};
   if (law->axis_frame == UM_AXIS_BODY) {
-    *q = um_quat_then(law->q, um_quat_from_axis(law->axis, angle));
+    *q = um_quat_then(law->q, nutating(law, law->axis, angle));
     return UM_OK;
   }
   if (law->axis_frame == UM_AXIS_LVLH) UM_TRY(lvlh(context, input, &base));
   base = um_quat_then(base, smallest_rotation(law->axis_body, law->axis));
-  *q = um_quat_then(base, um_quat_from_axis(law->axis_body, angle));
+  *q = um_quat_then(base, nutating(law, law->axis_body, angle));
   return UM_OK;
 }
 
@@ -332,6 +363,15 @@ enum um_status um_orbit_attitude_at(struct um_context *context,
   return um_orbit_attitude_table_at(context, &now->table, input->t_tai, q);
 }
 
+/* |phi'| + |psi'| [rad/s]. */
+static double spin_rate(const struct um_orbit_attitude_law *law)
+{
+  double theta = hypot(law->nutation[0], law->nutation[1]), k = law->inertia_ratio;
+  double own = cos(theta) * (1.0 - k) / k;
+  return 2.0 * UM_PI / fabs(law->period) *
+         (theta > 0.0 ? (1.0 + fabs(own)) / fabs(1.0 + own) : 1.0);
+}
+
 static double law_rate(const struct law *now, double orbital_rate)
 {
   const struct um_orbit_attitude_law *law = &now->law;
@@ -349,7 +389,7 @@ static double law_rate(const struct law *now, double orbital_rate)
     return MAGNETIC_RATE_FACTOR * orbital_rate +
            (law->period != 0.0 ? 2.0 * UM_PI / fabs(law->period) : 0.0);
   case UM_ATTITUDE_SPIN:
-    return 2.0 * UM_PI / fabs(law->period) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
+    return spin_rate(law) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
   case UM_ATTITUDE_TABLE:
     break;
   }

@@ -56,6 +56,10 @@ struct um_orbit_attitude_law {
                     with e = axis (in GCRS  resp. LVLH axes) the body is the smallest rotation of
                     that  frame that brings axis_body onto the axis */
   double at_tai; /* SPIN, MAGNETIC: reference time */
+  /* SPIN of a body that is symmetric about axis_body: nutation[2] tips axis_body from the angular
+   * momentum, which lies along `axis`, about two axes across it at at_tai [rad]; inertia about
+   * axis_body over that across it [1], 0 as 1 */
+  double nutation[2], inertia_ratio;
   const char *table_path; /* TABLE */
   double max_gap;         /* TABLE [s]; <= 0: ten times the median step */
 };

@@ -73,6 +73,7 @@ static const struct entry cases[] = {
     {"array_angle", "wing", 3.0, "vis", NULL},
     {"attitude_offset", NULL, 2.0, "bus", NULL},
     {"spin_period", NULL, 0.01, "bus", NULL},
+    {"nutation", NULL, 2.0, "bus", NULL},
     {"time_tag", NULL, 1.0, "bus", NULL},
     {"along_track", NULL, 2.0, "bus", NULL},
     {"exposure", NULL, 64.0, "bus", NULL},

@@ -44,6 +44,7 @@ static const struct entry entries[] = {
     {"array_angle", "array", "array", 0, -3.0, 4.0},
     {"attitude_offset", "", "", 1, -2.0, 2.0},
     {"spin_period", "", NULL, 0, -0.005, 0.005},
+    {"nutation", "", NULL, 0, -3.0, 4.0},
     {"time_tag", "", "", 0, -0.5, 0.5},
     {"along_track", "", "", 0, -1.5, 1.5},
     {"exposure", "", NULL, 0, NAN, 16.0},
