@@ -18,7 +18,8 @@ struct um_instrument_sensor {
   double read_noise;  /* [e per pixel and exposure] */
   double dark;        /* [e/s per pixel] */
   double sky;         /* brightness, AB [mag/arcsec^2]; INFINITY: dark */
-  double saturation;  /* of a pixel [e]; INFINITY: none */
+  double emissivity, temperature;     /* of mirrors, lenses and windows, as they glow [1], [K] */
+  double saturation;                  /* of a pixel [e]; INFINITY: none */
   double noise_equivalent_irradiance; /* through the filter, of one exposure [W/m^2]; NAN: by
                                          photons and the noise above */
 };

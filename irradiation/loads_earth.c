@@ -4,35 +4,10 @@
  *
  * free comes from the sky of a rigid body, or from rays where joints move. */
 #include "core/sampling.h"
+#include "geometry/cube.h"
 #include "irradiation/loads_impl.h"
 
 #define CAP_RAYS 2 /* per direction of the cap where joints move */
-
-/* Cell of the cube around the origin that a direction meets: face of the largest component. */
-static size_t cube_cell(struct um_vec3 d)
-{
-  double c[3] = {d.x, d.y, d.z};
-  int axis = fabs(c[0]) >= fabs(c[1]) ? 0 : 1;
-  if (fabs(c[2]) > fabs(c[axis])) axis = 2;
-  double half = 0.5 * UM_THERMAL_CUBE_SIDE, scale = half / fabs(c[axis]);
-  int u = (int)(c[(axis + 1) % 3] * scale + half), v = (int)(c[(axis + 2) % 3] * scale + half);
-  if (u >= UM_THERMAL_CUBE_SIDE) u = UM_THERMAL_CUBE_SIDE - 1;
-  if (v >= UM_THERMAL_CUBE_SIDE) v = UM_THERMAL_CUBE_SIDE - 1;
-  int face = 2 * axis + (c[axis] < 0.0);
-  return (size_t)((face * UM_THERMAL_CUBE_SIDE + v) * UM_THERMAL_CUBE_SIDE + u);
-}
-
-/* Direction through the middle of a cell. */
-static struct um_vec3 cube_direction(size_t cell)
-{
-  size_t u = cell % UM_THERMAL_CUBE_SIDE, v = cell / UM_THERMAL_CUBE_SIDE % UM_THERMAL_CUBE_SIDE;
-  size_t face = cell / (UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE), axis = face / 2;
-  double c[3];
-  c[axis] = face % 2 != 0 ? -1.0 : 1.0;
-  c[(axis + 1) % 3] = (2.0 * (double)u + 1.0) / UM_THERMAL_CUBE_SIDE - 1.0;
-  c[(axis + 2) % 3] = (2.0 * (double)v + 1.0) / UM_THERMAL_CUBE_SIDE - 1.0;
-  return um_vec3_unit(um_vec3(c[0], c[1], c[2]));
-}
 
 enum um_status um_irradiation_scene_tabulate(struct um_context *context,
                                              const struct um_geometry_mesh *mesh, int nsample,
@@ -50,7 +25,7 @@ enum um_status um_irradiation_scene_tabulate(struct um_context *context,
   UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *scene->row, &scene->row));
   UM_CHECK(um_core_allocate(context, covered, UM_THERMAL_CUBE_CELLS, &scene->freedom));
   for (size_t cell = 0; cell < UM_THERMAL_CUBE_CELLS; cell++)
-    direction[cell] = cube_direction(cell);
+    direction[cell] = um_geometry_cube_direction(UM_THERMAL_CUBE_SIDE, cell, 0.5, 0.5);
   covered = 0;
   for (size_t s = 0; s < mesh->nsurface; s++)
     scene->row[s] = um_geometry_visibility_is_open(scene->visibility, s)
@@ -78,7 +53,7 @@ void um_irradiation_cap_spread(struct um_thermal_cap *cap)
     for (int j = 0; j < 4; j++) {
       cap->four[i][j] = um_vec3_unit(
           um_vec3_axpy(um_vec3_axpy(d, j & 1 ? a : -a, across), j & 2 ? a : -a, along));
-      cap->cell[i][j] = cube_cell(cap->four[i][j]);
+      cap->cell[i][j] = um_geometry_cube_cell(UM_THERMAL_CUBE_SIDE, cap->four[i][j]);
     }
   }
 }

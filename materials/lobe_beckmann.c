@@ -76,10 +76,7 @@ static double evaluate(const struct um_materials_lobe *lobe, const struct um_mat
 static double sunlit(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair,
                      double sun_radius)
 {
-  struct um_materials_lobe wide = *lobe;
-  double sun2 = sun_radius * sun_radius / 8.0;
-  wide.alpha = sqrt(lobe->alpha * lobe->alpha + sun2);
-  wide.alpha_across = sqrt(lobe->alpha_across * lobe->alpha_across + sun2);
+  struct um_materials_lobe wide = um_materials_lobe_widened(lobe, sun_radius);
   return evaluate(&wide, pair);
 }
 

@@ -2,6 +2,8 @@
 #ifndef UMBRA_MATERIALS_LOBE_IMPL_H
 #define UMBRA_MATERIALS_LOBE_IMPL_H
 
+#include <math.h>
+
 #include "materials/lobe.h"
 
 #define UM_LOBE(name) extern const struct um_materials_lobe_kind um_materials_lobe_##name;
@@ -13,6 +15,18 @@ static inline bool um_materials_lobe_is_tabulated(const struct um_materials_lobe
 {
   return lobe->kind == &um_materials_lobe_beckmann && !lobe->correlated &&
          !um_materials_lobe_is_anisotropic(lobe);
+}
+
+/* A lobe of normal slopes, or one like it, that the disc of the Sun widens: alpha^2 + theta_s^2/8
+ * (D.3). */
+static inline struct um_materials_lobe
+um_materials_lobe_widened(const struct um_materials_lobe *lobe, double sun_radius)
+{
+  struct um_materials_lobe wide = *lobe;
+  double sun2 = sun_radius * sun_radius / 8.0;
+  wide.alpha = sqrt(lobe->alpha * lobe->alpha + sun2);
+  wide.alpha_across = sqrt(lobe->alpha_across * lobe->alpha_across + sun2);
+  return wide;
 }
 
 /* Directional albedo of a Beckmann lobe for F = 1 at cos_o > 0, sample by sample; sink may be NULL;

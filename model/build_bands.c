@@ -180,6 +180,8 @@ static enum um_status build_sensor(struct um_context *context, struct um_model *
                                              .read_noise = from->read_noise_e,
                                              .dark = from->dark_e_s,
                                              .sky = or_else(from->sky_mag_arcsec2, INFINITY),
+                                             .emissivity = from->optics_emissivity,
+                                             .temperature = from->optics_temperature_K,
                                              .saturation = or_else(from->saturation_e, INFINITY),
                                              .noise_equivalent_irradiance =
                                                  from->noise_equivalent_irradiance_W_m2};

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/planck.h"
 #include "environment/airmass.h"
 
 struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
@@ -16,22 +17,32 @@ struct um_instrument_bins um_model_bins(const struct um_model_result *result, si
                                                         : result->transmission + first};
 }
 
-/* Electrons per second and pixel of air that glows by its own heat. */
+/* Mean radiance of what glows before the detector, air and telescope, over a bin [W/m^2/sr/m]. */
+static double background(const struct um_environment_clear_sky *sky,
+                         const struct um_instrument_sensor *sensor, double elevation, double from,
+                         double to)
+{
+  double radiance = 0.0;
+  if (sky->on && elevation >= 0.0)
+    radiance = um_environment_clear_sky_radiance(sky, from, to, um_environment_airmass(elevation));
+  if (sensor->emissivity > 0.0)
+    radiance +=
+        sensor->emissivity * um_core_planck_band(from, to, sensor->temperature) / (to - from);
+  return radiance;
+}
+
+/* Electrons per second and pixel of it. */
 static double glow(const struct um_model *model, const struct um_model_precomputed *precomputed,
                    size_t k, const struct um_instrument_sensor *sensor,
                    const struct um_instrument_bins *bins)
 {
-  const struct um_environment_clear_sky *sky = &model->environment.sky;
   double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
   double sum = 0.0;
-  if (!sky->on || isnan(sensor->pixel) || !(elevation >= 0.0)) return 0.0;
+  if (isnan(sensor->pixel)) return 0.0;
   for (size_t i = 0; i < bins->n; i++) {
-    double half = 0.5 * bins->width[i];
-    struct um_instrument_bins one = {1, bins->wavelength + i, bins->width + i,
-                                     bins->transmission + i};
-    double radiance = um_environment_clear_sky_radiance(sky, bins->wavelength[i] - half,
-                                                        bins->wavelength[i] + half,
-                                                        um_environment_airmass(elevation));
+    double half = 0.5 * bins->width[i], l = bins->wavelength[i];
+    struct um_instrument_bins one = {1, &l, &bins->width[i], &bins->transmission[i]};
+    double radiance = background(&model->environment.sky, sensor, elevation, l - half, l + half);
     sum += um_instrument_sky_rate(sensor, &one, &radiance);
   }
   return sum;

@@ -336,6 +336,7 @@ struct um_scenario_sensor {
   double gain_e, pixel_arcsec, fwhm_arcsec, radius_fwhm, annulus_pixels;
   double read_noise_e, dark_e_s, sky_mag_arcsec2, saturation_e, exposure_s;
   double noise_equivalent_irradiance_W_m2;
+  double optics_emissivity, optics_temperature_K;
 };
 struct um_scenario_optics {
   struct um_mark at;

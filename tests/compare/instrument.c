@@ -8,6 +8,7 @@
 #include "environment/environment.h"
 #include "instrument/filter.h"
 #include "instrument/photometry.h"
+#include "model/counts.h"
 
 #define BINS 40
 #define TIME "2022-03-20T19:10:00Z"
@@ -170,6 +171,36 @@ static void test_air(void **state)
   um_model_destroy(context, &air);
 }
 
+/* A thermal imager's background: 0.5 m, 2 arcsec pixels, quantum efficiency 0.7, throughput 0.6,
+ * optics of emissivity 0.3 at 280 K, by the photon radiance of 8-12 um at 280 K (C.8 of the notes,
+ * 1.371287e21 1/s/m^2/sr); air adds its own glow. */
+static void test_glow(void **state)
+{
+  (void)state;
+  const char *const sets[] = {"bands={lwir: {from_um: 8, to_um: 12, bins: 40}}",
+                              "sensors={imager: {band: lwir, aperture_m: 0.5, throughput: 0.6, "
+                              "quantum_efficiency: 0.7, exposure_s: 0.01, pixel_arcsec: 2, "
+                              "optics_emissivity: 0.3, optics_temperature_K: 280}}",
+                              "observer.air={profile: us_standard}"};
+  double per_pixel[2];
+  for (size_t n = 2; n <= 3; n++) {
+    struct um_model *model;
+    struct um_model_options options = {.overrides = sets, .noverride = n};
+    assert_ok(um_model_create(context, SCENARIO, &options, &model));
+    struct compared p = compare(model, HEAD TIME ",count_rate,imager,1,1" TAIL);
+    struct um_instrument_exposure e = um_model_expose(model, p.precomputed, p.result, 0, 0);
+    per_pixel[n - 2] = e.background / 0.01 / UM_PI; /* a radius of 2 arcsec is one pixel */
+    assert_true(e.snr > 0.0);
+    compared_end(&p);
+    um_model_destroy(context, &model);
+  }
+  double arcsec = UM_DEG / 3600.0;
+  double solid = 0.25 * UM_PI * 0.25 * 4.0 * arcsec * arcsec;
+  assert_close(per_pixel[0] / (solid * 0.7 * 0.6 * 0.3 * 1.371287e21), 1.0, 1e-3);
+  print_message("optics %.3g e/s a pixel, with air %.3g\n", per_pixel[0], per_pixel[1]);
+  assert_true(per_pixel[1] > 1.2 * per_pixel[0] && per_pixel[1] < 3.0 * per_pixel[0]);
+}
+
 /* An error of the model in flux: relative to Vega it is that of AB times the flux between zeros. */
 static void test_errors(void **state)
 {
@@ -254,6 +285,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_one_spectrum, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_effects, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_air, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(test_glow, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_errors, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_refused, set_up, tear_down),
   };
