@@ -65,7 +65,8 @@ static void light_returns_on_time(void **state)
              {UM_SHADOW_SPHERE,
               6371000.0,
               {"2016-09-21T20:36:54.35Z", "2016-09-21T20:37:01.21Z", "2016-09-21T20:37:08.06Z"}}};
-  struct scene scene = {.orientation = {-0.267794, 0.23662 * UM_ARCSEC, 0.35129 * UM_ARCSEC, NULL}};
+  struct scene scene = {
+      .orientation = {-0.267794, 0.23662 * UM_ARCSEC, 0.35129 * UM_ARCSEC, NULL, NULL}};
   struct um_orbit_tle tle;
   assert_int_equal(um_core_context_create(NULL, &scene.context), UM_OK);
   check_ok(&scene, um_orbit_tle_parse(scene.context, envisat, 1, &tle));
