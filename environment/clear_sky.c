@@ -138,7 +138,11 @@ struct um_environment_clear_sky um_environment_clear_sky_of(enum um_environment_
                                            .pressure = exp(-height / SCALE)};
 }
 
-static double visible_to(void) { return VISIBLE_FROM + VISIBLE_STEP * NVISIBLE; }
+static double visible_to(void)
+{
+  const size_t n = NVISIBLE;
+  return VISIBLE_FROM + VISIBLE_STEP * (double)n;
+}
 
 /* Rounding of an edge that is meant. */
 #define EDGE 1e-12
@@ -147,8 +151,9 @@ bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky,
                                      double to)
 {
   if (sky->table != NULL) return um_environment_sky_table_covers(sky->table, from, to);
+  const size_t n = NINFRARED;
   double longest = 1.0 / INFRARED_FROM;
-  double shortest = 1.0 / (INFRARED_FROM + INFRARED_STEP * NINFRARED);
+  double shortest = 1.0 / (INFRARED_FROM + INFRARED_STEP * (double)n);
   return (from >= VISIBLE_FROM - EDGE && to <= visible_to() + EDGE) ||
          (from >= shortest - EDGE && to <= longest + EDGE);
 }

@@ -48,8 +48,9 @@ void um_irradiation_mirrored_earth(const struct um_environment *environment,
     if (cosine < clear) continue;
     int inside = cosine > full ? POINTS * POINTS : 0;
     for (int i = 0; inside < POINTS * POINTS && i < POINTS * POINTS; i++) {
+      int row = i / POINTS;
       struct um_vec3 d = um_geometry_cube_direction(
-          UM_GEOMETRY_SKY_SIDE, cell, (i % POINTS + 0.5) / POINTS, (i / POINTS + 0.5) / POINTS);
+          UM_GEOMETRY_SKY_SIDE, cell, (i % POINTS + 0.5) / POINTS, (row + 0.5) / POINTS);
       inside += um_vec3_dot(d, down) > edge;
     }
     if (inside == 0) continue;
