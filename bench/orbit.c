@@ -138,7 +138,7 @@ int main(int argc, char **argv)
   struct bench bench;
   bench_begin(&bench, argc, argv, "orbit: states and frames, one thread");
   struct um_context *context = bench.context;
-  const struct um_orbit_earth_orientation orientation = {-0.267794, 1.1e-6, 1.7e-6, NULL};
+  const struct um_orbit_earth_orientation orientation = {-0.267794, 1.1e-6, 1.7e-6, NULL, NULL};
   struct um_orbit_tle tle;
   struct um_orbit_trajectory *kepler = NULL, *orbit = NULL;
   bench_must(&bench, um_orbit_tle_parse(context, envisat, 1, &tle));
