@@ -8,18 +8,13 @@
 #include "model/bands.h"
 #include "model/words_impl.h"
 
-/* An edge of equal bins [m]. */
-static double edge(const struct um_optics_band *band, int i)
-{
-  return band->from + (band->to - band->from) * i / band->bins;
-}
-
 /* Mean of a curve over each bin of a band, multiplied into `to`. */
 static void multiply(const struct um_instrument_filter *curve, const struct um_optics_band *band,
                      double *to)
 {
   for (int i = 0; i < band->bins; i++)
-    to[i] *= um_instrument_filter_mean(curve, edge(band, i), edge(band, i + 1));
+    to[i] *= um_instrument_filter_mean(curve, um_optics_band_edge(band, i),
+                                       um_optics_band_edge(band, i + 1));
 }
 
 static enum um_status ones(struct um_context *context, struct um_model *model, int n, double **out)
@@ -100,7 +95,7 @@ static enum um_status bins_of(struct um_context *context, const struct um_optics
   UM_TRY(um_core_allocate(context, 2 * n, sizeof *wavelength, &wavelength));
   width = wavelength + n;
   for (size_t i = 0; i < n; i++) {
-    double from = edge(band, (int)i), to = edge(band, (int)i + 1);
+    double from = um_optics_band_edge(band, (int)i), to = um_optics_band_edge(band, (int)i + 1);
     wavelength[i] = 0.5 * (from + to);
     width[i] = to - from;
   }

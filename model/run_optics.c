@@ -96,48 +96,45 @@ static enum um_status result_arrays(struct um_context *context, const struct um_
   return UM_OK;
 }
 
-/* Spectral irradiance of one observation [nbin] [W/m^2/m]: above the atmosphere, and at the
- * aperture. */
-struct arrival {
-  double *above, *at;
+/* Spectral irradiance of one observation, both [nbin] [W/m^2/m]. */
+struct spectral_irradiance {
+  double *exo_atmospheric, *at_aperture;
 };
 
 /* Numbers of one observation: magnitudes of what is above the atmosphere, the rest of what comes
  * through. */
 static void photometry(const struct um_model *model, const struct um_model_precomputed *precomputed,
-                       size_t k, const struct arrival *light, struct um_model_result *r)
+                       size_t k, const struct spectral_irradiance *light, struct um_model_result *r)
 {
   bool hidden = precomputed->hidden[k];
   for (size_t b = 0; b < r->nband; b++) {
     struct um_instrument_bins bins = um_model_bins(r, b, NULL);
     size_t first = (size_t)(bins.wavelength - r->wavelength), at = k * r->nband + b;
-    double above = um_instrument_irradiance(&bins, light->above + first);
-    double arrived = um_instrument_irradiance(&bins, light->at + first);
-    double magnitude = um_instrument_magnitude_ab(&bins, light->above + first);
-    r->irradiance[at] = hidden ? (double)NAN : arrived;
+    double above = um_instrument_irradiance(&bins, light->exo_atmospheric + first);
+    double below = um_instrument_irradiance(&bins, light->at_aperture + first);
+    double magnitude = um_instrument_magnitude_ab(&bins, light->exo_atmospheric + first);
+    r->irradiance[at] = hidden ? (double)NAN : below;
     r->magnitude_ab[at] = hidden ? (double)NAN : magnitude;
-    if (arrived != above) r->irradiance_error[at] *= arrived / above;
+    if (below != above) r->irradiance_error[at] *= below / above;
     if (hidden) r->irradiance_error[at] = NAN;
   }
   for (size_t s = 0; s < r->nsensor; s++) {
     const struct um_model_sensor *sensor = &model->sensor[s];
     struct um_instrument_bins bins = um_model_bins(r, sensor->band, sensor->efficiency);
-    const double *spectral = light->at + (bins.wavelength - r->wavelength);
+    const double *spectral = light->at_aperture + (bins.wavelength - r->wavelength);
     r->count_rate[k * r->nsensor + s] =
         hidden ? (double)NAN : um_instrument_count_rate(&sensor->optics, &bins, spectral);
   }
 }
 
-/* What the air above the station lets through of a bin at an instant [1]. */
-static double transmission(const struct um_model *model, const struct um_orbit_look *look,
-                           const struct um_model_result *r, size_t bin)
+/* What the air above the station lets through of a bin [1]; airmass NaN: no air on the way. */
+static double transmission(const struct um_environment_clear_sky *sky,
+                           const struct um_model_result *r, size_t bin, double airmass)
 {
-  const struct um_environment_clear_sky *sky = &model->environment.sky;
-  if (!sky->on || !(look->elevation >= 0.0)) return 1.0;
   double half = 0.5 * r->bin_width[bin];
+  if (isnan(airmass)) return 1.0;
   return um_environment_clear_sky_transmission(sky, r->wavelength[bin] - half,
-                                               r->wavelength[bin] + half,
-                                               um_environment_airmass(look->elevation));
+                                               r->wavelength[bin] + half, airmass);
 }
 
 /* Means over the exposure; E = I / R^2 instant by instant. Standard errors of the instants share
@@ -145,28 +142,31 @@ static double transmission(const struct um_model *model, const struct um_orbit_l
 static enum um_status average(struct um_context *context, const struct um_model *model,
                               const struct um_model_precomputed *precomputed,
                               const struct um_optics_lightcurve *curve, struct um_model_result *r,
-                              const struct arrival *light)
+                              const struct spectral_irradiance *light)
 {
   size_t per_time = r->nband * r->nmaterial * UM_MECHANISM_COUNT;
   size_t per_spectrum = r->nbin * UM_MECHANISM_COUNT;
   double w = 1.0 / (double)precomputed->nsub;
+  const struct um_environment_clear_sky *sky = &model->environment.sky;
   for (size_t k = 0; k < precomputed->nobs; k++) {
     UM_TRY(um_core_stop_check(context, "light was averaged"));
-    memset(light->above, 0, r->nbin * sizeof(double));
-    memset(light->at, 0, r->nbin * sizeof(double));
+    memset(light->exo_atmospheric, 0, r->nbin * sizeof(double));
+    memset(light->at_aperture, 0, r->nbin * sizeof(double));
     for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
       double range = precomputed->sample[i].range;
+      double airmass =
+          sky->on ? um_environment_airmass(precomputed->look[i].elevation) : (double)NAN;
       for (size_t j = 0; j < per_time; j++)
         r->intensity[k * per_time + j] += w * curve->intensity[i * per_time + j];
       for (size_t bin = 0; bin < r->nbin; bin++) {
-        double passed = transmission(model, &precomputed->look[i], r, bin);
+        double passed = transmission(sky, r, bin, airmass);
         for (size_t m = 0; m < UM_MECHANISM_COUNT; m++) {
           size_t j = bin * UM_MECHANISM_COUNT + m;
           double value = curve->spectral[i * per_spectrum + j];
           double irradiance = w * value / (range * range);
           r->spectral[k * per_spectrum + j] += w * value;
-          light->above[bin] += irradiance;
-          light->at[bin] += passed * irradiance;
+          light->exo_atmospheric[bin] += irradiance;
+          light->at_aperture[bin] += passed * irradiance;
         }
       }
       for (size_t b = 0; b < r->nband; b++) {
@@ -317,18 +317,18 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   enum um_status status;
   struct um_optics_scene scene = {0};
   struct um_optics_lightcurve *curve = NULL;
-  struct arrival light = {NULL, NULL};
+  struct spectral_irradiance light = {NULL, NULL};
   if (precomputed->view == NULL) return UM_OK;
   UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
   UM_CHECK(um_optics_lightcurve_compute(context, &scene, model->band, model->nband, &curve));
   UM_CHECK(result_arrays(context, model, precomputed, curve, result));
-  UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.above));
-  UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.at));
+  UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.exo_atmospheric));
+  UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.at_aperture));
   UM_CHECK(average(context, model, precomputed, curve, result, &light));
-  UM_CHECK(observe_all(context, model, precomputed, result, light.above));
+  UM_CHECK(observe_all(context, model, precomputed, result, light.exo_atmospheric));
 done:
-  um_core_free(context, light.above);
-  um_core_free(context, light.at);
+  um_core_free(context, light.exo_atmospheric);
+  um_core_free(context, light.at_aperture);
   um_optics_lightcurve_destroy(context, &curve);
   um_model_scene_release(context, &scene);
   return status;

@@ -16,6 +16,12 @@ struct um_optics_band {
   const double *transmission; /* [bins] of the filter, mean over each bin [1]; NULL: all passes */
 };
 
+/* Edge i of the bins of a band, i from 0 to bins [m]. */
+static inline double um_optics_band_edge(const struct um_optics_band *band, int i)
+{
+  return band->from + (band->to - band->from) * i / band->bins;
+}
+
 enum um_optics_mechanism {
   UM_MECHANISM_SUN,   /* sunlight reflected once */
   UM_MECHANISM_EARTH, /* earthshine and reflected Earth radiation */

@@ -149,9 +149,9 @@ static enum um_status bins_create(struct um_context *context, const struct um_op
   UM_TRY(um_core_allocate(context, s->nbin, sizeof *s->band, &s->band));
   for (size_t k = 0; k < s->nband; k++)
     for (size_t b = s->first[k]; b < s->first[k + 1]; b++) {
-      double i = (double)(b - s->first[k]), span = bands[k].to - bands[k].from;
-      s->from[b] = bands[k].from + span * i / bands[k].bins;
-      s->to[b] = bands[k].from + span * (i + 1.0) / bands[k].bins;
+      int i = (int)(b - s->first[k]);
+      s->from[b] = um_optics_band_edge(&bands[k], i);
+      s->to[b] = um_optics_band_edge(&bands[k], i + 1);
       s->width[b] = s->to[b] - s->from[b];
       s->wavelength[b] = 0.5 * (s->from[b] + s->to[b]);
       s->transmission[b] =

@@ -13,15 +13,15 @@
 #include "thermal/network_impl.h"
 #include "thermal/surface_reflectance_impl.h"
 
-/* How loads arrive behind mirrors, of the band in hand. */
-struct arrivals {
+/* What is incident by way of mirrors, of the band in hand. */
+struct mirrored_incident {
   double *set;     /* [sets of mirrored] weights of mirrors met by the Sun [1] */
   size_t *begin;   /* [noutside + 1] cells of the sky that a patch sees in mirrors */
   uint32_t *cell;  /* of the body's cube */
   double *per_sky; /* irradiance per radiance of the cell [sr] */
 };
 
-static void arrivals_free(struct um_context *context, struct arrivals *a)
+static void mirrored_incident_free(struct um_context *context, struct mirrored_incident *a)
 {
   um_core_free(context, a->set);
   um_core_free(context, a->begin);
@@ -32,7 +32,7 @@ static void arrivals_free(struct um_context *context, struct arrivals *a)
 /* Rays of patch p to the sky, those of a cell added up, each with what its mirrors send on. */
 static size_t sky_take(const struct um_thermal_exchange_maker *m,
                        const struct um_geometry_mirror_paths *paths, const double *weight, size_t p,
-                       size_t at, struct arrivals *a)
+                       size_t at, struct mirrored_incident *a)
 {
   double unit = UM_PI / m->out->area[p];
   size_t first = at;
@@ -47,8 +47,8 @@ static size_t sky_take(const struct um_thermal_exchange_maker *m,
   return at;
 }
 
-static enum um_status arrivals_make(const struct um_thermal_exchange_maker *m, size_t pose,
-                                    bool of_sun, struct arrivals *a)
+static enum um_status mirrored_incident_make(const struct um_thermal_exchange_maker *m, size_t pose,
+                                             bool of_sun, struct mirrored_incident *a)
 {
   enum um_status status = UM_OK;
   const struct um_geometry_mirror_paths *paths = m->table->mirrored[pose];
@@ -105,8 +105,10 @@ static double mirrored_share(const struct um_thermal_exchange_maker *m, size_t p
 }
 
 /* arriving[n] by way of mirrors, per area, at a row; reflected[n]: of the Sun, by each patch. */
-static void arrive(const struct um_thermal_exchange_maker *m, const struct arrivals *a, size_t row,
-                   enum um_thermal_load load, const double *reflected, double *arriving)
+static void add_mirrored_incident(const struct um_thermal_exchange_maker *m,
+                                  const struct mirrored_incident *a, size_t row,
+                                  enum um_thermal_load load, const double *reflected,
+                                  double *arriving)
 {
   const struct um_irradiation_mirrored *mirrored = m->mirrored;
   memset(arriving, 0, m->n * sizeof *arriving);
@@ -127,9 +129,9 @@ static void arrive(const struct um_thermal_exchange_maker *m, const struct arriv
 }
 
 /* out[row] += w (M + A'^-1 B ...) of one load. reflected, arriving [npatch]: scratch. */
-static void reflect_row(const struct um_thermal_exchange_maker *m, const struct arrivals *a,
-                        size_t row, double weight, enum um_thermal_load load, double *reflected,
-                        double *arriving, double *out)
+static void reflect_row(const struct um_thermal_exchange_maker *m,
+                        const struct mirrored_incident *a, size_t row, double weight,
+                        enum um_thermal_load load, double *reflected, double *arriving, double *out)
 {
   const struct um_geometry_patches *patches = m->table->patches;
   size_t n = m->table->noutside, stride = patches->npatch;
@@ -145,7 +147,7 @@ static void reflect_row(const struct um_thermal_exchange_maker *m, const struct 
     any = any || reflected[p] != 0.0;
   }
   if (!any) return; /* then nothing shines on mirrors either */
-  if (a != NULL) arrive(m, a, row, load, reflected, arriving);
+  if (a != NULL) add_mirrored_incident(m, a, row, load, reflected, arriving);
   for (size_t p = 0; p < n; p++) {
     reflected[p] /= 1.0 - m->mirror[p];
     if (a == NULL) continue; /* all is scattered */
@@ -165,24 +167,24 @@ enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, 
                                            enum um_thermal_load load, double *out)
 {
   enum um_status status;
-  struct arrivals arrivals = {0};
+  struct mirrored_incident incident = {0};
   double *scratch = NULL;
   size_t n = m->out->npatch;
   int threads = um_core_context_threads(m->context);
   bool mirrored = m->mirrored != NULL;
   UM_CHECK(um_core_allocate(m->context, 2 * m->loads->ntime * n, sizeof *scratch, &scratch));
-  if (mirrored) UM_CHECK(arrivals_make(m, pose, load == UM_THERMAL_SUN, &arrivals));
+  if (mirrored) UM_CHECK(mirrored_incident_make(m, pose, load == UM_THERMAL_SUN, &incident));
   long ntime = (long)m->loads->ntime;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (long k = 0; k < ntime; k++) {
     size_t row = (size_t)k;
     double weight = weight_of(m->out, row, pose), *own = scratch + 2 * row * n;
     if (weight != 0.0)
-      reflect_row(m, mirrored ? &arrivals : NULL, row, weight, load, own, own + n, out);
+      reflect_row(m, mirrored ? &incident : NULL, row, weight, load, own, own + n, out);
   }
   UM_CHECK(um_core_stop_check(m->context, "reflected loads were added up"));
 done:
-  arrivals_free(m->context, &arrivals);
+  mirrored_incident_free(m->context, &incident);
   um_core_free(m->context, scratch);
   return status;
 }
