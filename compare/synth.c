@@ -12,9 +12,9 @@
 /* A channel in the making. */
 struct source {
   enum um_compare_quantity quantity;
-  size_t index;   /* band or place */
+  size_t index;   /* band, sensor or place */
   size_t channel; /* of the set */
-  double sigma;   /* of a temperature [K]; floor of an irradiance [W/m^2] */
+  double sigma;   /* of a temperature [K]; floor of an irradiance [W/m^2] or count rate [1/s] */
   gsl_rng *random;
 };
 
@@ -30,14 +30,12 @@ static enum um_status seed_source(struct um_context *context, uint64_t seed, con
   return UM_OK;
 }
 
-/* Largest irradiance of a band where it is seen; 0 when it is never. */
-static double peak(const struct um_model_result *r, size_t band)
+/* Largest value of column i of a table [nobs][n] where it is seen; 0 when it is never. */
+static double peak(const double *table, size_t nobs, size_t n, size_t i)
 {
   double largest = 0.0;
-  for (size_t k = 0; k < r->nobs; k++) {
-    double e = r->irradiance[k * r->nband + band];
-    if (e > largest) largest = e; /* NaN where hidden */
-  }
+  for (size_t k = 0; k < nobs; k++)
+    if (table[k * n + i] > largest) largest = table[k * n + i]; /* NaN where hidden */
   return largest;
 }
 
@@ -48,10 +46,18 @@ static enum um_status make_sources(struct um_context *context, const struct um_m
 {
   for (size_t b = 0; model->has_observer && b < model->nband; b++) {
     struct source *s = &source[(*count)++];
+    double most = peak(result->irradiance, result->nobs, result->nband, b);
     *s = (struct source){
-        .quantity = UM_QUANTITY_BAND_IRRADIANCE, .index = b, .sigma = o->floor * peak(result, b)};
+        .quantity = UM_QUANTITY_BAND_IRRADIANCE, .index = b, .sigma = o->floor * most};
     UM_TRY(um_compare_set_channel(context, set, s->quantity, model->band[b].name, &s->channel));
     UM_TRY(seed_source(context, o->seed, model->band[b].name, s));
+  }
+  for (size_t i = 0; model->has_observer && i < model->nsensor; i++) {
+    struct source *s = &source[(*count)++];
+    double most = peak(result->count_rate, result->nobs, result->nsensor, i);
+    *s = (struct source){.quantity = UM_QUANTITY_COUNT_RATE, .index = i, .sigma = o->floor * most};
+    UM_TRY(um_compare_set_channel(context, set, s->quantity, model->sensor[i].name, &s->channel));
+    UM_TRY(seed_source(context, o->seed, model->sensor[i].name, s));
   }
   for (size_t p = 0; p < o->nplace; p++) {
     struct source *s = &source[(*count)++];
@@ -73,15 +79,20 @@ static enum um_status add_row(struct um_context *context, const struct um_model 
                               const struct um_model_result *r, const struct um_compare_synth *o,
                               const struct source *s, size_t k, struct um_compare_set *set)
 {
-  bool heat = s->quantity == UM_QUANTITY_TEMPERATURE;
-  double truth = heat ? r->place[s->index].mean[k] : r->irradiance[k * r->nband + s->index];
+  bool heat = s->quantity == UM_QUANTITY_TEMPERATURE,
+       counts = s->quantity == UM_QUANTITY_COUNT_RATE;
+  double truth = heat     ? r->place[s->index].mean[k]
+                 : counts ? r->count_rate[k * r->nsensor + s->index]
+                          : r->irradiance[k * r->nband + s->index];
   double exposure = model->scenario->time->exposure_s;
   if (isnan(truth)) return UM_OK;
   double sigma = heat ? s->sigma : hypot(o->relative * truth, s->sigma);
   if (!(sigma > 0.0))
-    return um_core_fail(
-        context, UM_ERR_INPUT, "noise of %s '%s' of %g W/m^2 is %g; accepted: a floor above 0",
-        um_compare_quantity_name(s->quantity), model->band[s->index].name, truth, sigma);
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "noise of %s '%s' of %g %s is %g; accepted: a floor above 0",
+                        um_compare_quantity_name(s->quantity),
+                        counts ? model->sensor[s->index].name : model->band[s->index].name, truth,
+                        counts ? "1/s" : "W/m^2", sigma);
   struct um_compare_measurement row = {.t_tai = precomputed->t_obs[k],
                                        .channel = s->channel,
                                        .value = truth + gsl_ran_gaussian_ziggurat(s->random, sigma),
@@ -127,7 +138,7 @@ enum um_status um_compare_synth_share(struct um_context *context, void *user,
   (void)context;
   *share = NAN;
   for (size_t b = 0; precomputed->view != NULL && b < result->nband; b++) {
-    double floor = o->floor * peak(result, b), sum = 0.0;
+    double floor = o->floor * peak(result->irradiance, result->nobs, result->nband, b), sum = 0.0;
     size_t count = 0;
     for (size_t k = 0; k < result->nobs; k++) {
       size_t at = k * result->nband + b;
@@ -156,7 +167,8 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
   enum um_status status;
   *out = NULL;
   UM_TRY(um_compare_synth_check(context, model, options));
-  UM_TRY(um_core_allocate(context, model->nband + options->nplace, sizeof *source, &source));
+  UM_TRY(um_core_allocate(context, model->nband + model->nsensor + options->nplace, sizeof *source,
+                          &source));
   UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
   UM_CHECK(make_sources(context, model, result, options, &set, source, &count));
   for (size_t k = 0; k < precomputed->nobs; k++)

@@ -23,10 +23,11 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
 
 /* At every observation of the geometry precomputation, for every band above the horizon,
  *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
- * and the temperature of every place with temperature_sigma. Sigma is of the truth, as the noise
- * is. Each channel draws from a generator of its own (Mersenne twister, Matsumoto & Nishimura 1998;
- * ziggurat, Marsaglia & Tsang 2000) that depends on the seed and the channel alone: the same seed
- * gives the same noise whatever else is measured. exposure_s is written where the scenario has one.
+ * the count rate of every sensor likewise, and the temperature of every place with
+ * temperature_sigma. Sigma is of the truth, as the noise is. Each channel draws from a generator of
+ * its own (Mersenne twister, Matsumoto & Nishimura 1998; ziggurat, Marsaglia & Tsang 2000) that
+ * depends on the seed and the channel alone: the same seed gives the same noise whatever else is
+ * measured. exposure_s is written where the scenario has one.
  *
  * path: what the set is called in messages. UM_ERR_INPUT: noise out of range, a sigma of 0, an
  * unknown place, or nothing to measure (no observer or never above the horizon, and no places).

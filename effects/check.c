@@ -121,9 +121,10 @@ enum um_status um_effects_check(struct um_context *context, const struct um_effe
                         e->name, e->nparameter, e->parameters == NULL ? ", none given" : "",
                         UM_EFFECT_PARAMETERS_MAX);
   for (size_t i = 0; i < e->nparameter; i++) UM_TRY(check_parameter(context, e, i));
-  if (e->on_by_default && e->switch_off == NULL)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect '%s' is on by default; accepted: with switch_off", e->name);
+  if (e->on_by_default && e->switch_off == NULL && e->nparameter > 0)
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "effect '%s' is on by default and has parameters; accepted: with switch_off", e->name);
   for (size_t i = 0; e->on_by_default && i < e->nparameter; i++)
     if (e->parameters[i].default_value != e->parameters[i].null_value)
       return um_core_fail(

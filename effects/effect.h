@@ -13,6 +13,7 @@
 #include "core/vec.h"
 #include "environment/environment.h"
 #include "geometry/geometry.h"
+#include "instrument/sensor.h"
 #include "materials/materials.h"
 #include "orbit/attitude.h"
 #include "thermal/body.h"
@@ -143,6 +144,11 @@ struct um_effect_observation {
   const char *band;
   double value;         /* band irradiance [W/m^2]; the hook changes it */
   bool exo_atmospheric; /* value is the one without an atmosphere */
+  double zero; /* band irradiance of AB magnitude 0, the same at every wavelength [W/m^2] */
+  /* What a sensor counts, as the irradiance that it would count so; sensor NULL: no counts. */
+  const struct um_instrument_sensor *sensor;
+  double electrons;  /* of the whole image in an exposure, per irradiance [e per W/m^2]; NAN */
+  double background; /* of a pixel in it [e]; NAN: no pixels are known */
 };
 
 /* Each hook may be NULL. A hook adds to or scales what is there, never sets it, and does nothing at
@@ -242,7 +248,8 @@ struct um_effect {
   const struct um_effect_parameter *parameters;
   size_t nparameter;
   struct um_effect_hooks hooks;
-  /* For a core switch: called when the scenario turns it off. */
+  /* For a core switch: called when the scenario turns it off. NULL: it acts by its hooks, which are
+   * not called then. */
   enum um_status (*switch_off)(struct um_context *, struct um_environment *);
   /* For a core switch that keys of `environment` may hold off (shadow: sphere): whether they do,
    * and what turns it on all the same; it does nothing where it is on. NULL: only `effects` and

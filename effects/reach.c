@@ -10,7 +10,7 @@ uint32_t um_effects_reach(const struct um_effect *effect)
   if (h->time != NULL || h->exposure != NULL || h->along_track != NULL || h->law != NULL ||
       h->attitude != NULL)
     reach |= UM_REACH_PRECOMPUTED | UM_REACH_THERMAL | UM_REACH_OPTICS;
-  if (h->environment != NULL || effect->on_by_default)
+  if (h->environment != NULL || effect->switch_off != NULL)
     reach |= UM_REACH_LIGHT | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->material != NULL) reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->sky != NULL) reach |= UM_REACH_OPTICS;

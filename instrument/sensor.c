@@ -48,6 +48,25 @@ static double central_pixel(const struct um_instrument_sensor *sensor)
   return side * side;
 }
 
+double um_instrument_pixel_background(const struct um_instrument_sensor *sensor,
+                                      const struct um_instrument_bins *bins, double glow,
+                                      double time)
+{
+  if (isnan(sensor->pixel)) return NAN;
+  double zero = um_instrument_count_rate_ab0(sensor, bins) * sensor->gain;           /* [e/s] */
+  double sky = zero * pow(10.0, -0.4 * sensor->sky) * sensor->pixel * sensor->pixel; /* [e/s/px] */
+  return (sky + glow + sensor->dark) * time;
+}
+
+double um_instrument_saturated(const struct um_instrument_sensor *sensor, double electrons,
+                               double background)
+{
+  double room = sensor->saturation - background, central = central_pixel(sensor);
+  if (!(central * electrons > room)) return electrons;
+  if (!(room > 0.0)) return 0.0;
+  return room / central * (1.0 + log(central * electrons / room));
+}
+
 struct um_instrument_exposure um_instrument_expose(const struct um_instrument_sensor *sensor,
                                                    const struct um_instrument_bins *bins,
                                                    double rate, double irradiance, double glow,
@@ -64,14 +83,14 @@ struct um_instrument_exposure um_instrument_expose(const struct um_instrument_se
   double zero = um_instrument_count_rate_ab0(sensor, bins) * sensor->gain; /* [e/s] */
   double q = sensor->radius, radius = q * sensor->fwhm / sensor->pixel;
   double enclosed = 1.0 - exp2(-4.0 * q * q), n = UM_PI * radius * radius;
-  double sky = zero * pow(10.0, -0.4 * sensor->sky) * sensor->pixel * sensor->pixel; /* [e/s/px] */
-  double per_pixel = (sky + glow + sensor->dark) * time;
+  double per_pixel = um_instrument_pixel_background(sensor, bins, glow, time);
   double read2 = sensor->read_noise * sensor->read_noise;
   double noise2 = n * (1.0 + n / sensor->annulus) * (per_pixel + read2); /* beside the source's */
   e.signal = enclosed * electrons;
   e.background = n * per_pixel;
   e.peak = central_pixel(sensor) * electrons + per_pixel;
   e.saturated = e.peak > sensor->saturation;
+  e.peak = fmin(e.peak, sensor->saturation);
   if (isnan(e.snr)) e.snr = e.signal > 0.0 ? e.signal / sqrt(e.signal + noise2) : 0.0;
   /* x^2 = k^2 (x + N) for the signal x of SNR k */
   double k2 = DETECTED * DETECTED, least = 0.5 * (k2 + sqrt(k2 * k2 + 4.0 * k2 * noise2));

@@ -39,7 +39,7 @@ double um_instrument_count_rate_ab0(const struct um_instrument_sensor *sensor,
 struct um_instrument_exposure {
   double signal;     /* within the circle [e] */
   double background; /* sky and dark within the circle [e] */
-  double peak;       /* brightest pixel, centred on it [e] */
+  double peak;       /* brightest pixel, centred on it, at most what it holds [e] */
   bool saturated;
   double snr;      /* [1] */
   double limit_ab; /* magnitude at the aperture at which that would be 5; NAN: no pixels */
@@ -47,6 +47,18 @@ struct um_instrument_exposure {
 /* Electrons per second and pixel of a sky of radiance per bin [n] [W/m^2/sr/m]. */
 double um_instrument_sky_rate(const struct um_instrument_sensor *sensor,
                               const struct um_instrument_bins *bins, const double *radiance);
+/* Electrons of a pixel beside the source in an exposure of `time` [s]: the stated sky, dark current
+ * and glow, which is in electrons per second and pixel. NAN: no pixels are known. */
+double um_instrument_pixel_background(const struct um_instrument_sensor *sensor,
+                                      const struct um_instrument_bins *bins, double glow,
+                                      double time);
+/* Electrons that are found of an image of so many, where pixels hold no more than the sensor's
+ * saturation: the core of a Gaussian image is cut at c, what a pixel has room for beside its
+ * background, while its wings go on growing,
+ *   S' = S where g S <= c, else (c/g) (1 + ln(g S/c)),   g the share of the central pixel;
+ * the integral of min(s(r), c) over the image. No charge flows over to neighbours. */
+double um_instrument_saturated(const struct um_instrument_sensor *sensor, double electrons,
+                               double background);
 /* glow: electrons per second and pixel beside the stated sky; rate: counts per second of the whole
  * source; irradiance: through the filter [W/m^2]; time: length of the exposure [s]. SNR by the CCD
  * equation (Merline & Howell 1995, Exp. Astron. 6:163), S t / sqrt(S t + n (1 + n/n_a) (B t + D t +

@@ -48,6 +48,16 @@ static double glow(const struct um_model *model, const struct um_model_precomput
   return sum;
 }
 
+double um_model_pixel_background(const struct um_model *model,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_result *result, size_t k, size_t s)
+{
+  const struct um_model_sensor *sensor = &model->sensor[s];
+  struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
+  double glowing = glow(model, precomputed, k, &sensor->optics, &bins);
+  return um_instrument_pixel_background(&sensor->optics, &bins, glowing, sensor->exposure);
+}
+
 struct um_instrument_exposure um_model_expose(const struct um_model *model,
                                               const struct um_model_precomputed *precomputed,
                                               const struct um_model_result *result, size_t k,

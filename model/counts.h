@@ -12,6 +12,11 @@ struct um_instrument_exposure um_model_expose(const struct um_model *model,
                                               const struct um_model_precomputed *precomputed,
                                               const struct um_model_result *result, size_t k,
                                               size_t s);
+/* Electrons of a pixel of sensor s beside the source, in an exposure of observation k; NaN without
+ * pixels. */
+double um_model_pixel_background(const struct um_model *model,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_result *result, size_t k, size_t s);
 /* Relative scintillation of that exposure [1]; NaN from space, at the horizon, and without an
  * exposure. */
 double um_model_scintillation(const struct um_model *model,

@@ -189,37 +189,55 @@ static double irradiance_of_zero(const struct um_model_result *r, size_t b, cons
          pow(10.0, 0.4 * um_instrument_magnitude_ab(&bins, flat));
 }
 
-/* One observation and band through all effects: what comes to the aperture, or, as if there were no
- * atmosphere, what the magnitude is made of. */
+/* What is measured at an observation, for effects that act on it. */
+struct reading {
+  size_t k, b;
+  double zero; /* irradiance of AB magnitude 0 [W/m^2] */
+  bool exo_atmospheric;
+  const struct um_instrument_sensor *sensor; /* NULL: no counts */
+  double electrons, background;              /* of um_effect_observation */
+};
+
+/* One reading through all effects: what comes to the aperture, or, as if there were no atmosphere,
+ * what the magnitude is made of. Switches stand for the detector and act on what the others leave.
+ */
 static enum um_status transform(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed, size_t k, size_t b,
-                                bool exo_atmospheric, double *value)
+                                const struct um_model_precomputed *precomputed,
+                                const struct reading *reading, double *value)
 {
   struct um_effect_use use;
-  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
-  for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
-    struct um_effect_observation o = {.t_tai = precomputed->t_obs[k],
-                                      .elevation = elevation,
-                                      .airmass = um_environment_airmass(elevation),
-                                      .band = model->band[b].name,
-                                      .value = *value,
-                                      .exo_atmospheric = exo_atmospheric};
-    if (use.effect->hooks.observation == NULL) continue;
-    UM_TRY(use.effect->hooks.observation(context, &use, &o));
-    *value = o.value;
-  }
+  size_t middle = reading->k * precomputed->nsub + precomputed->nsub / 2;
+  double elevation = precomputed->look[middle].elevation;
+  struct um_effect_observation o = {.t_tai = precomputed->t_obs[reading->k],
+                                    .elevation = elevation,
+                                    .airmass = um_environment_airmass(elevation),
+                                    .band = model->band[reading->b].name,
+                                    .exo_atmospheric = reading->exo_atmospheric,
+                                    .zero = reading->zero,
+                                    .sensor = reading->sensor,
+                                    .electrons = reading->electrons,
+                                    .background = reading->background};
+  for (int detector = 0; detector < 2; detector++)
+    for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
+      struct um_effect_observation seen = o;
+      if (use.effect->hooks.observation == NULL || use.effect->on_by_default != detector) continue;
+      seen.value = *value;
+      UM_TRY(use.effect->hooks.observation(context, &use, &seen));
+      *value = seen.value;
+    }
   return UM_OK;
 }
 
 /* A radiant intensity is measured as irradiance, without an atmosphere, and taken back by R^2. */
 static enum um_status observe_intensity(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed, size_t k,
-                                        size_t b, struct um_model_result *r)
+                                        const struct um_model_precomputed *precomputed,
+                                        const struct reading *reading, struct um_model_result *r)
 {
+  size_t k = reading->k, b = reading->b;
   double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
   double intensity = um_model_result_intensity(r, k, b, -1), e = intensity / (range * range);
   double after = e;
-  UM_TRY(transform(context, model, precomputed, k, b, true, &after));
+  UM_TRY(transform(context, model, precomputed, reading, &after));
   if (after != e) intensity = after * range * range;
   r->measured_intensity[k * r->nband + b] = intensity;
   return UM_OK;
@@ -228,13 +246,13 @@ static enum um_status observe_intensity(struct um_context *context, const struct
 /* How far the transform moves a value that moves by `error`: right for what is added, scaled or
  * bent (dead time) by effects. */
 static enum um_status transform_error(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed, size_t k,
-                                      size_t b, bool exo_atmospheric, double before, double after,
+                                      const struct um_model_precomputed *precomputed,
+                                      const struct reading *reading, double before, double after,
                                       double *error)
 {
   double moved = before + *error;
   if (!(*error > 0.0)) return UM_OK;
-  UM_TRY(transform(context, model, precomputed, k, b, exo_atmospheric, &moved));
+  UM_TRY(transform(context, model, precomputed, reading, &moved));
   *error = fabs(moved - after);
   return UM_OK;
 }
@@ -253,14 +271,15 @@ static enum um_status observe(struct um_context *context, const struct um_model 
       double *magnitude = &r->magnitude_ab[at], *error = &r->irradiance_error[at];
       double before = zero * pow(10.0, -0.4 * *magnitude), after = before;
       double bare = r->irradiance[at], exo_error = *error * (bare > 0.0 ? before / bare : 1.0);
-      UM_TRY(transform(context, model, precomputed, k, b, false, &r->irradiance[at]));
-      UM_TRY(transform_error(context, model, precomputed, k, b, false, bare, r->irradiance[at],
-                             error));
-      UM_TRY(transform(context, model, precomputed, k, b, true, &after));
-      UM_TRY(transform_error(context, model, precomputed, k, b, true, before, after, &exo_error));
+      struct reading here = {k, b, zero, false, NULL, NAN, NAN}, above = here;
+      above.exo_atmospheric = true;
+      UM_TRY(transform(context, model, precomputed, &here, &r->irradiance[at]));
+      UM_TRY(transform_error(context, model, precomputed, &here, bare, r->irradiance[at], error));
+      UM_TRY(transform(context, model, precomputed, &above, &after));
+      UM_TRY(transform_error(context, model, precomputed, &above, before, after, &exo_error));
       r->magnitude_error[at] = exo_error / zero;
       if (after != before) *magnitude = -2.5 * log10(after / zero);
-      UM_TRY(observe_intensity(context, model, precomputed, k, b, r));
+      UM_TRY(observe_intensity(context, model, precomputed, &above, r));
     }
   }
   return UM_OK;
@@ -279,12 +298,17 @@ static enum um_status observe_counts(struct um_context *context, const struct um
     struct um_instrument_bins passed = um_model_bins(r, sensor->band, NULL);
     double unit = um_instrument_count_rate(&sensor->optics, &all, flat) /
                   um_instrument_irradiance(&passed, flat); /* [1/s per W/m^2] */
+    struct reading reading = {0,     sensor->band,    irradiance_of_zero(r, sensor->band, flat),
+                              false, &sensor->optics, unit * sensor->optics.gain * sensor->exposure,
+                              NAN};
     for (size_t k = 0; k < r->nobs; k++) {
       double *rate = &r->count_rate[k * r->nsensor + s], before = *rate / unit, after = before;
       double error = bare_error[k * r->nband + sensor->band] * before;
-      UM_TRY(transform(context, model, precomputed, k, sensor->band, false, &after));
-      UM_TRY(transform_error(context, model, precomputed, k, sensor->band, false, before, after,
-                             &error));
+      reading.k = k;
+      if (isfinite(sensor->optics.saturation)) /* the one that asks */
+        reading.background = um_model_pixel_background(model, precomputed, r, k, s);
+      UM_TRY(transform(context, model, precomputed, &reading, &after));
+      UM_TRY(transform_error(context, model, precomputed, &reading, before, after, &error));
       if (after != before) *rate = after * unit;
       r->count_rate_error[k * r->nsensor + s] = error * unit;
     }

@@ -7,6 +7,8 @@
 #include "output/csv_impl.h"
 #include "output/output.h"
 
+#define STANDARD_RANGE 1e6 /* that magnitudes of satellites are compared at [m] */
+
 static const char *const mechanism_names[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
                                                                 "interreflected", "other"};
 
@@ -27,6 +29,7 @@ static void write_header(const struct um_output_run *run, FILE *file)
     um_output_csv_text(file, name, "_irradiance_W_m2");
     um_output_csv_text(file, name, "_mag_ab");
     um_output_csv_text(file, name, "_mag_vega");
+    um_output_csv_text(file, name, "_mag_ab_1000km");
   }
   fputc('\n', file);
 }
@@ -54,6 +57,7 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
     um_output_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
     um_output_csv_number(file, precomputed->sunlit[k]);
     um_output_csv_number(file, look->sun_elevation / UM_DEG);
+    double nearer = 5.0 * log10(look->range / STANDARD_RANGE); /* [mag] */
     for (size_t b = 0; b < r->nband; b++) {
       double part[UM_MECHANISM_COUNT], total = 0.0;
       for (int m = 0; m < UM_MECHANISM_COUNT; m++)
@@ -64,6 +68,7 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
       um_output_csv_number(file, r->irradiance[k * r->nband + b]);
       um_output_csv_number(file, r->magnitude_ab[k * r->nband + b]);
       um_output_csv_number(file, r->magnitude_ab[k * r->nband + b] - r->vega_ab[b]);
+      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b] - nearer);
     }
     fputc('\n', file);
   }

@@ -22,7 +22,7 @@ tree="$folder/moved to another place"
 mv "$folder/stage/opt/umbra" "$tree"
 for file in share/umbra/materials/mli_kapton.yaml share/umbra/scenarios/sphere/scenario.yaml \
   share/umbra/scenarios/envisat-graz-2016/geometry/bus.obj share/doc/umbra/README.md share/doc/umbra/LICENSE \
-  share/doc/umbra/docs/files.md share/doc/umbra/examples/effects/nonlinearity.c include/umbra/effects/effect.h \
+  share/doc/umbra/docs/files.md share/doc/umbra/examples/effects/pileup.c include/umbra/effects/effect.h \
   share/bash-completion/completions/umbra share/zsh/site-functions/_umbra ${help2man:+share/man/man1/umbra.1}; do
   [ -s "$tree/$file" ] || fail "$file is not installed"
 done
@@ -71,6 +71,6 @@ while read -r header; do
   printf '#include "%s"\n' "$header" >one.c
   "$cc" -std=c17 -Wall -Werror -I"$tree/include/umbra" -fsyntax-only one.c || fail "$header does not stand alone"
 done <headers
-"$cc" -std=c17 -O2 -shared -fPIC -I"$tree/include/umbra" -o own.so "$tree/share/doc/umbra/examples/effects/nonlinearity.c"
-expect "q_m2_W" umbra effects nonlinearity --effect-file own.so
+"$cc" -std=c17 -O2 -shared -fPIC -I"$tree/include/umbra" -o own.so "$tree/share/doc/umbra/examples/effects/pileup.c"
+expect "q_m2_W" umbra effects pileup --effect-file own.so
 echo "install: all well"

@@ -18,7 +18,7 @@
 #define BAND_COLUMNS(b)                                                                            \
   "," b "_intensity_W_sr," b "_sun_W_sr," b "_earth_W_sr," b "_emitted_W_sr," b                    \
   "_interreflected_W_sr," b "_other_W_sr," b "_stderr_W_sr," b "_irradiance_W_m2," b "_mag_ab," b  \
-  "_mag_vega"
+  "_mag_vega," b "_mag_ab_1000km"
 #define LIGHTCURVE_HEADER                                                                          \
   "time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"           \
   "sun_elevation_deg" BAND_COLUMNS("vis") BAND_COLUMNS("lwir")
@@ -359,6 +359,10 @@ static void test_netcdf_is_the_tables(void **state)
       expect_field(&light, k, name, at(file, "magnitude_ab", k, "band", bands[b]));
       snprintf(name, sizeof name, "%s_mag_vega", bands[b]);
       expect_field(&light, k, name, at(file, "magnitude_vega", k, "band", bands[b]));
+      snprintf(name, sizeof name, "%s_mag_ab_1000km", bands[b]);
+      expect_field(&light, k, name,
+                   at(file, "magnitude_ab", k, "band", bands[b]) -
+                       5.0 * log10(at(file, "range", k, NULL, NULL) * 1e-6));
     }
     for (size_t c = 1; c < warm.ncolumn; c += 3) {
       snprintf(name, sizeof name, "%.*s", (int)(strlen(warm.field[c]) - strlen(".mean_K")),

@@ -80,7 +80,7 @@ static double measure(const char *path, const char *with, const struct um_compar
 static void own_effect_is_named(void **state)
 {
   (void)state;
-  static const char *const only[] = {"nonlinearity", "zero_point",     "background", "roughness",
+  static const char *const only[] = {"pileup", "zero_point",     "background", "roughness",
                                      "exposure",     "specular_level", "time_tag"};
   const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 7};
   const struct um_model_options changes = {.effect_files = files, .neffect_file = 1};
@@ -99,7 +99,7 @@ static void own_effect_is_named(void **state)
   fputs(scenario, file);
   assert_int_equal(fclose(file), 0);
   double q = -0.2 / measure(path, NULL, NULL, NULL);
-  snprintf(with, sizeof with, "nonlinearity:vis,q_m2_W=%.17g", q);
+  snprintf(with, sizeof with, "pileup:vis,q_m2_W=%.17g", q);
   measure(path, with, &noise, &measured);
   OK(um_sensitivity_forward_create(context, path, &changes, measured, 1.0, &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
@@ -107,7 +107,7 @@ static void own_effect_is_named(void **state)
   print_message("  %s\n", d->sentence);
   assert_int_equal(d->verdict, UM_VERDICT_FOUND);
   assert_int_equal(d->naddition, 1);
-  assert_string_equal(d->addition[0].effect->name, "nonlinearity");
+  assert_string_equal(d->addition[0].effect->name, "pileup");
   assert_string_equal(d->addition[0].target, "vis");
   double away = (d->addition[0].value[0] - q) / d->addition_sigma[0][0];
   print_message("  q %.4g +- %.2g, true %.4g m^2/W; reduced chi-square %.3f before, %.3f after\n",

@@ -14,6 +14,8 @@
 #include "tests/lab/lab.h"
 #include "tests/sensitivity/forward_test.h"
 
+#define ROWS 60 /* of the measurements, in use */
+
 struct entry {
   const char *effect, *target; /* NULL: global */
   double step;                 /* of the first parameter, from its null value; of a logarithm */
@@ -82,11 +84,17 @@ static const struct entry cases[] = {
     {"water_vapour", NULL, 0.3, "bus", NULL},
     {"aerosol", NULL, 0.05, "bus", "air without aerosol is clear"},
     {"extinction", "lwir", 0.05, "bus", NULL},
+    {"aperture_loss", "vis", 0.02, "bus", "a circle does not hold more than all"},
     {"zero_point", "vis", 0.1, "bus", NULL},
+    {"nonlinearity", "vis", 0.1, "bus", NULL},
+    {"saturation", NULL, 0.0, "bus", "a switch"},
     {"background", "lwir", 1e-13, "bus", NULL},
+    {"sky_background", "lwir", 1e-13, "bus", NULL},
+    {"path_radiance", "lwir", 1e-13, "bus", NULL},
 };
 
-/* The small satellite with a box in MLI and a wing on a joint, so that everything has a target. */
+/* The small satellite with a box in MLI, a wing on a joint and a camera whose pixels fill, so that
+ * everything has a target. */
 #define MORE                                                                                       \
   "  - name: box\n"                                                                                \
   "    box: {size_m: [0.5, 0.5, 0.5]}\n"                                                           \
@@ -104,6 +112,10 @@ static const struct entry cases[] = {
   "    shell: {areal_heat_capacity_J_m2_K: 2000, through_conductance_W_m2_K: 50}\n"                \
   "    lumped: true\n"                                                                             \
   "thermal:"
+
+#define CAMERA                                                                                     \
+  "sensors:\n"                                                                                     \
+  "  camera: {band: vis, aperture_m: 0.3, pixel_arcsec: 1, exposure_s: 1, saturation_e: 300}\n"
 
 /* Everything that is wrong is said before the test fails. */
 static int complaints;
@@ -127,9 +139,10 @@ static void put_satellite(void)
   char text[8192];
   const char *thermal = strstr(scenario_text, "thermal:");
   put_world("");
-  snprintf(text, sizeof text, "%.*s" MORE "%s" CONTACTS, (int)(thermal - scenario_text),
+  snprintf(text, sizeof text, "%.*s" MORE "%s" CONTACTS CAMERA, (int)(thermal - scenario_text),
            scenario_text, thermal + strlen("thermal:"));
   put(SCENARIO, text);
+  put_measured("count_rate,camera,1e5,1e5,0");
 }
 
 #define ISOTHERMAL 7
@@ -158,7 +171,7 @@ static struct um_model_addition away(const struct um_effect *effect, const struc
 static void check_null(struct um_sensitivity_forward *f, const struct um_effect *effect,
                        const struct entry *entry, const double *base)
 {
-  double value[48];
+  double value[ROWS];
   struct um_model_addition a = away(effect, entry, 0.0);
   for (size_t p = 0; p < effect->nparameter; p++) a.value[p] = effect->parameters[p].null_value;
   if (um_sensitivity_forward_evaluate(context, f, &a, 1, value) != UM_OK)
@@ -181,7 +194,7 @@ static void check_slope(const struct um_model_options *options, struct um_sensit
                         const double *base)
 {
   const struct um_effect_parameter *p = &effect->parameters[0];
-  double up[48], down[48], fresh[48];
+  double up[ROWS], down[ROWS], fresh[ROWS];
   struct um_model_addition a = away(effect, entry, 1.0);
   if (um_sensitivity_forward_evaluate(context, f, &a, 1, up) != UM_OK) {
     COMPLAIN("%s: %s", effect->name, um_core_message(context));
@@ -215,7 +228,7 @@ static void check_switch(const struct um_effect *effect, const struct entry *ent
       .overrides = isothermal, .noverride = ISOTHERMAL, .without = without, .nwithout = 1};
   struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
   struct um_model_addition a = away(effect, entry, 0.0);
-  double off[48], on[48];
+  double off[ROWS], on[ROWS];
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, off));
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, on));
   if (memcmp(off, base, sizeof off) == 0) COMPLAIN("%s: no slope", effect->name);
@@ -228,7 +241,7 @@ static void check_refuses(struct um_sensitivity_forward *f, const struct um_effe
                           const struct entry *entry)
 {
   struct um_model_addition a = away(effect, entry, 1.0);
-  double value[48];
+  double value[ROWS];
   const char *const wrong[] = {entry->wrong, "no_such_thing",
                                effect->targets == UM_TARGET_GLOBAL ? "vis" : NULL};
   bool with_or_without =
@@ -247,11 +260,11 @@ static void test_physics(void **state)
 {
   (void)state;
   const struct um_model_options options = {.overrides = isothermal, .noverride = ISOTHERMAL};
-  double base[48];
+  double base[ROWS];
   put_satellite();
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
-  assert_int_equal(f->observations.count, 48);
+  assert_int_equal(f->observations.count, ROWS);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
   for (size_t i = 0; i < um_effects_count(); i++) {
     const struct um_effect *effect = um_effects_at(i);

@@ -14,7 +14,7 @@
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 
-#define EXAMPLE OBJECTS "/nonlinearity.so"
+#define EXAMPLE OBJECTS "/pileup.so"
 
 static struct um_effects_registry *registry_of(const char *path)
 {
@@ -34,12 +34,12 @@ static void object_joins_the_registry(void **state)
   assert_int_equal(um_effects_registry_count(registry), n + 1);
   assert_ptr_equal(um_effects_registry_at(registry, 0), um_effects_at(0));
   const struct um_effect *e = um_effects_registry_at(registry, n);
-  assert_string_equal(e->name, "nonlinearity");
-  assert_ptr_equal(um_effects_registry_find(registry, "nonlinearity"), e);
+  assert_string_equal(e->name, "pileup");
+  assert_ptr_equal(um_effects_registry_find(registry, "pileup"), e);
   assert_ptr_equal(um_effects_registry_find(registry, "albedo"), um_effects_find("albedo"));
-  assert_null(um_effects_find("nonlinearity"));
+  assert_null(um_effects_find("pileup"));
   um_effects_registry_names(registry, names, sizeof names);
-  assert_non_null(strstr(names, "nonlinearity"));
+  assert_non_null(strstr(names, "pileup"));
   /* again: nothing new; another object: its two behind it */
   assert_int_equal(um_effects_registry_load(case_context(), registry, EXAMPLE), UM_OK);
   assert_int_equal(um_effects_registry_count(registry), n + 1);
@@ -58,13 +58,13 @@ static void page_is_written_from_the_object(void **state)
   struct um_effects_registry *registry = registry_of(EXAMPLE);
   FILE *file = tmpfile();
   assert_non_null(file);
-  um_effects_write_markdown(file, um_effects_registry_find(registry, "nonlinearity"));
+  um_effects_write_markdown(file, um_effects_registry_find(registry, "pileup"));
   rewind(file);
   page[fread(page, 1, sizeof page - 1, file)] = '\0';
   fclose(file);
-  assert_non_null(strstr(page, "## nonlinearity"));
+  assert_non_null(strstr(page, "## pileup"));
   assert_non_null(strstr(page, "- told apart from roughness and exposure"));
-  assert_non_null(strstr(page, "--with nonlinearity,q_m2_W=-1e+08`"));
+  assert_non_null(strstr(page, "--with pileup,q_m2_W=-1e+08`"));
   um_effects_registry_destroy(case_context(), &registry);
 }
 
@@ -82,10 +82,10 @@ static void example_acts(void **state)
   scenario_with(EXAMPLE, scenario, sizeof scenario);
   struct case_run plain = case_with(case_plate, NULL);
   struct case_run loaded = case_with(scenario, NULL);
-  struct case_run null = case_with(scenario, "nonlinearity,q_m2_W=0");
+  struct case_run null = case_with(scenario, "pileup,q_m2_W=0");
   double e = plain.result->irradiance[0], q = -0.03 / e;
   assert_true(e > 0.0);
-  snprintf(with, sizeof with, "nonlinearity:vis,q_m2_W=%.17g", q);
+  snprintf(with, sizeof with, "pileup:vis,q_m2_W=%.17g", q);
   struct case_run bent = case_with(scenario, with);
   assert_true(case_same(&plain, &loaded));
   assert_true(case_same(&plain, &null));
@@ -97,8 +97,8 @@ static void example_acts(void **state)
     assert_true(bent.result->magnitude_ab[2 * k] > plain.result->magnitude_ab[2 * k]);
   }
   assert_int_equal(um_model_effects_count(bent.model), um_effects_count() + 1);
-  assert_non_null(um_model_effects_find(bent.model, "nonlinearity"));
-  assert_null(um_model_effects_find(plain.model, "nonlinearity"));
+  assert_non_null(um_model_effects_find(bent.model, "pileup"));
+  assert_null(um_model_effects_find(plain.model, "pileup"));
   case_release(&plain);
   case_release(&loaded);
   case_release(&null);
@@ -113,7 +113,7 @@ static void hook_can_refuse(void **state)
   struct um_model *model = NULL;
   struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
-  const char *const with[] = {"nonlinearity,q_m2_W=-1e15"};
+  const char *const with[] = {"pileup,q_m2_W=-1e15"};
   const struct um_model_options options = {.with = with, .nwith = 1, .allow_effects = true};
   scenario_with(EXAMPLE, scenario, sizeof scenario);
   case_write("own_refuses.yaml", scenario);
@@ -160,7 +160,7 @@ static void files_are_found(void **state)
   char scenario[4096];
   const char *const files[] = {OBJECTS "/pair.so", EXAMPLE};
   const struct um_model_options options = {.effect_files = files, .neffect_file = 2};
-  scenario_with("nonlinearity.so", scenario, sizeof scenario);
+  scenario_with("pileup.so", scenario, sizeof scenario);
   case_write(OBJECTS "/own_beside.yaml", scenario);
   assert_int_equal(um_model_create(case_context(), OBJECTS "/own_beside.yaml", &options, &model),
                    UM_OK);
@@ -245,7 +245,7 @@ static void descriptors_are_checked(void **state)
   (void)state;
   struct um_context *context = case_context();
   struct um_effects_registry *registry = registry_of(EXAMPLE);
-  const struct um_effect *good = um_effects_registry_find(registry, "nonlinearity");
+  const struct um_effect *good = um_effects_registry_find(registry, "pileup");
   assert_int_equal(um_effects_check(context, good), UM_OK);
   for (int i = 0; i < 16; i++) {
     struct um_effect e = *good;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "environment/airmass.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
@@ -98,6 +99,84 @@ static void background_is_added(void **state)
   expect("background:vis,irradiance_W_m2=-2e-12", 1, 0.0, 1.0, -2e-12);
 }
 
+/* Values of a law that a formula of elsewhere gives, at every instant, band 0: `law` of the plain
+ * irradiance and of the irradiance that the magnitude stands for; the other band stays. */
+static void expect_law(const char *with, double (*law)(double e, double elevation))
+{
+  struct case_run a = case_with(below, NULL), b = case_with(below, with);
+  double zero = flat_zero(0.38, 0.78);
+  assert_true(case_same_temperatures(&a, &b));
+  assert_true(case_same_intensities(&a, &b));
+  for (size_t t = 0; t < a.result->nobs; t++) {
+    double h = a.precomputed->look[t].elevation, e = a.result->irradiance[2 * t];
+    double m = zero * pow(10.0, -0.4 * a.result->magnitude_ab[2 * t]);
+    case_near(with, b.result->irradiance[2 * t], law(e, h), 1e-13);
+    case_near(with, zero * pow(10.0, -0.4 * b.result->magnitude_ab[2 * t]), law(m, h), 1e-12);
+    assert_true(b.result->irradiance[2 * t + 1] == a.result->irradiance[2 * t + 1]);
+  }
+  case_release(&a);
+  case_release(&b);
+}
+
+/* The share of a Moffat image of exponent 3 outside its circle, integrated over rings; the image's
+ * width so that 0.05 is lost at the zenith, and in proportion to X^0.6 below it. */
+static double outside_of_moffat(double width)
+{
+  double sum = 0.0, step = 1e-4; /* of u = a^2/(a^2 + r^2), r from 1 outward */
+  double from = width * width / (1.0 + width * width);
+  for (double u = 0.5 * step * from; u < from; u += step * from) sum += 2.0 * u * step * from;
+  return sum; /* int 2 (beta - 1)/a^2 r (1 + r^2/a^2)^-3 dr = int 2 u du */
+}
+
+static double less_outside(double e, double elevation)
+{
+  double u = sqrt(0.05), width = sqrt(u / (1.0 - u));
+  return e * (1.0 - outside_of_moffat(width * pow(um_environment_airmass(elevation), 0.6)));
+}
+
+static void circle_loses_more_toward_the_horizon(void **state)
+{
+  (void)state;
+  case_near("zenith", outside_of_moffat(sqrt(sqrt(0.05) / (1.0 - sqrt(0.05)))), 0.05, 1e-9);
+  expect_law("aperture_loss:vis,share=0.05", less_outside);
+}
+
+/* The length of sight through a thin layer 90 km up, by the law of sines in the triangle of the
+ * geocentre, the station and the layer. */
+static double with_airglow(double e, double elevation)
+{
+  double zenith = 0.5 * UM_PI - elevation;
+  double inner = asin(sin(zenith) * UM_EARTH_RADIUS / (UM_EARTH_RADIUS + 90e3));
+  return e + 2e-10 / cos(inner);
+}
+
+static double with_path(double e, double elevation)
+{
+  double x = um_environment_airmass(elevation);
+  return e + 3e-10 * (1.0 - exp(-0.5 * x)) / (1.0 - exp(-0.5));
+}
+
+static double bent(double e, double elevation)
+{
+  (void)elevation; /* 3631 Jy is magnitude 0: of magnitude 5, a hundredth, a tenth is lost */
+  return e / (1.0 + 0.1 * e / (0.01 * flat_zero(0.38, 0.78)));
+}
+
+static double bent_up(double e, double elevation)
+{
+  (void)elevation;
+  return e * (1.0 + 0.002 * e / (0.01 * flat_zero(0.38, 0.78)));
+}
+
+static void skies_and_detectors_follow_their_laws(void **state)
+{
+  (void)state;
+  expect_law("sky_background:vis,irradiance_W_m2=2e-10", with_airglow);
+  expect_law("path_radiance:vis,irradiance_W_m2=3e-10,optical_depth=0.5", with_path);
+  expect_law("nonlinearity:vis,share=0.1", bent);
+  expect_law("nonlinearity:vis,share=-0.002", bent_up);
+}
+
 /* A satellite in the dark sends 1e-29 of what is left in the visible: the magnitude is that of the
  * background, and of a negative one there is none. */
 static void background_has_a_magnitude_in_the_dark(void **state)
@@ -168,8 +247,14 @@ static void extinction_needs_a_station(void **state)
 static void null_values_change_nothing(void **state)
 {
   (void)state;
-  static const char *const with[] = {"extinction,k_mag=0", "background,irradiance_W_m2=0",
-                                     "zero_point,factor=1", NULL};
+  static const char *const with[] = {"extinction,k_mag=0",
+                                     "background,irradiance_W_m2=0",
+                                     "zero_point,factor=1",
+                                     "aperture_loss,share=0",
+                                     "nonlinearity,share=0",
+                                     "sky_background,irradiance_W_m2=0",
+                                     "path_radiance,irradiance_W_m2=0",
+                                     NULL};
   struct case_run a = case_with(below, NULL), b = case_compute(below, with, NULL, NULL);
   assert_true(case_same(&a, &b));
   case_release(&a);
@@ -182,6 +267,8 @@ int main(void)
       cmocka_unit_test(extinction_grows_with_airmass),
       cmocka_unit_test(zero_point_is_a_factor),
       cmocka_unit_test(background_is_added),
+      cmocka_unit_test(circle_loses_more_toward_the_horizon),
+      cmocka_unit_test(skies_and_detectors_follow_their_laws),
       cmocka_unit_test(background_has_a_magnitude_in_the_dark),
       cmocka_unit_test(nothing_is_seen_below_the_horizon),
       cmocka_unit_test(extinction_needs_a_station),

@@ -139,6 +139,36 @@ static void test_peak(void **state)
   assert_true(um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0).saturated);
 }
 
+/* Where the core of the image asks for more than a pixel holds, what is found is the integral of
+ * min(s(r), c) over rings, s a Gaussian that gives the central pixel its share; below it, all. */
+static void test_saturated(void **state)
+{
+  (void)state;
+  static struct band b;
+  struct um_instrument_bins bins = bins_make(&b, 1.0);
+  struct um_instrument_sensor s = ufo();
+  s.dark = 50.0;
+  struct um_instrument_exposure e = um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0);
+  double background = um_instrument_pixel_background(&s, &bins, 0.0, 2.0);
+  double central = (e.peak - background) / 2e5, room = 3000.0;
+  assert_close(background, 100.0, 1e-9);
+  s.saturation = room + background;
+  const double electrons[] = {1e3, 0.999 * room / central, 2e5, 3e6};
+  for (size_t i = 0; i < sizeof electrons / sizeof electrons[0]; i++) {
+    double sum = 0.0, step = 1e-4; /* of x = r^2/(2 sigma^2), dS = g S exp(-x) dx / g */
+    for (double x = 0.5 * step; x < 40.0; x += step)
+      sum += fmin(central * electrons[i] * exp(-x), room) / central * step;
+    double found = um_instrument_saturated(&s, electrons[i], background);
+    assert_close(found / sum, 1.0, 1e-6);
+    if (i < 2) assert_true(found == electrons[i]);
+  }
+  assert_true(um_instrument_saturated(&s, 1e3, 4000.0) == 0.0);
+  e = um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0);
+  assert_true(e.saturated && e.peak == s.saturation);
+  s.pixel = NAN;
+  assert_true(isnan(um_instrument_pixel_background(&s, &bins, 0.0, 2.0)));
+}
+
 /* A thermal imager is rated by the irradiance that equals its noise; without pixels nothing else is
  * known. */
 static void test_noise_equivalent(void **state)
@@ -165,9 +195,10 @@ static void test_scintillation(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_count_rates),      cmocka_unit_test(test_ccd_equation),
-      cmocka_unit_test(test_encircled),        cmocka_unit_test(test_peak),
-      cmocka_unit_test(test_noise_equivalent), cmocka_unit_test(test_scintillation),
+      cmocka_unit_test(test_count_rates),   cmocka_unit_test(test_ccd_equation),
+      cmocka_unit_test(test_encircled),     cmocka_unit_test(test_peak),
+      cmocka_unit_test(test_saturated),     cmocka_unit_test(test_noise_equivalent),
+      cmocka_unit_test(test_scintillation),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

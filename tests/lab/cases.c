@@ -53,6 +53,9 @@ static const struct entry entries[] = {
     {"extinction", "vis", "lwir", 0, -0.03, 0.04},
     {"zero_point", "vis", "lwir", 0, 0.95, 1.06},
     {"background", "lwir", "vis", 0, -1e-12, 1e-12},
+    {"aperture_loss", "vis", "lwir", 0, NAN, 0.04},
+    {"sky_background", "vis", NULL, 0, -1e-12, 1e-12},
+    {"path_radiance", "lwir", "lwir", 0, -1e-12, 1e-12},
 };
 
 /* Shown in worlds of their own. */
@@ -65,6 +68,7 @@ static const struct {
     {"dusk-low", NULL, {"free_molecular_heating", "", NULL, 0, NAN, 6.0}},
     {"dusk-air", "dawn-air", {"water_vapour", "", "", 0, 0.5, 2.0}},
     {"dusk-air", NULL, {"aerosol", "", NULL, 0, NAN, 0.2}},
+    {"dusk-camera", NULL, {"nonlinearity", "vis", NULL, 0, -0.02, 0.03}},
     {"days", NULL, {"contamination", "white", NULL, 0, -0.015, 0.02}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
 };
@@ -87,6 +91,7 @@ static const struct {
                 {"oblateness", true, true},
                 {"shadow_refraction", true, true},
                 {"atmosphere", true, true},
+                {"saturation", true, false},
                 {"absorptance_angle", true, false},
                 {"emittance_temperature", true, false},
                 {"bulk_temperature", true, false},

@@ -20,6 +20,9 @@
           "thermal.start=isothermal",                                                              \
           "thermal.orbits_before=0"}
 #define AIR "observer.air={profile: mid_latitude_summer, water_mm: 15}"
+#define CAMERA                                                                                     \
+  "sensors={camera: {band: vis, aperture_m: 0.3, pixel_arcsec: 1, exposure_s: 1, "                 \
+  "saturation_e: 30000}}"
 #define WITHOUT(s)                                                                                 \
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
 #define SPECTRA                                                                                    \
@@ -47,6 +50,10 @@ static const struct lab_world worlds[] = {
     {.name = "dawn-atmosphere", DAWN, PLACES, .set = {AIR}, .without = "atmosphere"},
     {.name = "dusk-air", DUSK, .set = {AIR}},
     {.name = "dawn-air", DAWN, PLACES, .set = {AIR}},
+
+    /* Counts of a camera whose pixels are full at the glints. */
+    {.name = "dusk-camera", DUSK, .set = {CAMERA}},
+    {.name = "dusk-saturation", DUSK, .set = {CAMERA}, .without = "saturation"},
 
     /* Only materials with spectra go with angle and temperature. */
     SPECTRAL("absorptance_angle"),

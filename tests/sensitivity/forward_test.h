@@ -12,11 +12,9 @@
   "  - {a: bus.interior, b: panel, conductance_W_K: 0.5}\n"                                        \
   "  - {a: bus.+x, b: bus.-x, conductance_W_K: 0.2}\n"
 
-/* scenario.yaml with contacts and more; the measurements of a pass that leaves the umbra. */
-static inline void put_world(const char *more)
+/* The measurements of a pass that leaves the umbra; extra: one more at each time, or NULL. */
+static inline void put_measured(const char *extra)
 {
-  char text[4096];
-  um_core_context_set_threads(context, 1); /* too small to share */
   FILE *file = fopen("m.csv", "w");
   assert_non_null(file);
   fputs("time_utc,quantity,of,value,sigma,flag\n", file);
@@ -27,8 +25,17 @@ static inline void put_world(const char *more)
                                 "temperature,bus.+y,290,0.5,1"};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
       fprintf(file, DAY "%02d:%02dZ,%s\n", 9 + k / 2, 30 * (k % 2), rows[i]);
+    if (extra != NULL) fprintf(file, DAY "%02d:%02dZ,%s\n", 9 + k / 2, 30 * (k % 2), extra);
   }
   assert_int_equal(fclose(file), 0);
+}
+
+/* scenario.yaml with contacts and more, and its measurements. */
+static inline void put_world(const char *more)
+{
+  char text[4096];
+  um_core_context_set_threads(context, 1); /* too small to share */
+  put_measured(NULL);
   snprintf(text, sizeof text, "%s" CONTACTS "%s", scenario_text, more);
   put(SCENARIO, text);
 }

@@ -1,9 +1,9 @@
-/* Nonlinearity of a detector: what it reports bends at its bright end,
+/* Pulses that pile up in a photon counter: while one is processed the next is lost, so that of E
  *
- *   E' = E (1 + q E),
+ *   E' = E (1 + q E)
  *
- * with q below 0 where it begins to saturate. The sum is the first two terms of any smooth
- * response, so q has a slope at 0 and the diagnosis can test it. */
+ * is reported, q = -(dead time) (pulses per second and irradiance); above 0 where pulses are counted
+ * twice. q has a slope at 0, so the diagnosis can test it. */
 #include "effects/effect.h"
 
 static const struct um_effect_parameter parameters[] = {
@@ -25,7 +25,7 @@ static enum um_status observation(struct um_context *context, const struct um_ef
   if (!um_effect_acts_on(use, o->band)) return UM_OK;
   if (q * o->value <= -0.5) /* beyond it more light would be reported as less */
     return um_core_fail(context, UM_ERR_INPUT,
-                        "effect 'nonlinearity': q_m2_W %g at %g W/m^2 in '%s' gives a change of "
+                        "effect 'pileup': q_m2_W %g at %g W/m^2 in '%s' gives a change of "
                         "%g; accepted: above -0.5",
                         q, o->value, o->band, q * o->value);
   o->value *= 1.0 + q * o->value;
@@ -34,8 +34,8 @@ static enum um_status observation(struct um_context *context, const struct um_ef
 
 const struct um_effect um_effect = {
     UM_EFFECT_ABI,
-    .name = "nonlinearity",
-    .summary = "The detector is not linear: its bright end is compressed",
+    .name = "pileup",
+    .summary = "Pulses pile up in a photon counter: its bright end is compressed",
     .reference = "Howell 2006, Handbook of CCD Astronomy, section 3.8",
     .validity = "while the change is small; the same response over all observations",
     .separated_by = "roughness and exposure, which flatten glints too: two exposure times of the "
