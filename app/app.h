@@ -63,6 +63,7 @@ enum um_app_offers {
   UM_APP_TABLES, /* *.csv */
   UM_APP_EFFECTS,
   UM_APP_MATERIALS,
+  UM_APP_SENSORS,
   UM_APP_SECTIONS, /* of the scenario reference */
   UM_APP_SHELLS,
   UM_APP_VERBS
@@ -146,6 +147,7 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
 int um_app_filters(struct um_context *context, const struct um_app_options *options);
+int um_app_sensors(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_fit(struct um_context *context, const struct um_app_options *options);
 int um_app_materials(struct um_context *context, const struct um_app_options *options);

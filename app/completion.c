@@ -3,8 +3,10 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "core/listing.h"
 #include "effects/effects.h"
 #include "model/scenario_schema.h"
+#include "model/sensor_preset.h"
 
 /* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
 static const char *offer(enum um_app_offers offers)
@@ -24,6 +26,8 @@ static const char *offer(enum um_app_offers offers)
     return "_umbra_words \"$effects\"";
   case UM_APP_MATERIALS:
     return "_umbra_words \"$materials\"";
+  case UM_APP_SENSORS:
+    return "_umbra_words \"$sensors\"";
   case UM_APP_SECTIONS:
     return "_umbra_words \"$sections\"";
   case UM_APP_SHELLS:
@@ -34,8 +38,16 @@ static const char *offer(enum um_app_offers offers)
   return ":";
 }
 
-static void put_names(FILE *file, const struct um_materials_library *library)
+/* What the script knows by name. */
+struct names {
+  const struct um_materials_library *materials;
+  char **sensor; /* [nsensor] */
+  size_t nsensor;
+};
+
+static void put_names(FILE *file, const struct names *names)
 {
+  const struct um_materials_library *library = names->materials;
   fputs("  local verbs=\"", file);
   for (size_t i = 0; i < um_app_verb_count(); i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", um_app_verb_at(i)->name);
@@ -45,6 +57,9 @@ static void put_names(FILE *file, const struct um_materials_library *library)
   fputs("\"\n  local materials=\"", file);
   for (size_t i = 0; i < um_materials_library_count(library); i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", um_materials_name(um_materials_library_at(library, i)));
+  fputs("\"\n  local sensors=\"", file);
+  for (size_t i = 0; i < names->nsensor; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", names->sensor[i]);
   fputs("\"\n  local sections=\"", file);
   um_document_schema_write_paths(file, &um_model_scenario_schema); /* parted by line ends */
   fputs("\"\n", file);
@@ -133,12 +148,12 @@ static void put_takes_value(FILE *file)
   fputs(") return 0 ;;\n  esac\n  return 1\n}\n", file);
 }
 
-static void put_script(FILE *file, const struct um_materials_library *library)
+static void put_script(FILE *file, const struct names *names)
 {
   fputs(helpers, file);
   put_takes_value(file);
   fputs("_umbra() {\n", file);
-  put_names(file, library);
+  put_names(file, names);
   fputs(body, file);
   for (size_t i = 0; i < um_app_verb_count(); i++) {
     put_values(file, um_app_verb_at(i), um_app_verb_at(i)->needs);
@@ -155,7 +170,8 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
   const char *shell = options->positional[0];
   bool zsh = strcmp(shell, "zsh") == 0;
   enum um_status status;
-  char *folder = NULL;
+  char *folder = NULL, **sensors = NULL;
+  size_t nsensor = 0;
   struct um_materials_library *library = NULL;
   struct um_environment environment;
   struct um_materials_sun sun;
@@ -168,15 +184,18 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
   UM_CHECK(um_materials_library_create(context, &sun, &library));
   UM_CHECK(um_materials_library_folder(context, &folder));
   UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_model_sensor_presets(context, &sensors, &nsensor));
   if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", stdout);
   fputs("# Completion of umbra " UM_APP_VERSION ", written by: umbra completion\n", stdout);
-  put_script(stdout, library);
+  const struct names names = {library, sensors, nsensor};
+  put_script(stdout, &names);
   /* zsh loads the file when it is first wanted: that time it has to answer too */
   fputs(zsh ? "complete -o nospace -F _umbra umbra\n"
               "if (( ${+compstate} )); then _bash_complete -o nospace -F _umbra; fi\n"
             : "complete -F _umbra umbra\n",
         stdout);
 done:
+  um_core_listing_free(context, sensors, nsensor);
   um_core_free(context, folder);
   um_materials_library_destroy(&library);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

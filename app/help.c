@@ -98,6 +98,7 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
       [UM_APP_FILES] = "a file as the survey gives it",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
+      [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
       [UM_APP_SECTIONS] = "path of a key or section; without it all of the reference",
       [UM_APP_SHELLS] = "bash or zsh",
       [UM_APP_VERBS] = "a command; without it all are listed"};

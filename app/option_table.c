@@ -142,10 +142,10 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},
-               {"TRACK.txt", UM_APP_FILES},    {"EFFECT", UM_APP_EFFECTS},
-               {"MATERIAL", UM_APP_MATERIALS}, {"PATH", UM_APP_SECTIONS},
-               {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+  } kinds[] = {
+      {"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},    {"TRACK.txt", UM_APP_FILES},
+      {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},
+      {"PATH", UM_APP_SECTIONS},      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

@@ -8,6 +8,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/listing.h"
+#include "core/words.h"
+
 static bool is_folder(const char *path)
 {
   struct stat info;
@@ -41,6 +44,7 @@ static bool runs_from_build(const char *program)
 static const char *source_name(const char *name)
 {
   if (strcmp(name, "materials") == 0) return "materials/library";
+  if (strcmp(name, "sensors") == 0) return "instrument/sensors";
   return strcmp(name, "filters") == 0 ? "instrument/filters" : name;
 }
 
@@ -92,5 +96,52 @@ enum um_status um_core_data_folder(struct um_context *context, const char *name,
                           "a folder that holds %s/",
                           share, name, name);
   um_core_free(context, share);
+  return status;
+}
+
+enum um_status um_core_data_names(struct um_context *context, const char *folder, const char *tail,
+                                  char ***names, size_t *count)
+{
+  char *path;
+  *names = NULL;
+  *count = 0;
+  UM_TRY(um_core_data_folder(context, folder, &path));
+  enum um_status status = um_core_listing(context, path, tail, folder, names, count);
+  um_core_free(context, path);
+  for (size_t i = 0; i < *count; i++) (*names)[i][strlen((*names)[i]) - strlen(tail)] = '\0';
+  return status;
+}
+
+static enum um_status refuse_name(struct um_context *context, const char *kind, const char *name,
+                                  char *const *names, size_t count)
+{
+  struct um_core_words_guess guess = {.written = name};
+  char accepted[640] = "", hint[UM_CORE_WORDS_HINT];
+  for (size_t i = 0; i < count; i++) {
+    um_core_words_append(accepted, sizeof accepted, names[i]);
+    um_core_words_consider(&guess, names[i]);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "no %s '%s'%s; accepted: %s", kind, name,
+                      um_core_words_hint(&guess, hint), accepted);
+}
+
+enum um_status um_core_data_find(struct um_context *context, const char *kind, const char *folder,
+                                 const char *tail, const char *name, char **out)
+{
+  enum um_status status;
+  char **names = NULL, *path = NULL;
+  size_t count = 0, at = 0;
+  *out = NULL;
+  UM_CHECK(um_core_data_names(context, folder, tail, &names, &count));
+  while (at < count && strcmp(names[at], name) != 0) at++;
+  if (at == count) {
+    status = refuse_name(context, kind, name, names, count);
+    goto done;
+  }
+  UM_CHECK(um_core_data_folder(context, folder, &path));
+  status = um_core_asprintf(context, out, "%s/%s%s", path, name, tail);
+done:
+  um_core_free(context, path);
+  um_core_listing_free(context, names, count);
   return status;
 }

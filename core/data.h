@@ -4,12 +4,21 @@
 
 #include "core/context.h"
 
-/* Folder `name` ("materials", "filters", "scenarios") of the program's own files; the caller frees.
- * The first that holds: $UMBRA_DATA/name, where that variable is set,
+/* Folder `name` ("materials", "filters", "sensors", "scenarios") of the program's own files; the
+ * caller frees. The first that holds: $UMBRA_DATA/name, where that variable is set,
  *   ../share/umbra/name from the folder of the running program (as it was installed, wherever the
  *   tree was moved to),
  *   the source tree, where the program runs from its build folder.
  * UM_ERR_IO names what is missing; UM_ERR_MEMORY. */
 enum um_status um_core_data_folder(struct um_context *context, const char *name, char **out);
+
+/* Names of its files that end in `tail` (".csv"), without that end, in the order of strcmp;
+ * um_core_listing_free frees. Errors as above. */
+enum um_status um_core_data_names(struct um_context *context, const char *folder, const char *tail,
+                                  char ***names, size_t *count);
+/* Path of the one of that name; the caller frees. kind: what it is called in messages, "filter".
+ * UM_ERR_INPUT "no filter 'x'", with the nearest and all names; errors as above. */
+enum um_status um_core_data_find(struct um_context *context, const char *kind, const char *folder,
+                                 const char *tail, const char *name, char **out);
 
 #endif

@@ -95,49 +95,17 @@ done:
 
 enum um_status um_instrument_filter_names(struct um_context *context, char ***names, size_t *count)
 {
-  char *folder;
-  *names = NULL;
-  *count = 0;
-  UM_TRY(um_core_data_folder(context, "filters", &folder));
-  enum um_status status = um_core_listing(context, folder, TAIL, "filters", names, count);
-  um_core_free(context, folder);
-  for (size_t i = 0; i < *count; i++) (*names)[i][strlen((*names)[i]) - strlen(TAIL)] = '\0';
-  return status;
-}
-
-static enum um_status refuse_name(struct um_context *context, const char *name, char *const *names,
-                                  size_t count)
-{
-  struct um_core_words_guess guess = {.written = name};
-  char accepted[640] = "", hint[UM_CORE_WORDS_HINT];
-  for (size_t i = 0; i < count; i++) {
-    um_core_words_append(accepted, sizeof accepted, names[i]);
-    um_core_words_consider(&guess, names[i]);
-  }
-  return um_core_fail(context, UM_ERR_INPUT, "no filter '%s'%s; accepted: %s", name,
-                      um_core_words_hint(&guess, hint), accepted);
+  return um_core_data_names(context, "filters", TAIL, names, count);
 }
 
 enum um_status um_instrument_filter_find(struct um_context *context, const char *name,
                                          struct um_instrument_filter **out)
 {
-  enum um_status status;
-  char **names = NULL, *folder = NULL, *path = NULL;
-  size_t count = 0, at = 0;
+  char *path;
   *out = NULL;
-  UM_CHECK(um_instrument_filter_names(context, &names, &count));
-  while (at < count && strcmp(names[at], name) != 0) at++;
-  if (at == count) {
-    status = refuse_name(context, name, names, count);
-    goto done;
-  }
-  UM_CHECK(um_core_data_folder(context, "filters", &folder));
-  UM_CHECK(um_core_asprintf(context, &path, "%s/%s.csv", folder, name));
-  UM_CHECK(um_instrument_filter_read(context, path, out));
-done:
+  UM_TRY(um_core_data_find(context, "filter", "filters", TAIL, name, &path));
+  enum um_status status = um_instrument_filter_read(context, path, out);
   um_core_free(context, path);
-  um_core_free(context, folder);
-  um_core_listing_free(context, names, count);
   return status;
 }
 

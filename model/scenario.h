@@ -330,13 +330,19 @@ struct um_scenario_band {
 struct um_scenario_sensor {
   struct um_mark at;
   const char *name;
-  const char *band;
+  const char *band, *preset;
   double aperture_m, obstruction, throughput, quantum_efficiency;
   const char *quantum_efficiency_file;
   double gain_e, pixel_arcsec, fwhm_arcsec, radius_fwhm, annulus_pixels;
   double read_noise_e, dark_e_s, sky_mag_arcsec2, saturation_e, exposure_s;
   double noise_equivalent_irradiance_W_m2;
   double optics_emissivity, optics_temperature_K;
+};
+/* A file of instrument/sensors. */
+struct um_scenario_preset {
+  struct um_mark at;
+  const char *summary, *source, *assumed;
+  struct um_scenario_sensor *sensor;
 };
 struct um_scenario_optics {
   struct um_mark at;

@@ -48,5 +48,7 @@ extern const struct um_schema_object um_model_limit_schema;
 extern const struct um_schema_object um_model_case_schema;
 extern const struct um_schema_object um_model_band_schema;
 extern const struct um_schema_object um_model_sensor_schema;
+extern const struct um_schema_object um_model_preset_sensor_schema;
+extern const struct um_schema_object um_model_preset_schema;
 
 #endif

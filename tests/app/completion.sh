@@ -47,6 +47,7 @@ expect "--json|" umbra schema --j
 expect "albedo|albedo_level|" umbra run x --with alb
 expect "panel_extraction|" umbra effects pan
 expect "roughness|" umbra fit s m --add rough
+expect "minislr|" umbra sensors mi
 expect "mli_kapton|mli_kapton_ito|" umbra materials mli_k
 expect "orbit.circular.altitude_km|" umbra schema orbit.circular.alt
 expect "bash|zsh|" umbra completion ""

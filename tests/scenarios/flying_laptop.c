@@ -8,7 +8,8 @@
 #include "environment/airmass.h"
 #include "tests/scenarios/support.h"
 
-#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/flying-laptop"
+#define SCENARIO           UMBRA_SOURCE_DIR "/scenarios/flying-laptop"
+#define QUANTUM_EFFICIENCY UMBRA_SOURCE_DIR "/instrument/sensors/zyla-5.5.csv"
 
 /* Raxus Prime, Table 1, printed to three digits; below 0.8 %: rounding of Rq and tau (D.2). */
 static void slopes(void **state)
@@ -52,7 +53,7 @@ static void counts(void **state)
   struct um_core_csv *qe;
   double nm[32], electrons[32];
   support_compute(SCENARIO, overrides, 5, &run);
-  assert_int_equal(um_core_csv_read(run.context, SCENARIO "/zyla-5.5.csv", &qe), UM_OK);
+  assert_int_equal(um_core_csv_read(run.context, QUANTUM_EFFICIENCY, &qe), UM_OK);
   size_t rows = um_core_csv_rows(qe);
   for (size_t i = 0; i < rows; i++) {
     assert_int_equal(um_core_csv_number(run.context, qe, i, 0, &nm[i]), UM_OK);
