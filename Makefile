@@ -26,8 +26,9 @@ build: deps
 	@cmake --build $(BUILD) -j $(JOBS)
 
 demo: build
-	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016
-	@echo "pictures: out/envisat-graz-2016/*.png"
+	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016 \
+		--picture 2016-09-21T20:33:00Z --picture first-light
+	@echo "pictures: out/envisat-graz-2016/*.png; every wavelength of two views: out/envisat-graz-2016/*.exr"
 
 test: build
 	tools/run-tests $(BUILD) -j $(JOBS)

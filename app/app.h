@@ -30,8 +30,11 @@ struct um_app_options {
   size_t nwith, nwithout;
   const char **effect_file; /* --effect-file */
   size_t neffect_file;
-  const char *time_utc, *band; /* --time, --band */
-  int width, samples;          /* --width, --samples */
+  const char *time_utc, *band;    /* --time, --band */
+  int width, samples;             /* --width, --samples */
+  const char *wavelengths, *tile; /* --wavelengths, --tile */
+  const char **picture;           /* --picture */
+  size_t npicture;
   /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
   const char *noise, *seed, *temperatures, *temperature_sigma;
   /* of diagnose and fit: --only, --exclude, --nuisance, --add, --level, --steps */
@@ -153,6 +156,7 @@ int um_app_materials_fit(struct um_context *context, const struct um_app_options
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);
+int um_app_expand(struct um_context *context, const struct um_app_options *options);
 int um_app_compare(struct um_context *context, const struct um_app_options *options);
 int um_app_period(struct um_context *context, const struct um_app_options *options);
 int um_app_import(struct um_context *context, const struct um_app_options *options);

@@ -40,6 +40,15 @@ static const struct um_app_option table[] = {
     {"samples", "samples", "N", .takes = UM_APP_NUMBER, AT(samples), .most = 65536,
      .default_value = TEXT(UM_APP_RENDER_SAMPLES), .example = "--samples 256",
      .help = "Rays of a pixel, up to 65536."},
+    {"wavelengths", "wavelengths", "FROM-TO", .takes = UM_APP_TEXT, AT(wavelengths),
+     .default_value = "all of them", .example = "--wavelengths 8-8.1um",
+     .help = "Write the bins alone whose centres lie there [um]."},
+    {"tile", "tile", "X,Y,WIDTH,HEIGHT", .takes = UM_APP_TEXT, AT(tile),
+     .default_value = "the whole picture", .example = "--tile 1000,500,256,256",
+     .help = "Write this rectangle alone [pixels], counted from the upper left corner."},
+    {"picture", "picture", "UTC", LIST(picture), .example = "--picture 2016-09-21T20:33:00Z",
+     .help = "Leave a picture of every band at the instant nearest to this one as OpenEXR among "
+             "the results; first-light: when the Sun's first light is there."},
     {"noise", "noise", "REL[,FLOOR]", .takes = UM_APP_TEXT, AT(noise),
      .default_value = "FLOOR " TEXT(UM_APP_FLOOR), .example = "--noise 0.02,0.005",
      .help = "Noise of light: sigma^2 = (REL x truth)^2 + (FLOOR x peak of the band)^2."},
@@ -142,10 +151,11 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {
-      {"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},    {"TRACK.txt", UM_APP_FILES},
-      {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},
-      {"PATH", UM_APP_SECTIONS},      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},
+               {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES},
+               {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS},
+               {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},
+               {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

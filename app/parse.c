@@ -218,9 +218,9 @@ int um_app_options_parse(struct um_context *context, const struct um_app_verb *v
 
 bool um_app_options_allocate(struct um_app_options *options, int argc)
 {
-  const char ***const list[] = {&options->set,         &options->with, &options->without,
-                                &options->effect_file, &options->only, &options->exclude,
-                                &options->nuisance,    &options->add};
+  const char ***const list[] = {&options->set,         &options->with,     &options->without,
+                                &options->effect_file, &options->picture,  &options->only,
+                                &options->exclude,     &options->nuisance, &options->add};
   size_t n = sizeof list / sizeof list[0];
   const char **text = calloc((size_t)argc * n, sizeof *text);
   for (size_t i = 0; text != NULL && i < n; i++) *list[i] = text + i * (size_t)argc;

@@ -1,16 +1,15 @@
-/* umbra render: one picture of one instant, every wavelength of a band, as OpenEXR. */
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-
+/* umbra render: one picture of one instant, every wavelength of a band, as OpenEXR or factored as
+ * netCDF. */
 #include "app/app.h"
+#include "app/picture.h"
 #include "model/bands.h"
 #include "model/build.h"
 #include "model/picture.h"
 #include "model/precompute.h"
 #include "model/run.h"
 #include "orbit/time.h"
-#include "output/output.h"
+#include "output/cube.h"
+#include "output/exr.h"
 
 /* The scenario's overrides plus the one instant that is wanted. */
 static enum um_status overrides_of(struct um_context *context, const struct um_app_options *options,
@@ -25,6 +24,43 @@ static enum um_status overrides_of(struct um_context *context, const struct um_a
   return UM_OK;
 }
 
+static enum um_status write_picture(struct um_context *context,
+                                    const struct um_app_options *options,
+                                    const struct um_model *model,
+                                    const struct um_optics_image *image, size_t band)
+{
+  struct um_output_cut cut;
+  UM_TRY(um_app_cut(context, options, image, &cut));
+  snprintf(cut.comments, sizeof cut.comments, "%.100s at %.40s, band %.50s", model->scenario->name,
+           options->time_utc, model->band[band].name);
+  if (um_app_is_cube(options->out))
+    return um_output_write_cube(context, image, cut.comments, options->out);
+  return um_output_write_exr(context, image, &cut, options->out);
+}
+
+static int width_of(const struct um_app_options *options)
+{
+  return options->width > 0 ? options->width : UM_APP_RENDER_WIDTH;
+}
+
+static int samples_of(const struct um_app_options *options)
+{
+  return options->samples > 0 ? options->samples : UM_APP_RENDER_SAMPLES;
+}
+
+/* Said before the computing begins, and refused here where it is too much. */
+static enum um_status estimate(struct um_context *context, const struct um_app_options *options,
+                               const struct um_model *model, size_t band)
+{
+  struct um_optics_image_cost cost;
+  const struct um_optics_band *bins = &model->band[band];
+  double t;
+  UM_TRY(um_orbit_time_parse(context, options->time_utc, &t));
+  UM_TRY(um_model_picture_estimate(context, model, t, band, width_of(options), samples_of(options),
+                                   &cost));
+  return um_app_picture_cost(context, options, &cost, bins);
+}
+
 static enum um_status render(struct um_context *context, const struct um_app_options *options,
                              struct um_model *model)
 {
@@ -37,13 +73,12 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
     um_core_message_prefix(context, "--band %s", options->band);
     return UM_ERR_INPUT;
   }
+  UM_CHECK(estimate(context, options, model, band));
   UM_CHECK(um_model_precompute(context, model, &precomputed));
   UM_CHECK(um_model_run(context, model, precomputed, &result));
-  UM_CHECK(um_model_picture(context, model, precomputed, result, 0, band,
-                            options->width > 0 ? options->width : UM_APP_RENDER_WIDTH,
-                            options->samples > 0 ? options->samples : UM_APP_RENDER_SAMPLES,
-                            &image));
-  UM_CHECK(um_output_write_exr(context, image, options->out));
+  UM_CHECK(um_model_picture(context, model, precomputed, result, 0, band, 1, width_of(options),
+                            samples_of(options), &image));
+  UM_CHECK(write_picture(context, options, model, image, band));
   printf("%s: %d x %d pixels of %.4g m, %zu wavelengths\n", options->out, image->width,
          image->height, image->pixel_size, image->nbin);
 done:
@@ -51,28 +86,6 @@ done:
   um_model_result_destroy(context, &result);
   um_model_precomputed_destroy(context, &precomputed);
   return status;
-}
-
-/* Said before the computing begins: what cannot be written, or is not ours to replace. The picture
- * is renamed into place, which must not hit a device. */
-static enum um_status check_target(struct um_context *context, const struct um_app_options *options)
-{
-  struct stat st;
-  char *folder = NULL;
-  const char *out = options->out, *slash = strrchr(out, '/');
-  if (lstat(out, &st) == 0) {
-    if (!S_ISREG(st.st_mode))
-      return um_core_fail(context, UM_ERR_IO, "%s: is not a file; accepted: a file name", out);
-    if (!options->force)
-      return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
-  }
-  if (slash == NULL) return UM_OK;
-  UM_TRY(um_core_asprintf(context, &folder, "%.*s", (int)(slash - out) + 1, out));
-  bool there = stat(folder, &st) == 0 && S_ISDIR(st.st_mode);
-  um_core_free(context, folder);
-  if (there && slash[1] != '\0') return UM_OK;
-  return um_core_fail(context, UM_ERR_IO, "%s: %s; accepted: a file name in a folder that exists",
-                      out, there ? "is a folder" : "there is no such folder");
 }
 
 static enum um_status check_time(struct um_context *context, const char *utc)
@@ -90,7 +103,7 @@ int um_app_render(struct um_context *context, const struct um_app_options *optio
   const char **overrides = NULL;
   char *at[2] = {NULL, NULL};
   UM_CHECK(check_time(context, options->time_utc));
-  UM_CHECK(check_target(context, options));
+  UM_CHECK(um_app_check_picture(context, options));
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(overrides_of(context, options, &overrides, at));
   changes.overrides = overrides;

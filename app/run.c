@@ -5,19 +5,15 @@
 #include <time.h>
 
 #include "app/app.h"
+#include "app/run_pictures.h"
 #include "app/space_error.h"
 #include "app/terminal.h"
 #include "core/constants.h"
 #include "model/build.h"
-#include "model/picture.h"
 #include "model/precompute.h"
 #include "model/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
-
-#define PANEL_COLUMNS 3
-#define PANEL_WIDTH   320 /* pixels */
-#define CAPTION       64  /* [bytes] of a panel's, its end included */
 
 /* Radiant energy toward the observer per material over the run, one band [W s/sr]. */
 static void material_energy(const struct um_model_result *r, size_t band, double *out)
@@ -165,83 +161,6 @@ static void json_heat(const struct um_model_result *r)
   um_core_json_field(stdout, "", "energy_audit_error", r->audit_error);
 }
 
-/* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
- * the last band; where these coincide, the middle of a third of the run. In order of time. */
-static void choose_instants(const struct um_model_precomputed *precomputed,
-                            const struct um_model_result *r, size_t k[PANEL_COLUMNS])
-{
-  size_t longest = 0, n = r->nobs;
-  for (size_t c = 0; c < PANEL_COLUMNS; c++) k[c] = n * (2 * c + 1) / (2 * PANEL_COLUMNS);
-  for (size_t i = 0; i < n; i++) {
-    size_t end = i;
-    while (end < n && !(precomputed->sunlit[end] > UM_UMBRA_MOST)) end++;
-    if (end - i > longest) {
-      longest = end - i;
-      k[0] = i + longest / 2;
-    }
-    if (end > i) i = end;
-  }
-  for (size_t c = 1; c < PANEL_COLUMNS; c++) {
-    size_t band = c == 1 ? 0 : r->nband - 1, best = 0;
-    for (size_t i = 1; i < n; i++)
-      if (um_model_result_intensity(r, i, band, -1) > um_model_result_intensity(r, best, band, -1))
-        best = i;
-    bool taken = false;
-    for (size_t d = 0; d < c; d++) taken = taken || k[d] == best;
-    if (!taken) k[c] = best;
-  }
-  for (size_t a = 0; a < PANEL_COLUMNS; a++)
-    for (size_t b = a + 1; b < PANEL_COLUMNS; b++)
-      if (k[b] < k[a]) {
-        size_t swap = k[a];
-        k[a] = k[b];
-        k[b] = swap;
-      }
-}
-
-/* "2016-09-21 20:36:59 UTC, in shadow" */
-static void caption(const struct um_model_precomputed *precomputed, size_t k, char out[CAPTION])
-{
-  char time[32];
-  um_orbit_time_format(precomputed->t_obs[k], time);
-  snprintf(out, CAPTION, "%.10s %.8s UTC%s", time, time + 11,
-           precomputed->sunlit[k] > UM_UMBRA_MOST ? "" : ", in shadow");
-}
-
-static enum um_status pictures(struct um_context *context, const struct um_output_run *run,
-                               const char *folder)
-{
-  enum um_status status = UM_OK;
-  size_t nband = run->model->nband, n = nband * PANEL_COLUMNS;
-  struct um_output_panel *panels = NULL;
-  struct um_optics_image **images = NULL;
-  char(*captions)[CAPTION] = NULL;
-  UM_TRY(um_core_allocate(context, n, sizeof *panels, &panels));
-  UM_CHECK(um_core_allocate(context, n, sizeof *images, &images));
-  UM_CHECK(um_core_allocate(context, PANEL_COLUMNS, sizeof *captions, &captions));
-  size_t instant[PANEL_COLUMNS];
-  choose_instants(run->precomputed, run->result, instant);
-  for (size_t c = 0; c < PANEL_COLUMNS; c++) {
-    size_t k = instant[c];
-    caption(run->precomputed, k, captions[c]);
-    for (size_t b = 0; b < nband; b++) {
-      UM_CHECK(um_model_picture(context, run->model, run->precomputed, run->result, k, b,
-                                PANEL_WIDTH, 4, &images[b * PANEL_COLUMNS + c]));
-      panels[b * PANEL_COLUMNS + c] = (struct um_output_panel){
-          images[b * PANEL_COLUMNS + c],
-          &run->precomputed->sample[k * run->precomputed->nsub + run->precomputed->nsub / 2],
-          &run->model->band[b], captions[c]};
-    }
-  }
-  UM_CHECK(um_output_plot_panels(context, panels, nband, PANEL_COLUMNS, folder));
-done:
-  for (size_t i = 0; images != NULL && i < n; i++) um_optics_image_destroy(context, &images[i]);
-  um_core_free(context, images);
-  um_core_free(context, panels);
-  um_core_free(context, captions);
-  return status;
-}
-
 static size_t hidden_count(const struct um_model_precomputed *precomputed)
 {
   size_t n = 0;
@@ -353,6 +272,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
   UM_CHECK(um_model_precompute(context, model, &precomputed));
+  UM_CHECK(um_app_run_views_check(context, model, precomputed, options));
   traced = seconds();
   UM_CHECK(um_model_run(context, model, precomputed, &result));
   UM_CHECK(estimate(context, options, model, result));
@@ -362,7 +282,8 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   run.precomputed = precomputed;
   run.result = result;
   if (!options->no_plots && model->has_observer)
-    UM_CHECK(pictures(context, &run, um_core_folder_path(folder)));
+    UM_CHECK(um_app_run_panels(context, &run, um_core_folder_path(folder)));
+  UM_CHECK(um_app_run_views(context, &run, options, um_core_folder_path(folder)));
   um_core_log(context, UM_LOG_INFO, "geometry %.1f s, heat and light %.1f s, pictures %.1f s",
               traced - began, computed - traced, seconds() - computed);
   UM_CHECK(um_output_write_run(context, &run, folder));

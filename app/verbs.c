@@ -9,7 +9,7 @@
 
 static const struct um_app_verb verbs[] = {
     {"run", "SCENARIO", "light curves and temperatures of a scenario",
-     .accepts = "out " CHANGES " " RESULTS,
+     .accepts = "out " CHANGES " picture " RESULTS,
      .about = "Computes the geometry, the heat and the light of every instant and writes tables, "
               "netCDF and pictures.",
      .examples = "umbra run scenarios/envisat-graz-2016\n"
@@ -37,13 +37,25 @@ static const struct um_app_verb verbs[] = {
      .about =
          "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
      .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes},
-    {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR", .needs = "time band file",
-     .accepts = CHANGES " width samples force",
-     .about = "The channels are spectral radiance, and a preview in red, green and blue.",
+    {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR or factored",
+     .needs = "time band file", .accepts = CHANGES " width samples wavelengths tile force",
+     .about =
+         "The channels are spectral radiance, and a preview in red, green and blue. A name in "
+         ".nc keeps the picture factored, what pixels see apart from the spectra of it: 5000 x "
+         "5000 pixels at 2000 wavelengths in some hundred megabytes. What it will cost is said "
+         "first.",
      .examples =
          "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir -o "
-         "envisat.exr\n",
+         "envisat.exr\n"
+         "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir --width "
+         "5000 --set bands.lwir.bins=2000 -o envisat.nc\n",
      .run = um_app_render},
+    {"expand", "PICTURE.nc", "wavelengths or a tile of a factored picture, as OpenEXR",
+     .needs = "file", .accepts = "wavelengths tile force",
+     .about = "PICTURE.nc is what umbra render wrote to a name in .nc.",
+     .examples = "umbra expand envisat.nc --wavelengths 8-8.1um -o short.exr\n"
+                 "umbra expand envisat.nc --tile 2000,1500,512,512 -o array.exr\n",
+     .run = um_app_expand},
     {"compare", "SCENARIO MEASURED",
      "a scenario beside measurements: how far off, when, and what the residual goes with",
      .accepts = "out " CHANGES " " RESULTS,

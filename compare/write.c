@@ -121,15 +121,6 @@ static enum um_status check_rows(struct um_context *context,
   return UM_OK;
 }
 
-/* "dir/.name.partial-<pid>" beside `path`. */
-static enum um_status name_beside(struct um_context *context, const char *path, char **out)
-{
-  const char *slash = strrchr(path, '/');
-  const char *name = slash == NULL ? path : slash + 1;
-  return um_core_asprintf(context, out, "%.*s.%s.partial-%ld", (int)(name - path), path, name,
-                          (long)getpid());
-}
-
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path)
@@ -143,7 +134,7 @@ enum um_status um_compare_measurements_write(struct um_context *context,
   if (in_place)
     UM_TRY(um_core_strdup(context, path, &partial));
   else
-    UM_TRY(name_beside(context, path, &partial));
+    UM_TRY(um_core_file_partial(context, path, &partial));
   if (!in_place) um_core_file_leftovers_remove(context, path);
   file = fopen(partial, "w");
   if (file == NULL) {

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/held_files_impl.h"
 
@@ -96,4 +97,12 @@ enum um_status um_core_file_close(struct um_context *context, const char *name, 
   if (!failed) return UM_OK;
   return um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", name,
                       errno != 0 ? strerror(errno) : "write error");
+}
+
+enum um_status um_core_file_partial(struct um_context *context, const char *path, char **out)
+{
+  const char *slash = strrchr(path, '/');
+  const char *name = slash == NULL ? path : slash + 1;
+  return um_core_asprintf(context, out, "%.*s.%s.partial-%ld", (int)(name - path), path, name,
+                          (long)getpid());
 }

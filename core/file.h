@@ -37,6 +37,8 @@ enum um_status um_core_folder_open(struct um_context *context, struct um_core_fo
 enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file);
 /* Bring what was written to the disk. UM_ERR_IO. */
 enum um_status um_core_file_sync(struct um_context *context, const char *name, FILE *file);
+/* "dir/.name.partial-<pid>" beside `path`, to be written and renamed; the caller frees. */
+enum um_status um_core_file_partial(struct um_context *context, const char *path, char **out);
 /* Remove ".name.partial-<pid>..." beside `path` of processes that have died. Does not fail. */
 void um_core_file_leftovers_remove(struct um_context *context, const char *path);
 /* The folder takes its name, whole and on the disk; UM_ERR_CANCELLED when a stop was asked for. */

@@ -3,11 +3,34 @@
 
 #include "model/aging_impl.h"
 #include "model/model.h"
+#include "model/timeline.h"
+
+/* Up is away from the Earth. */
+static struct um_optics_image_options options_of(const struct um_environment_sample *sample,
+                                                 int width, int samples_per_pixel)
+{
+  return (struct um_optics_image_options){
+      .width = width, .samples_per_pixel = samples_per_pixel, .up_gcrs = um_vec3_unit(sample->r)};
+}
+
+enum um_status um_model_picture_estimate(struct um_context *context, const struct um_model *model,
+                                         double t_tai, size_t band, int width,
+                                         int samples_per_pixel, struct um_optics_image_cost *out)
+{
+  struct um_environment_sample sample;
+  struct um_orbit_look look;
+  UM_TRY(um_model_sample_seen(context, model, t_tai, &sample, &look));
+  const struct um_optics_scene scene = {
+      .geometry = model->geometry, .environment = &model->environment, .samples = &sample};
+  const struct um_optics_image_options options = options_of(&sample, width, samples_per_pixel);
+  return um_optics_image_estimate(context, &scene, 0, &model->band[band], 1, &options, out);
+}
 
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
                                 const struct um_model_precomputed *precomputed,
                                 const struct um_model_result *result, size_t k, size_t band,
-                                int width, int samples_per_pixel, struct um_optics_image **out)
+                                size_t nband, int width, int samples_per_pixel,
+                                struct um_optics_image **out)
 {
   *out = NULL;
   if (!model->has_observer)
@@ -28,12 +51,10 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                   .brightness = precomputed->seen->brightness == NULL
                                                     ? NULL
                                                     : precomputed->seen->brightness + row};
-  struct um_optics_image_options options = {.width = width,
-                                            .samples_per_pixel = samples_per_pixel,
-                                            .up_gcrs =
-                                                um_vec3_unit(precomputed->sample[instant].r)};
+  struct um_optics_image_options options =
+      options_of(&precomputed->sample[instant], width, samples_per_pixel);
   enum um_status status =
-      um_optics_image_render(context, &scene, 0, &model->band[band], &options, out);
+      um_optics_image_render(context, &scene, 0, &model->band[band], nband, &options, out);
   um_core_free(context, aged);
   return status;
 }

@@ -5,12 +5,19 @@
 #include "model/model.h"
 #include "model/precomputed.h"
 #include "model/result.h"
+#include "optics/image.h"
 
-/* Picture of observation k in a band, up being away from the Earth; see um_optics_image_render.
- * UM_ERR_INPUT without an observer. */
+/* Picture of observation k in bands [band, band + nband), up being away from the Earth; see
+ * um_optics_image_render. UM_ERR_INPUT without an observer. */
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
                                 const struct um_model_precomputed *precomputed,
                                 const struct um_model_result *result, size_t k, size_t band,
-                                int width, int samples_per_pixel, struct um_optics_image **out);
+                                size_t nband, int width, int samples_per_pixel,
+                                struct um_optics_image **out);
+/* What such a picture at an instant t_tai [s] (light received) will cost, before heat and light are
+ * computed; see um_optics_image_estimate. UM_ERR_INPUT without an observer. */
+enum um_status um_model_picture_estimate(struct um_context *context, const struct um_model *model,
+                                         double t_tai, size_t band, int width,
+                                         int samples_per_pixel, struct um_optics_image_cost *out);
 
 #endif

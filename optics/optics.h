@@ -112,31 +112,4 @@ um_optics_adjustment(const struct um_optics_scene *scene, size_t time, size_t ma
   return &scene->adjustment[(scene->ages ? time * nmaterial : 0) + material];
 }
 
-/* Picture of one instant: orthographic toward the observer, radiance per pixel and bin. */
-struct um_optics_image {
-  int width, height;
-  double pixel_size; /* [m] on the satellite */
-  size_t nbin;
-  double *wavelength, *bin_width; /* [nbin] [m] */
-  double *transmission;           /* [nbin] of the band's filter, not in the radiance [1] */
-  float *radiance;   /* [height][width][nbin] spectral radiance [W/m^2/sr/m]; row 0 on top */
-  uint32_t *surface; /* [height][width] surface seen at the pixel centre, UM_GEOMETRY_NONE */
-};
-struct um_optics_image_options {
-  int width; /* pixels; height follows; square pixels */
-  int samples_per_pixel;
-  struct um_vec3 up_gcrs; /* direction that points up in the picture */
-};
-/* One specular lobe, shadows by rays to points of the Sun's disc, inter-reflection as facet means
- * when the scene asks for it; the same radiance as the light curve, so that the sum over pixels
- * times pixel area is its intensity, within the sampling error of the outline.
- * time: index of the sample in the scene; the view is not used and may be NULL. UM_ERR_INPUT: width
- * outside 1..16384, samples outside 1..4096, `up` along the line of sight. */
-enum um_status um_optics_image_render(struct um_context *context,
-                                      const struct um_optics_scene *scene, size_t time,
-                                      const struct um_optics_band *band,
-                                      const struct um_optics_image_options *options,
-                                      struct um_optics_image **out);
-void um_optics_image_destroy(struct um_context *context, struct um_optics_image **image);
-
 #endif

@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "model/precomputed.h"
 #include "model/result.h"
+#include "optics/image.h"
 
 /* A finished run and what is said about it; everything borrowed. */
 struct um_output_run {
@@ -46,10 +47,6 @@ enum um_status um_output_write_xdmf(const struct um_output_run *run, FILE *file)
 enum um_status um_output_plot_run(struct um_context *context, const char *folder,
                                   const struct um_output_run *run);
 
-/* Spectral image as OpenEXR, channels "S0.<wavelength>nm" (Fichet 2021 layout, emission-like
- * radiance in W/m^2/sr/nm) and an RGB preview. */
-enum um_status um_output_write_exr(struct um_context *context, const struct um_optics_image *image,
-                                   const char *path);
 /* The satellite as seen in every band at several observations: satellite.png, .svg and .pdf in
  * `folder`, a row per band, a column per instant, all on one scale of length, each row on one of
  * band radiance [W/m^2/sr]; logarithmic over four decades where one picture outshines another
@@ -59,6 +56,7 @@ struct um_output_panel {
   const struct um_optics_image *image;
   const struct um_environment_sample *sample; /* its instant */
   const struct um_optics_band *band;
+  size_t index; /* of the band in the picture */
   const char *caption;
 };
 enum um_status um_output_plot_panels(struct um_context *context,

@@ -30,13 +30,55 @@
 
 /* ---- radiance ---- */
 
-/* Radiance of the band, through its filter [W/m^2/sr]. */
-static float pixel_radiance(const struct um_optics_image *image, size_t pixel)
+/* Radiance of the band, through its filter, of each spectrum of a picture [W/m^2/sr]. */
+static enum um_status weigh(struct um_context *context, const struct um_optics_image *image,
+                            size_t band, double (**out)[2])
 {
-  double sum = 0.0;
-  for (size_t b = 0; b < image->nbin; b++)
-    sum += image->radiance[pixel * image->nbin + b] * image->transmission[b] * image->bin_width[b];
-  return (float)sum;
+  double *weight = NULL;
+  UM_TRY(um_core_allocate(context, image->nbin, sizeof *weight, &weight));
+  enum um_status status = um_core_allocate(context, image->nspectrum, sizeof **out, out);
+  for (size_t b = image->first[band]; b < image->first[band + 1]; b++)
+    weight[b] = image->transmission[b] * image->bin_width[b];
+  if (status == UM_OK) um_optics_image_weigh(image, weight, *out);
+  um_core_free(context, weight);
+  return status;
+}
+
+/* Radiances of one picture as raw floats, the sky as NaN (drawn as nothing); the largest. */
+static enum um_status write_pixels(struct um_context *context, const struct um_output_panel *panel,
+                                   const char *path, double *largest)
+{
+  const struct um_optics_image *image = panel->image;
+  double(*weighed)[2] = NULL;
+  FILE *f = NULL;
+  enum um_status status;
+  UM_CHECK(weigh(context, image, panel->index, &weighed));
+  f = fopen(path, "wb");
+  if (f == NULL) {
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+    goto done;
+  }
+  for (int y = 0; y < image->height; y++)
+    for (int x = 0; x < image->width; x++) {
+      float v = (float)um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);
+      *largest = fmax(*largest, v);
+      if (!um_optics_image_covered(image, x, y)) v = NAN;
+      fwrite(&v, sizeof v, 1, f);
+    }
+  status = um_core_file_close(context, path, &f);
+done:
+  um_core_free(context, weighed);
+  return status;
+}
+
+static enum um_status write_raw(struct um_context *context, const struct um_output_panel *panel,
+                                const char *folder, size_t index, double *largest)
+{
+  char *path = NULL;
+  UM_TRY(um_core_asprintf(context, &path, "%s/panel%zu.raw", folder, index));
+  enum um_status status = write_pixels(context, panel, path, largest);
+  um_core_free(context, path);
+  return status;
 }
 
 struct scale {
@@ -44,39 +86,15 @@ struct scale {
   double faintest; /* largest of the faintest picture that shows anything */
 };
 
-static struct scale scale_of(const struct um_output_panel *panels, size_t columns)
+/* largest: of each picture of a row. */
+static struct scale scale_of(const double *largest, size_t columns)
 {
   struct scale s = {0.0, INFINITY};
   for (size_t c = 0; c < columns; c++) {
-    const struct um_optics_image *image = panels[c].image;
-    double own = 0.0;
-    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++)
-      own = fmax(own, pixel_radiance(image, i));
-    s.largest = fmax(s.largest, own);
-    if (own > 0.0) s.faintest = fmin(s.faintest, own);
+    s.largest = fmax(s.largest, largest[c]);
+    if (largest[c] > 0.0) s.faintest = fmin(s.faintest, largest[c]);
   }
   return s;
-}
-
-/* Radiances of one picture as raw floats, the sky as NaN (drawn as nothing). */
-static enum um_status write_raw(struct um_context *context, const struct um_optics_image *image,
-                                const char *folder, size_t index)
-{
-  char *path = NULL;
-  UM_TRY(um_core_asprintf(context, &path, "%s/panel%zu.raw", folder, index));
-  FILE *f = fopen(path, "wb");
-  enum um_status status = UM_OK;
-  if (f == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  } else {
-    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++) {
-      float v = image->surface[i] == UM_GEOMETRY_NONE ? NAN : pixel_radiance(image, i);
-      fwrite(&v, sizeof v, 1, f);
-    }
-    status = um_core_file_close(context, path, &f);
-  }
-  um_core_free(context, path);
-  return status;
 }
 
 /* ---- directions ---- */
@@ -101,8 +119,7 @@ static void emptiest_corner(const struct um_optics_image *image, double span, do
   size_t covered[4] = {0}, best = 0;
   for (int y = 0; y < image->height; y++)
     for (int x = 0; x < image->width; x++) {
-      if (image->surface[(size_t)y * (size_t)image->width + (size_t)x] == UM_GEOMETRY_NONE)
-        continue;
+      if (!um_optics_image_covered(image, x, y)) continue;
       double right = (x + 0.5 - 0.5 * image->width) * image->pixel_size / span;
       double up = (0.5 * image->height - y - 0.5) * image->pixel_size / span;
       if (fabs(right) < 0.5 - CORNER || fabs(up) < 0.5 - CORNER) continue;
@@ -177,11 +194,11 @@ static void compass(struct um_plot *plot, const struct um_output_panel *panel, d
 
 /* ---- script ---- */
 
-static void row(struct um_plot *plot, const struct um_output_panel *panels, size_t r, size_t rows,
-                size_t columns, double span)
+static void row(struct um_plot *plot, const struct um_output_panel *panels, const double *largest,
+                size_t r, size_t rows, size_t columns, double span)
 {
   const struct um_optics_band *band = panels[r * columns].band;
-  struct scale s = scale_of(panels + r * columns, columns);
+  struct scale s = scale_of(largest + r * columns, columns);
   bool log_scale = s.largest > CONTRAST * s.faintest;
   int top = TOP + (int)r * (SIDE + GAP), width = LEFT + (int)columns * (SIDE + GAP) + RIGHT;
   int height = TOP + (int)rows * (SIDE + GAP) + BOTTOM;
@@ -221,8 +238,8 @@ static void row(struct um_plot *plot, const struct um_output_panel *panels, size
   }
 }
 
-static void script(struct um_plot *plot, const struct um_output_panel *panels, size_t rows,
-                   size_t columns)
+static void script(struct um_plot *plot, const struct um_output_panel *panels,
+                   const double *largest, size_t rows, size_t columns)
 {
   double span = 0.0; /* [m] */
   for (size_t i = 0; i < rows * columns; i++) {
@@ -239,7 +256,7 @@ static void script(struct um_plot *plot, const struct um_output_panel *panels, s
               "0.85 '#fcb519', 1 '#fcffa4')\n",
               um_plot_spacing(span), um_plot_spacing(span), -0.5 * span, 0.5 * span, -0.5 * span,
               0.5 * span);
-  for (size_t r = 0; r < rows; r++) row(plot, panels, r, rows, columns, span);
+  for (size_t r = 0; r < rows; r++) row(plot, panels, largest, r, rows, columns, span);
 }
 
 static void remove_raw(const char *folder, size_t n)
@@ -259,12 +276,15 @@ enum um_status um_output_plot_panels(struct um_context *context,
 {
   enum um_status status;
   struct um_plot *plot = NULL;
+  double *largest = NULL; /* of each picture [W/m^2/sr] */
+  UM_TRY(um_core_allocate(context, rows * columns, sizeof *largest, &largest));
   for (size_t i = 0; i < rows * columns; i++)
-    UM_CHECK(write_raw(context, panels[i].image, folder, i));
+    UM_CHECK(write_raw(context, &panels[i], folder, i, &largest[i]));
   UM_CHECK(um_plot_create(context, folder, SCRIPT, &plot));
-  script(plot, panels, rows, columns);
+  script(plot, panels, largest, rows, columns);
   status = um_plot_draw(context, &plot);
 done:
+  um_core_free(context, largest);
   remove_raw(folder, rows * columns);
   return status;
 }

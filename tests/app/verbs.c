@@ -1,5 +1,4 @@
-/* The verbs beside run: what they print, that their JSON is JSON, and the picture as OpenEXR. */
-#include <openexr.h>
+/* The verbs beside run: what they print, and that their JSON is JSON. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,79 +159,6 @@ static void test_failures(void **state)
   free(after);
 }
 
-/* Four bins of 0.38 to 0.78 um: centres 430, 530, 630, 730 nm; channels are sorted by name. */
-static void check_picture(const char *path)
-{
-  static const char *const names[] = {
-      "B", "G", "R", "S0.430,000nm", "S0.530,000nm", "S0.630,000nm", "S0.730,000nm"};
-  exr_context_t file;
-  exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  const exr_attr_chlist_t *channels = NULL;
-  exr_attr_box2i_t window;
-  exr_storage_t storage;
-  int parts = 0;
-  assert_int_equal(exr_start_read(&file, path, &start), EXR_ERR_SUCCESS);
-  assert_int_equal(exr_get_count(file, &parts), EXR_ERR_SUCCESS);
-  assert_int_equal(parts, 1);
-  assert_int_equal(exr_get_storage(file, 0, &storage), EXR_ERR_SUCCESS);
-  assert_int_equal(exr_get_channels(file, 0, &channels), EXR_ERR_SUCCESS);
-  assert_int_equal(channels->num_channels, 7);
-  for (int i = 0; i < 7; i++) assert_string_equal(channels->entries[i].name.str, names[i]);
-  assert_int_equal(exr_get_data_window(file, 0, &window), EXR_ERR_SUCCESS);
-  assert_int_equal(window.max.x - window.min.x + 1, 16);
-  int rows = window.max.y - window.min.y + 1, width = 16;
-  float *pixels = calloc((size_t)(rows * width), sizeof *pixels);
-  assert_non_null(pixels);
-  double sum = 0.0;
-  exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
-  for (int y = window.min.y; y <= window.max.y; y++) {
-    exr_chunk_info_t chunk;
-    assert_int_equal(exr_read_scanline_chunk_info(file, 0, y, &chunk), EXR_ERR_SUCCESS);
-    assert_int_equal(y == window.min.y ? exr_decoding_initialize(file, 0, &chunk, &decoder)
-                                       : exr_decoding_update(file, 0, &chunk, &decoder),
-                     EXR_ERR_SUCCESS);
-    for (int c = 0; c < decoder.channel_count; c++) {
-      exr_coding_channel_info_t *channel = &decoder.channels[c];
-      bool wanted = strcmp(channel->channel_name, names[4]) == 0;
-      channel->decode_to_ptr =
-          wanted ? (uint8_t *)(pixels + (size_t)((y - window.min.y) * width)) : NULL;
-      channel->user_pixel_stride = sizeof(float);
-      channel->user_line_stride = width * (int)sizeof(float);
-      channel->user_bytes_per_element = sizeof(float);
-      channel->user_data_type = EXR_PIXEL_FLOAT;
-    }
-    if (y == window.min.y)
-      assert_int_equal(exr_decoding_choose_default_routines(file, 0, &decoder), EXR_ERR_SUCCESS);
-    assert_int_equal(exr_decoding_run(file, 0, &decoder), EXR_ERR_SUCCESS);
-  }
-  for (int i = 0; i < rows * width; i++) {
-    assert_true(pixels[i] >= 0.0f);
-    sum += (double)pixels[i];
-  }
-  assert_true(sum > 0.0); /* the box stands in sunlight */
-  exr_decoding_destroy(file, &decoder);
-  free(pixels);
-  assert_int_equal(exr_finish(&file), EXR_ERR_SUCCESS);
-}
-
-static void test_render(void **state)
-{
-  (void)state;
-  command_copy_data("box.yaml");
-  command_expect(0, RENDER, MOMENT, "--band", "vis", "-o", "a.exr", NULL);
-  check_picture("a.exr");
-  char *first = command_snapshot("a.exr");
-  command_expect(1, RENDER, MOMENT, "--band", "lwir", "-o", "a.exr", NULL);
-  char *second = command_snapshot("a.exr");
-  assert_string_equal(second, first);
-  command_expect(0, RENDER, MOMENT, "--band", "lwir", "--force", "-o", "a.exr", NULL);
-  char *third = command_snapshot("a.exr");
-  assert_string_not_equal(third, first);
-  free(first);
-  free(second);
-  free(third);
-}
-
 /* Standard output on a full device is a failure, not a silence. */
 static void test_full_standard_output(void **state)
 {
@@ -316,7 +242,6 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
-      cmocka_unit_test_setup_teardown(test_render, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,8 +1,10 @@
 /* Pictures: they add up to the light curve, and left is left. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/constants.h"
 #include "fixture.h"
+#include "optics/image.h"
 
 static const struct um_geometry_skin ball_skin = {NULL, "blanket", NULL};
 static const struct um_geometry_skin plate_skin = {NULL, "cell", "blanket"};
@@ -42,13 +44,20 @@ static void scene(struct fixture *f)
   }
 }
 
-static double image_sum(const struct um_optics_image *image)
+/* Sum over pixels of a band's radiance times pixel area [W/sr], by weighted spectra. */
+static double image_sum(const struct um_optics_image *image, size_t band)
 {
-  double sum = 0.0;
-  size_t npixel = (size_t)image->width * (size_t)image->height;
-  for (size_t p = 0; p < npixel; p++)
-    for (size_t b = 0; b < image->nbin; b++)
-      sum += (double)image->radiance[p * image->nbin + b] * image->bin_width[b];
+  double sum = 0.0, weight[16] = {0.0};
+  double(*weighed)[2] = calloc(image->nspectrum, sizeof *weighed);
+  assert_non_null(weighed);
+  assert_true(image->nbin <= 16);
+  for (size_t b = image->first[band]; b < image->first[band + 1]; b++)
+    weight[b] = image->bin_width[b];
+  um_optics_image_weigh(image, weight, weighed);
+  for (int y = 0; y < image->height; y++)
+    for (int x = 0; x < image->width; x++)
+      sum += um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);
+  free(weighed);
   return sum * image->pixel_size * image->pixel_size;
 }
 
@@ -64,19 +73,110 @@ static void test_sum(void **state)
   const struct um_optics_band bands[] = {vis, lwir};
   fixture_run(&f, 64, bands, 2);
   struct um_optics_image_options options = {120, 16, um_vec3(0.0, 1.0, 0.0)};
-  for (size_t t = 0; t < 2; t++)
+  for (size_t t = 0; t < 2; t++) {
+    struct um_optics_image *image;
+    FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, t, bands, 2, &options, &image));
     for (size_t k = 0; k < 2; k++) {
-      struct um_optics_image *image;
-      FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, t, &bands[k], &options, &image));
-      double total = 0.0, error = f.curve->stderr_[t * 2 + k], sum = image_sum(image);
+      double total = 0.0, error = f.curve->stderr_[t * 2 + k], sum = image_sum(image, k);
       for (int m = 0; m < UM_MECHANISM_COUNT; m++)
         total += fixture_intensity(&f, t, k, (enum um_optics_mechanism)m);
       print_message("%s: picture %.6g light curve %.6g +- %.2g [W/sr], %.2g of it\n", bands[k].name,
                     sum, total, error, sum / total - 1.0);
       assert_true(fabs(sum - total) <= 4.0 * error + 1e-3 * total);
-      um_optics_image_destroy(f.context, &image);
-      assert_null(image);
     }
+    um_optics_image_destroy(f.context, &image);
+    assert_null(image);
+  }
+  fixture_destroy(&f);
+}
+
+/* What a pixel sees is not told by wavelength: a band of a picture of several is the picture of
+ * that band alone, bit by bit, and the expanded radiances add up to weighted spectra (float
+ * precision). */
+static void test_factors(void **state)
+{
+  (void)state;
+  struct fixture f;
+  scene(&f);
+  const struct um_optics_band bands[] = {vis, lwir};
+  struct um_optics_image_options options = {50, 16, um_vec3(0.0, 1.0, 0.0)};
+  struct um_optics_image *both, *one;
+  FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, 0, bands, 2, &options, &both));
+  FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, 0, &lwir, 1, &options, &one));
+  assert_int_equal(both->nbin, 6);
+  assert_int_equal(both->first[1], 3);
+  double weight[] = {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, quantile, brightest = 0.0, cut = 0.0;
+  double(*weighed)[2] = calloc(both->nspectrum, sizeof *weighed);
+  assert_non_null(weighed);
+  um_optics_image_weigh(both, weight, weighed);
+  FIXTURE_OK(
+      &f, um_optics_image_quantile(f.context, both, (const double(*)[2])weighed, 0.9, &quantile));
+  double seen = 0.0, above = 0.0;
+  for (int y = 0; y < both->height; y++) {
+    float a[50 * 4], b[50 * 4];
+    const struct um_optics_image_span in_both = {y, 0, 50, 3, 3, 4}, alone = {y, 0, 50, 0, 3, 4};
+    um_optics_image_expand(both, &in_both, a);
+    um_optics_image_expand(one, &alone, b);
+    for (int x = 0; x < 50; x++) {
+      double sum = 0.0, pixel;
+      for (int k = 0; k < 3; k++) {
+        assert_true(a[4 * x + k] == b[4 * x + k]);
+        sum += (double)a[4 * x + k];
+      }
+      pixel = um_optics_image_pixel(both, (const double(*)[2])weighed, x, y);
+      assert_true(fabs(sum - pixel) <= 1e-6 * pixel);
+      brightest = fmax(brightest, pixel);
+      size_t n;
+      const struct um_optics_image_share *share = um_optics_image_shares(both, x, y, &n);
+      for (size_t i = 0; i < n; i++) {
+        assert_true(share[i].lit <= share[i].seen && share[i].seen <= 16);
+        const double *level = weighed[share[i].spectrum];
+        seen += share[i].seen;
+        above += level[0] > quantile ? share[i].seen - share[i].lit : 0;
+        above += level[0] + level[1] > quantile ? share[i].lit : 0;
+        cut = fmax(cut, level[0] + level[1]);
+      }
+    }
+  }
+  print_message("a tenth lies above %.4g, the brightest is %.4g; %.4f lie above\n", quantile, cut,
+                above / seen);
+  assert_true(above <= 0.1 * seen && quantile < cut && brightest <= cut * (1.0 + 1e-12));
+  free(weighed);
+  um_optics_image_destroy(f.context, &both);
+  um_optics_image_destroy(f.context, &one);
+  fixture_destroy(&f);
+}
+
+/* Told beforehand from a few lines: the picture's size to the pixel, what it covers to 5 %, and
+ * more bytes than it takes. */
+static void test_estimate(void **state)
+{
+  (void)state;
+  struct fixture f;
+  scene(&f);
+  struct um_optics_image_options options = {200, 4, um_vec3(0.0, 1.0, 0.0)};
+  struct um_optics_image_cost cost;
+  struct um_optics_image *image;
+  FIXTURE_OK(&f, um_optics_image_estimate(f.context, &f.scene, 0, &vis, 1, &options, &cost));
+  FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, 0, &vis, 1, &options, &image));
+  assert_int_equal(cost.width, image->width);
+  assert_int_equal(cost.height, image->height);
+  assert_true(cost.pixel_size == image->pixel_size);
+  double covered = 0.0, bytes = 2.0 * sizeof(float) * (double)(image->nspectrum * image->nbin);
+  for (int y = 0; y < image->height; y++) {
+    const struct um_optics_image_row *row = &image->row[y];
+    for (uint32_t i = 0; i < row->count; i++) covered += row->first[i + 1] > row->first[i];
+    if (row->count > 0) bytes += 4.0 * (row->count + 1.0) + 8.0 * row->first[row->count];
+  }
+  covered /= (double)image->width * image->height;
+  print_message("covered %.4f, told %.4f; %.0f bytes, told %.0f; %.3f s told\n", covered,
+                cost.covered, bytes, cost.bytes, cost.seconds);
+  assert_true(fabs(cost.covered - covered) <= 0.05 * covered);
+  assert_true(cost.bytes >= bytes && cost.seconds > 0.0);
+  um_optics_image_destroy(f.context, &image);
+  options.samples_per_pixel = 4097;
+  assert_int_equal(um_optics_image_estimate(f.context, &f.scene, 0, &vis, 1, &options, &cost),
+                   UM_ERR_INPUT);
   fixture_destroy(&f);
 }
 
@@ -96,14 +196,16 @@ static void test_orientation(void **state)
   fixture_scene(&f, parts, 2, 1);
   struct um_optics_image_options options = {100, 4, um_vec3(0.0, 1.0, 0.0)};
   struct um_optics_image *image;
-  FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, 0, &vis, &options, &image));
+  FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, 0, &vis, 1, &options, &image));
   size_t small = 0, large = 0, wrong = 0;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(f.geometry);
   for (int y = 0; y < image->height; y++)
     for (int x = 0; x < image->width; x++) {
-      uint32_t s = image->surface[y * image->width + x];
-      if (s == UM_GEOMETRY_NONE) continue;
-      if (mesh->surface[s].part == 1) {
+      size_t n;
+      const struct um_optics_image_share *share = um_optics_image_shares(image, x, y, &n);
+      if (!um_optics_image_covered(image, x, y)) continue;
+      assert_true(n > 0);
+      if (mesh->surface[image->surface[share[0].spectrum]].part == 1) {
         small++;
         if (x < image->width / 2 || y > image->height / 2) wrong++;
       } else {
@@ -111,7 +213,7 @@ static void test_orientation(void **state)
       }
     }
   double pixel = image->pixel_size * image->pixel_size;
-  print_message("areas by pixel centres: %.4f (1) and %.4f (0.04) m^2\n", (double)large * pixel,
+  print_message("areas by covered pixels: %.4f (1) and %.4f (0.04) m^2\n", (double)large * pixel,
                 (double)small * pixel);
   assert_int_equal(wrong, 0);
   /* an edge may fall a pixel off on each axis */
@@ -119,7 +221,7 @@ static void test_orientation(void **state)
   assert_true(fabs(sqrt((double)small * pixel) - 0.2) <= image->pixel_size);
   um_optics_image_destroy(f.context, &image);
   options.up_gcrs = um_vec3(0.0, 0.0, 1.0);
-  assert_int_equal(um_optics_image_render(f.context, &f.scene, 0, &vis, &options, &image),
+  assert_int_equal(um_optics_image_render(f.context, &f.scene, 0, &vis, 1, &options, &image),
                    UM_ERR_INPUT);
   assert_null(image);
   fixture_destroy(&f);
@@ -129,6 +231,8 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_sum),
+      cmocka_unit_test(test_factors),
+      cmocka_unit_test(test_estimate),
       cmocka_unit_test(test_orientation),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -115,7 +115,7 @@ static enum um_status picture(struct subject *s)
 {
   struct um_optics_image *image = NULL;
   enum um_status status =
-      um_model_picture(s->context, s->model, s->precomputed, s->result, 0, 1, 8, 1, &image);
+      um_model_picture(s->context, s->model, s->precomputed, s->result, 0, 1, 1, 8, 1, &image);
   if (status != UM_OK) assert_null(image);
   um_optics_image_destroy(s->context, &image);
   return status;

@@ -52,25 +52,37 @@ static int leave(void **state)
 /* The script of one picture, its lower right corner covered; the caller frees. */
 static const char *draw(const struct um_environment_sample *sample)
 {
-  float radiance[SIDE * SIDE];
-  uint32_t surface[SIDE * SIDE];
+  /* lines of the lower half see one surface on their right half */
+  struct um_optics_image_share share[SIDE / 2];
+  uint32_t first[SIDE / 2 + 1], surface = 0;
+  struct um_optics_image_row row[SIDE];
+  float dark = 1e6f, sun = 0.0f;
   double wavelength = 5.5e-7, width = 4e-7, transmission = 1.0;
-  for (int i = 0; i < SIDE * SIDE; i++) {
-    bool covered = i % SIDE >= SIDE / 2 && i / SIDE >= SIDE / 2;
-    surface[i] = covered ? 0 : UM_GEOMETRY_NONE;
-    radiance[i] = covered ? 1e6f : 0.0f;
+  size_t bins[] = {0, 1};
+  memset(row, 0, sizeof row);
+  for (uint32_t i = 0; i < SIDE / 2; i++) {
+    share[i] = (struct um_optics_image_share){0, 4, 0};
+    first[i] = i;
+    row[SIDE / 2 + i] = (struct um_optics_image_row){SIDE / 2, SIDE / 2, first, share};
   }
+  first[SIDE / 2] = SIDE / 2;
   const struct um_optics_image image = {.width = SIDE,
                                         .height = SIDE,
+                                        .samples = 4,
                                         .pixel_size = 0.1,
                                         .nbin = 1,
+                                        .nband = 1,
+                                        .first = bins,
                                         .wavelength = &wavelength,
                                         .bin_width = &width,
                                         .transmission = &transmission,
-                                        .radiance = radiance,
-                                        .surface = surface};
+                                        .nspectrum = 1,
+                                        .surface = &surface,
+                                        .dark = &dark,
+                                        .sun = &sun,
+                                        .row = row};
   const struct um_optics_band band = {.name = "vis", .from = 3.8e-7, .to = 7.8e-7};
-  const struct um_output_panel panel = {&image, sample, &band, "now"};
+  const struct um_output_panel panel = {&image, sample, &band, 0, "now"};
   assert_int_equal(um_output_plot_panels(context, &panel, 1, 1, folder), UM_OK);
   static char text[1 << 16]; /* of the last picture */
   char path[UM_TEST_PATH + 16];

@@ -1,0 +1,241 @@
+/* Parts of pictures as the command line names them, and what a picture will cost. */
+#include "app/picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+
+#include "core/number.h"
+
+#define FILE_MOST     68719476736.0 /* of an OpenEXR file, 64 GiB */
+#define ROOM_LEFT     0.95          /* of the disk's free space that a file may take */
+#define PREVIEW       3             /* channels beside the spectral ones */
+#define EXR_RATE      30e6 /* bytes of channels that a thread expands and compresses [1/s] */
+#define CUBE_RATE     40e6 /* bytes of factors that are compressed [1/s] */
+#define CHANNEL_BYTES 4.0
+#define COPIES        3.0 /* of a line: expanded, packed, compressed */
+
+bool um_app_is_cube(const char *path)
+{
+  size_t n = strlen(path);
+  return n >= 3 && strcmp(path + n - 3, ".nc") == 0;
+}
+
+enum um_status um_app_check_picture(struct um_context *context,
+                                    const struct um_app_options *options)
+{
+  struct stat st;
+  char *folder = NULL;
+  const char *out = options->out, *slash = strrchr(out, '/');
+  if (lstat(out, &st) == 0) {
+    if (!S_ISREG(st.st_mode))
+      return um_core_fail(context, UM_ERR_IO, "%s: is not a file; accepted: a file name", out);
+    if (!options->force)
+      return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
+  }
+  if (slash == NULL) return UM_OK;
+  UM_TRY(um_core_asprintf(context, &folder, "%.*s", (int)(slash - out) + 1, out));
+  bool there = stat(folder, &st) == 0 && S_ISDIR(st.st_mode);
+  um_core_free(context, folder);
+  if (there && slash[1] != '\0') return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: %s; accepted: a file name in a folder that exists",
+                      out, there ? "is a folder" : "there is no such folder");
+}
+
+/* "8-8.1um", "8-8.1" or, for a bin whose centre it is, "8.05" [um]. */
+static bool parse_wavelengths(const char *text, double *from, double *to)
+{
+  char word[64], *second, *unit;
+  if (strlen(text) >= sizeof word) return false;
+  strcpy(word, text);
+  unit = strstr(word, "um");
+  if (unit != NULL && unit[2] == '\0') *unit = '\0';
+  second = strchr(word, '-');
+  if (second != NULL) *second++ = '\0';
+  if (!um_core_number_parse(word, from)) return false;
+  *to = *from;
+  if (second != NULL && !um_core_number_parse(second, to)) return false;
+  bool well = *from > 0.0 && *to >= *from;
+  *from *= 1e-6;
+  *to *= 1e-6;
+  return well;
+}
+
+enum um_status um_app_picture_part(struct um_context *context, const struct um_app_options *options,
+                                   struct um_output_cube_part *out)
+{
+  *out = (struct um_output_cube_part){.to = INFINITY};
+  if (options->wavelengths != NULL &&
+      !parse_wavelengths(options->wavelengths, &out->from, &out->to))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "--wavelengths %s; accepted: FROM-TO in um, as 8-8.1um",
+                        options->wavelengths);
+  if (options->tile == NULL) return UM_OK;
+  int used = 0;
+  if (sscanf(options->tile, "%6d,%6d,%6d,%6d%n", &out->x, &out->y, &out->width, &out->height,
+             &used) == 4 &&
+      options->tile[used] == '\0' && out->x >= 0 && out->y >= 0 && out->width > 0 &&
+      out->height > 0)
+    return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "--tile %s; accepted: X,Y,WIDTH,HEIGHT in pixels, from the upper left corner",
+                      options->tile);
+}
+
+enum um_status um_app_cut(struct um_context *context, const struct um_app_options *options,
+                          const struct um_optics_image *image, struct um_output_cut *cut)
+{
+  struct um_output_cube_part part;
+  UM_TRY(um_app_picture_part(context, options, &part));
+  *cut = um_output_cut_whole(image);
+  if (part.width > 0) {
+    if (part.width > image->width - part.x || part.height > image->height - part.y)
+      return um_core_fail(context, UM_ERR_INPUT, "--tile %s; accepted: inside %d x %d pixels",
+                          options->tile, image->width, image->height);
+    cut->x = part.x;
+    cut->y = part.y;
+    cut->width = part.width;
+    cut->height = part.height;
+  }
+  size_t n = image->nbin;
+  cut->nbin = 0;
+  while (cut->bin < n && image->wavelength[cut->bin] < part.from) cut->bin++;
+  while (cut->bin + cut->nbin < n && image->wavelength[cut->bin + cut->nbin] <= part.to)
+    cut->nbin++;
+  if (cut->nbin > 0) return UM_OK;
+  return um_core_fail(
+      context, UM_ERR_INPUT, "--wavelengths %s: the centre of no bin lies there; accepted: %g-%gum",
+      options->wavelengths, image->wavelength[0] * 1e6, image->wavelength[n - 1] * 1e6);
+}
+
+/* Room for a file beside its name [bytes]; NaN: not known. */
+static double free_bytes(struct um_context *context, const char *path)
+{
+  struct statvfs disk;
+  char *folder = NULL;
+  const char *slash = strrchr(path, '/');
+  double out = NAN;
+  if (slash == NULL) {
+    if (statvfs(".", &disk) == 0) out = (double)disk.f_bavail * (double)disk.f_frsize;
+    return out;
+  }
+  if (um_core_asprintf(context, &folder, "%.*s", (int)(slash - path) + 1, path) != UM_OK)
+    return out;
+  if (statvfs(folder, &disk) == 0) out = (double)disk.f_bavail * (double)disk.f_frsize;
+  um_core_free(context, folder);
+  return out;
+}
+
+static enum um_status check_file(struct um_context *context, const struct um_app_options *options,
+                                 double bytes)
+{
+  const char *help = um_app_is_cube(options->out)
+                         ? "a smaller --width"
+                         : "fewer --wavelengths, a --tile, or a name in .nc, which keeps the "
+                           "picture factored";
+  if (!(bytes <= FILE_MOST))
+    return um_core_fail(context, UM_ERR_INPUT, "%s: up to %.3g GB; accepted: up to %.3g GB, by %s",
+                        options->out, bytes * 1e-9, FILE_MOST * 1e-9, help);
+  double room = free_bytes(context, options->out);
+  if (bytes > ROOM_LEFT * room)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: up to %.3g GB, and its folder has room for %.3g GB; accepted: %s",
+                        options->out, bytes * 1e-9, room * 1e-9, help);
+  return UM_OK;
+}
+
+/* Memory of the lines that are on their way into the file. */
+static double exr_bytes(const struct um_context *context, int width, size_t nbin)
+{
+  return COPIES * CHANNEL_BYTES * width * (double)(nbin + PREVIEW) *
+         um_core_context_threads(context);
+}
+
+static double exr_file(double covered, size_t nbin)
+{
+  return CHANNEL_BYTES * covered * (double)(nbin + PREVIEW);
+}
+
+/* " memory up to 12 MB,", " file up to 3.4 GB," */
+static void put_bytes(const char *what, double bytes)
+{
+  if (bytes < 1e9)
+    printf(" %s up to %.0f MB,", what, fmax(bytes * 1e-6, 1.0));
+  else
+    printf(" %s up to %.3g GB,", what, bytes * 1e-9);
+}
+
+static void print_cost(int width, int height, size_t nbin, double memory, double file,
+                       double seconds)
+{
+  printf("%d x %d pixels, %zu wavelengths:", width, height, nbin);
+  put_bytes("memory", memory);
+  put_bytes("file", file);
+  printf(" about %.0f s\n", fmax(seconds, 1.0));
+  fflush(stdout);
+}
+
+enum um_status um_app_picture_cost(struct um_context *context, const struct um_app_options *options,
+                                   const struct um_optics_image_cost *cost,
+                                   const struct um_optics_band *band)
+{
+  bool cube = um_app_is_cube(options->out);
+  struct um_output_cube_part part;
+  UM_TRY(um_app_picture_part(context, options, &part));
+  if (cube && (options->wavelengths != NULL || options->tile != NULL))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: a factored picture is written whole; accepted: --wavelengths and "
+                        "--tile with umbra expand",
+                        options->out);
+  size_t nbin = 0;
+  for (int b = 0; b < band->bins; b++) {
+    double centre = 0.5 * (um_optics_band_edge(band, b) + um_optics_band_edge(band, b + 1));
+    nbin += centre >= part.from && centre <= part.to;
+  }
+  if (nbin == 0)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "--wavelengths %s: the centre of no bin lies there; accepted: %g-%gum",
+                        options->wavelengths,
+                        (band->from + 0.5 * (band->to - band->from) / band->bins) * 1e6,
+                        (band->to - 0.5 * (band->to - band->from) / band->bins) * 1e6);
+  if (part.width > 0 && (part.width > cost->width - part.x || part.height > cost->height - part.y))
+    return um_core_fail(context, UM_ERR_INPUT, "--tile %s; accepted: inside %d x %d pixels",
+                        options->tile, cost->width, cost->height);
+  int width = part.width > 0 ? part.width : cost->width;
+  int height = part.height > 0 ? part.height : cost->height;
+  double pixels = part.width > 0 ? (double)width * height
+                                 : cost->covered * (double)cost->width * (double)cost->height;
+  double file = cube ? cost->bytes : exr_file(pixels, nbin);
+  double memory = cost->bytes + (cube ? file : exr_bytes(context, width, nbin));
+  double rate = cube ? CUBE_RATE : EXR_RATE * um_core_context_threads(context);
+  print_cost(width, height, nbin, memory, file, cost->seconds + file / rate);
+  if (!(memory <= UM_OPTICS_IMAGE_BYTES))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "--width %d: %d x %d pixels at %d wavelengths take %.3g GB; accepted: up "
+                        "to %.3g GB, by a smaller --width, fewer --samples or fewer bins of the "
+                        "band",
+                        cost->width, cost->width, cost->height, band->bins, memory * 1e-9,
+                        UM_OPTICS_IMAGE_BYTES * 1e-9);
+  return check_file(context, options, file);
+}
+
+enum um_status um_app_cut_cost(struct um_context *context, const struct um_app_options *options,
+                               const struct um_optics_image *image, const struct um_output_cut *cut)
+{
+  double covered = 0.0;
+  for (int y = cut->y; y < cut->y + cut->height; y++) {
+    int64_t from = image->row[y].from, to = from + image->row[y].count;
+    if (from < cut->x) from = cut->x;
+    if (to > cut->x + cut->width) to = cut->x + cut->width;
+    covered += to > from ? (double)(to - from) : 0.0;
+  }
+  double file = exr_file(covered, cut->nbin);
+  double memory = exr_bytes(context, cut->width, cut->nbin) +
+                  CHANNEL_BYTES * 4.0 * (double)image->nspectrum * (double)image->nbin;
+  print_cost(cut->width, cut->height, cut->nbin, memory, file,
+             file / (EXR_RATE * um_core_context_threads(context)));
+  return check_file(context, options, file);
+}

@@ -1,0 +1,110 @@
+/* Spectra of the surfaces that a picture sees. Facets are flat and far from everything, so each has
+ * one radiance in shadow and one in sunlight. */
+#include <omp.h>
+#include <string.h>
+
+#include "optics/image_impl.h"
+#include "optics/interreflection_impl.h"
+
+struct palette {
+  const struct um_optics_scene *scene;
+  const struct um_optics_exposure *frame;
+  size_t time, nthread;
+  struct um_optics_spectra *spectra;
+  struct um_optics_work *work; /* [nthread] */
+};
+
+/* Radiances of one surface: a share of it that is as large as 1 m^2 seen from the observer. */
+static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
+                 struct um_optics_image *image)
+{
+  const struct um_geometry_mesh *mesh = p->frame->mesh;
+  const struct um_optics_instant *now = &p->frame->now;
+  const struct um_optics_scene *scene = p->scene;
+  size_t n = image->nbin, surface = image->surface[k], at = p->time * mesh->nsurface + surface;
+  size_t material = mesh->surface[surface].material;
+  struct um_vec3 normal = um_geometry_surface_normal(mesh, p->frame->set->pose, surface);
+  float *dark = image->dark + k * n, *sun = image->sun + k * n;
+  double cos_o = um_vec3_dot(normal, now->observer_body);
+  if (!(cos_o > 0.0)) return;
+  struct um_optics_sight sight = {
+      .area_seen = 1.0 / cos_o,
+      .area_lit = 1.0 / cos_o,
+      .cos_observer = cos_o,
+      .cos_sun = um_vec3_dot(normal, now->sun_body),
+      .cos_half = um_vec3_dot(normal, now->half_body),
+      .cos_nadir = um_vec3_dot(normal, now->nadir_body),
+      .temperature = scene->temperature[at],
+      .albedo = (double)scene->albedo[at],
+      .view_factor = (double)scene->view_factor[at],
+      .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
+  um_optics_sight_turn(p->spectra, scene, surface, work, &sight);
+  um_optics_sum_clear(p->spectra, &work->single);
+  um_optics_sum_add(p->spectra, now, material, &sight, work, &work->single);
+  um_optics_sum_spectrum(p->spectra, scene, now, material, &work->single, work, work->spectral);
+  for (size_t b = 0; b < n; b++) {
+    const double *from = work->spectral + b * UM_MECHANISM_COUNT;
+    sun[b] = (float)from[UM_MECHANISM_SUN];
+    dark[b] = (float)(from[UM_MECHANISM_EARTH] + from[UM_MECHANISM_EMITTED]);
+  }
+  if (!um_optics_exchange_has(p->frame->set->exchange, surface)) return;
+  um_optics_interreflection(p->spectra, scene, now, p->frame->set, p->time, surface, 1.0, work);
+  for (size_t b = 0; b < n; b++) dark[b] += (float)work->reflected[b];
+}
+
+static enum um_status bins_create(struct um_context *context,
+                                  const struct um_optics_spectra *spectra,
+                                  struct um_optics_image *image)
+{
+  size_t n = spectra->nbin, count = image->nspectrum * n;
+  image->nbin = n;
+  image->nband = spectra->nband;
+  UM_TRY(um_core_allocate(context, image->nband + 1, sizeof *image->first, &image->first));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &image->wavelength));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &image->bin_width));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &image->transmission));
+  UM_TRY(um_core_allocate(context, count, sizeof(float), &image->dark));
+  UM_TRY(um_core_allocate(context, count, sizeof(float), &image->sun));
+  memcpy(image->first, spectra->first, (image->nband + 1) * sizeof *image->first);
+  memcpy(image->wavelength, spectra->wavelength, n * sizeof(double));
+  memcpy(image->bin_width, spectra->width, n * sizeof(double));
+  memcpy(image->transmission, spectra->transmission, n * sizeof(double));
+  return UM_OK;
+}
+
+static enum um_status fill_all(struct um_context *context, struct palette *p,
+                               struct um_optics_image *image)
+{
+  int threads = (int)p->nthread;
+  for (size_t i = 0; i < p->nthread; i++) {
+    um_optics_light(p->spectra, p->scene, &p->frame->now, &p->work[i]);
+    um_optics_turn(p->spectra, p->scene, &p->frame->now, &p->work[i]);
+  }
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+  for (size_t k = 0; k < image->nspectrum; k++)
+    if (!um_core_stopped(context)) fill(p, k, &p->work[omp_get_thread_num()], image);
+  return um_core_stop_check(context, "a picture was rendered");
+}
+
+enum um_status um_optics_image_spectra(struct um_context *context,
+                                       const struct um_optics_scene *scene, size_t time,
+                                       const struct um_optics_band *bands, size_t nband,
+                                       const struct um_optics_exposure *frame,
+                                       struct um_optics_image *image)
+{
+  enum um_status status;
+  struct palette p = {.scene = scene,
+                      .frame = frame,
+                      .time = time,
+                      .nthread = (size_t)um_core_context_threads(context)};
+  int nexchange = scene->interreflection_samples;
+  UM_CHECK(um_optics_spectra_create(context, scene, time, 1, bands, nband, &p.spectra));
+  UM_CHECK(bins_create(context, p.spectra, image));
+  UM_CHECK(um_optics_work_create(context, p.spectra, nexchange > 0 ? (size_t)nexchange : 0,
+                                 p.nthread, &p.work));
+  UM_CHECK(fill_all(context, &p, image));
+done:
+  um_optics_work_destroy(context, p.nthread, &p.work);
+  um_optics_spectra_destroy(context, &p.spectra);
+  return status;
+}
