@@ -5,6 +5,7 @@
 #include "core/constants.h"
 #include "core/planck.h"
 #include "fixture.h"
+#include "optics/image.h"
 #include "tests/support/allocator.h"
 
 static const struct um_geometry_skin body_skin = {NULL, "blanket", NULL};
