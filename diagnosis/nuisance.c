@@ -21,7 +21,7 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
   *out = (struct um_diagnosis_block){
       .addition = *wanted,
       .candidate = UM_COMPARE_NOWHERE,
-      .nfree = effect->on_by_default ? 0 : effect->nparameter}; /* a switch is on, or not */
+      .nfree = effect->on_by_default ? 0 : um_effect_fitted(effect)}; /* a switch is on, or not */
   for (size_t p = 0; p < out->nfree; p++) {
     const struct um_effect_parameter *of = &effect->parameters[p];
     double width = isfinite(sigma) ? sigma : of->prior_sigma;

@@ -28,7 +28,7 @@ static enum um_status own_sigma(struct um_context *context, const struct um_effe
                         "with parameters",
                         effect->name);
   *out = effect->parameters[0].prior_sigma;
-  for (size_t p = 1; p < effect->nparameter; p++)
+  for (size_t p = 1; p < um_effect_fitted(effect); p++)
     if (effect->parameters[p].prior_sigma != *out)
       return um_core_fail(context, UM_ERR_INPUT,
                           "the parameters of '%s' have priors of different widths; accepted: "

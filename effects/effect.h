@@ -12,6 +12,7 @@
 #include "core/context.h"
 #include "core/vec.h"
 #include "environment/environment.h"
+#include "geometry/creases.h"
 #include "geometry/geometry.h"
 #include "instrument/sensor.h"
 #include "materials/materials.h"
@@ -51,6 +52,7 @@ enum um_effect_stated {
   UM_STATED_INTERIOR_CAPACITY,
   UM_STATED_AREA,
   UM_STATED_MLI_EMITTANCE,
+  UM_STATED_CREASE_SQUARE,
   UM_STATED_HEAT_CAPACITY,
   UM_STATED_THROUGH_CONDUCTANCE,
   UM_STATED_CONTACT_CONDUCTANCE,
@@ -73,6 +75,9 @@ struct um_effect_parameter {
   /* A temperature of the target [K] that matters only while another parameter is off its null
    * value: a diagnosis starts from one that the target has. */
   bool is_temperature;
+  /* Said by the user, never fitted, and no column of any signature: what only numbers one of many
+   * equal possibilities, or steps. Behind all others. */
+  bool chosen;
   const char *prior; /* where the width comes from, a few words; NULL: not said */
   enum um_effect_stated stated;
   enum um_effect_change change; /* how it changes what is stated */
@@ -171,6 +176,9 @@ struct um_effect_hooks {
                           struct um_thermal_shell *wall, struct um_thermal_mli *mli);
   enum um_status (*contact)(struct um_context *, const struct um_effect_use *,
                             struct um_thermal_contact *);
+  /* How the surfaces of a group of a part hang; NULL: it wears no MLI and states no creases. */
+  enum um_status (*creases)(struct um_context *, const struct um_effect_use *, const char *part,
+                            const char *group, struct um_geometry_creasing *);
   /* From the time tag of an observation to its true time [s]. */
   double (*time)(const struct um_effect_use *, double t_tai);
   /* The exposure as it is, from what scenario or measurement say [s], not negative. */
@@ -208,22 +216,25 @@ struct um_effect_hooks {
                                               UM_EFFECT_MIX(                                       \
                                                   UM_EFFECT_MIX(                                   \
                                                       UM_EFFECT_MIX(                               \
-                                                          UM_EFFECT_MIX(14695981039346656037ULL,   \
-                                                                        struct um_effect_hooks),   \
-                                                          struct um_effect_use),                   \
-                                                      struct um_effect_parameter),                 \
-                                                  struct um_effect_observation),                   \
-                                              struct um_environment),                              \
-                                          struct um_materials_adjustment),                         \
-                                      struct um_geometry_part_spec),                               \
-                                  struct um_thermal_part_spec),                                    \
-                              struct um_thermal_group_spec),                                       \
-                          struct um_thermal_shell),                                                \
-                      struct um_thermal_mli),                                                      \
-                  struct um_thermal_contact),                                                      \
-              struct um_orbit_attitude_law),                                                       \
-          struct um_quat),                                                                         \
-      struct um_thermal_interior_spec)
+                                                          UM_EFFECT_MIX(                           \
+                                                              UM_EFFECT_MIX(                       \
+                                                                  14695981039346656037ULL,         \
+                                                                  struct um_effect_hooks),         \
+                                                              struct um_effect_use),               \
+                                                          struct um_effect_parameter),             \
+                                                      struct um_effect_observation),               \
+                                                  struct um_environment),                          \
+                                              struct um_materials_adjustment),                     \
+                                          struct um_geometry_part_spec),                           \
+                                      struct um_thermal_part_spec),                                \
+                                  struct um_thermal_group_spec),                                   \
+                              struct um_thermal_shell),                                            \
+                          struct um_thermal_mli),                                                  \
+                      struct um_thermal_contact),                                                  \
+                  struct um_orbit_attitude_law),                                                   \
+              struct um_quat),                                                                     \
+          struct um_thermal_interior_spec),                                                        \
+      struct um_geometry_creasing)
 /* The first members of every descriptor. */
 #define UM_EFFECT_ABI                                                                              \
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \
@@ -257,5 +268,13 @@ struct um_effect {
   bool (*is_off)(const struct um_environment *);
   enum um_status (*switch_on)(struct um_context *, struct um_environment *);
 };
+
+/* Parameters that may be fitted: all before those that are chosen. */
+static inline size_t um_effect_fitted(const struct um_effect *effect)
+{
+  size_t n = effect->nparameter;
+  while (n > 0 && effect->parameters[n - 1].chosen) n--;
+  return n;
+}
 
 #endif

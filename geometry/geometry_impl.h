@@ -36,6 +36,10 @@ struct um_geometry {
 /* Frees the arrays of a mesh that stands in another struct. */
 void um_geometry_mesh_free(struct um_context *context, struct um_geometry_mesh *mesh);
 
+/* um_geometry_surface_grain in the part's own frame. */
+void um_geometry_part_grain(const struct um_geometry *geometry, size_t surface,
+                            struct um_vec3 *grain, struct um_vec3 *across);
+
 static inline struct um_vec3 um_geometry_cross_of(const struct um_vec3 *vertex,
                                                   const uint32_t corner[3])
 {

@@ -132,17 +132,24 @@ void um_geometry_part_rotations(const struct um_geometry *geometry, const double
   }
 }
 
-void um_geometry_surface_grain(const struct um_geometry *geometry, const struct um_quat *rotation,
-                               size_t surface, struct um_vec3 *grain, struct um_vec3 *across)
+void um_geometry_part_grain(const struct um_geometry *geometry, size_t surface,
+                            struct um_vec3 *grain, struct um_vec3 *across)
 {
   const struct um_geometry_surface *s = &geometry->mesh.surface[surface];
   struct um_vec3 g = geometry->part[s->part].grain;
   struct um_vec3 n = um_vec3_scale(geometry->normal[s->facet], s->back ? -1.0 : 1.0);
-  struct um_quat to_body = um_quat_conjugate(rotation[s->part]);
   if (!(um_vec3_norm(um_vec3_cross(n, g)) > UPRIGHT)) g = um_vec3(g.z, g.x, g.y);
-  g = um_vec3_unit(um_vec3_axpy(g, -um_vec3_dot(g, n), n));
-  *grain = um_quat_apply(to_body, g);
-  *across = um_quat_apply(to_body, um_vec3_cross(n, g));
+  *grain = um_vec3_unit(um_vec3_axpy(g, -um_vec3_dot(g, n), n));
+  *across = um_vec3_cross(n, *grain);
+}
+
+void um_geometry_surface_grain(const struct um_geometry *geometry, const struct um_quat *rotation,
+                               size_t surface, struct um_vec3 *grain, struct um_vec3 *across)
+{
+  struct um_quat to_body = um_quat_conjugate(rotation[geometry->mesh.surface[surface].part]);
+  um_geometry_part_grain(geometry, surface, grain, across);
+  *grain = um_quat_apply(to_body, *grain);
+  *across = um_quat_apply(to_body, *across);
 }
 
 void um_geometry_pose_destroy(struct um_context *context, struct um_geometry_pose **pose)

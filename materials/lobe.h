@@ -62,9 +62,39 @@ struct um_materials_lobe_kind {
   double (*toward)(const struct um_materials_lobe *lobe, struct um_vec3 o);
   void (*reflect)(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
                   struct um_vec3 o, double toward, struct um_materials_reflected *out /* [n] */);
+  /* Density of the facets' slopes, by r^2 = x^2/alpha^2 + y^2/alpha_across^2, int dx dy over the
+   * alphas 1; NULL where f is no D G/(4 cos_i cos_o). */
+  double (*slopes)(double r2);
   /* Density of sampled directions [1/sr]. */
   double (*density)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair);
 };
+
+/* A lobe of which the facets are tilted further, by slopes of a mean square per axis: alpha^2 + 2
+ * s^2 (D.9), exact for Beckmann's, whose facets have normal slopes: those of two heights that are
+ * added add. A mirror becomes Beckmann's of that alpha; kinds without roughness stay, and all with
+ * 0. */
+struct um_materials_lobe um_materials_lobe_tilted(const struct um_materials_lobe *lobe,
+                                                  double slope_variance);
+
+/* Flat patches of a surface that each carry the lobe, tilted (geometry/creases.h). */
+struct um_materials_patches {
+  const float *along, *across; /* [n] their slopes along x and along y [1] */
+  const float *share;          /* [n] of the surface; sum 1 [1] */
+  size_t n;
+};
+/* Sunlit f of a surface of patches, the mean over them:
+ *
+ *   f = D(h) G(i, o)/(4 cos_i cos_o),  D(h) = sum_k share_k P(h - slopes_k)/cos_h^4
+ *
+ * P the distribution of the slopes of a patch's own lobe, widened by the Sun's disc, G the masking
+ * of `tilted`, um_materials_lobe_tilted of it, whose f is the mean over all patches that could be.
+ * Reciprocal, int D cos = 1. Kinds that have no
+ * distribution of slopes give the f of `tilted`. across_h: component of the half vector across the
+ * grain; along_h of the pair is read for all kinds. Test: materials/creases. */
+double um_materials_lobe_patches(const struct um_materials_lobe *lobe,
+                                 const struct um_materials_lobe *tilted,
+                                 const struct um_materials_pair *pair, double across_h,
+                                 double sun_radius, const struct um_materials_patches *patches);
 
 /* All kinds, in the order of the list; NULL beyond. */
 size_t um_materials_lobe_kind_count(void);

@@ -114,6 +114,7 @@ const struct um_materials_lobe_kind um_materials_lobe_beckmann = {
     .draw = draw,
     .toward = toward,
     .reflect = reflect,
+    .slopes = slopes,
     .density = density,
 };
 

@@ -94,5 +94,6 @@ const struct um_materials_lobe_kind um_materials_lobe_ggx = {
     .draw = draw,
     .toward = toward,
     .reflect = reflect,
+    .slopes = slopes,
     .density = density,
 };

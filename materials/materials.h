@@ -13,10 +13,17 @@ struct um_materials_record;  /* opaque, immutable after loading */
 struct um_materials_library; /* named records */
 struct um_schema_object;
 
+/* Changes of the lobe alone; all zero: none. */
+struct um_materials_lobe_adjustment {
+  double
+      slope_variance; /* mean square slope per axis that creases add to the lobe's facets, alpha^2
+                         + 2 s^2 [1] */
+};
+
 /* Changes that effects make to a record's optics; all null values leave it bit-identical. Those
  * that change absorption or emission keep reflectance + emissivity = 1 for spectral records;
- * diffuse_scale, specular_scale and roughness_scale act on what is reflected only, not on
- * absorptance, emittance or emissivity. */
+ * diffuse_scale, specular_scale, roughness_scale and those of the lobe act on what is reflected
+ * only, not on absorptance, emittance or emissivity. */
 struct um_materials_adjustment {
   double absorptance_shift; /* added to solar absorptance; diffuse reflectance below 2.5 um falls
                                alike; null 0 */
@@ -29,6 +36,7 @@ struct um_materials_adjustment {
   double emissivity_tilt; /* d: emissivity above 2.5 um + d eps_h (1 - 21 (1 - cos)^5) / 20, the
                              hemispherical value eps_h stays; 1 turns a diffuse emitter into a
                              dielectric after Schlick, below 0 it rises to grazing; null 0 */
+  struct um_materials_lobe_adjustment lobe;
 };
 extern const struct um_materials_adjustment um_materials_no_adjustment;
 
@@ -147,6 +155,10 @@ struct um_materials_mirror {
   double infrared; /* of reflected infrared [1] */
 };
 struct um_materials_mirror um_materials_mirror(const struct um_materials_record *record);
+/* The same of a record's surface that is creased, s^2 per axis [1]: nothing once alpha^2 + 2 s^2 is
+ * wider than that. */
+struct um_materials_mirror um_materials_mirror_creased(const struct um_materials_record *record,
+                                                       double slope_variance);
 /* Catalogue values that the record quotes, NaN where none: value and its stated uncertainty. */
 struct um_materials_catalogue {
   double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance;

@@ -70,3 +70,12 @@ struct um_materials_mirror um_materials_mirror(const struct um_materials_record 
 {
   return record->mirror;
 }
+
+struct um_materials_mirror um_materials_mirror_creased(const struct um_materials_record *record,
+                                                       double slope_variance)
+{
+  struct um_materials_lobe lobe = um_materials_lobe_tilted(&record->lobe, slope_variance);
+  if (slope_variance > 0.0 && !(fmax(lobe.alpha, lobe.alpha_across) <= WIDEST))
+    return (struct um_materials_mirror){0.0, 0.0};
+  return record->mirror;
+}

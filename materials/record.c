@@ -11,8 +11,8 @@
  *       rho_d' = phi (1 - s) + s rho_d,  F' = (1 - phi)(1 - s) + s F,  so 1 - R' = s (1 - R).
  * A tilt d of the emissivity adds d eps_h (1 - 21 (1 - cos)^5) / 20, whose hemispherical mean is 0:
  * (1 - cos)^5 is Schlick's (1994) approach of Fresnel's law to grazing, of mean 1/21.
- * diffuse_scale, specular_scale and roughness_scale change what is reflected only. A reflectance is
- * never negative and the described rho_d plus F never above 1. */
+ * diffuse_scale, specular_scale, roughness_scale and slope_variance change what is reflected only.
+ * A reflectance is never negative and the described rho_d plus F never above 1. */
 #include <assert.h>
 #include <math.h>
 
@@ -26,6 +26,7 @@ const struct um_materials_adjustment um_materials_no_adjustment = {
     .specular_scale = 1.0,
     .diffuse_scale = 1.0,
     .emissivity_tilt = 0.0,
+    .lobe = {0.0},
 };
 
 /* A scale of 0 leaves a lobe this narrow, not none. */
@@ -36,9 +37,10 @@ static double unit_clamp(double x) { return x < 0.0 ? 0.0 : (x > 1.0 ? 1.0 : x);
 /* Nothing is changed but, perhaps, the tilt of the emissivity, which is added last. */
 static bool is_null(const struct um_materials_adjustment *a)
 {
-  return a == NULL || (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
-                       a->band_emissivity_scale == 1.0 && a->roughness_scale == 1.0 &&
-                       a->specular_scale == 1.0 && a->diffuse_scale == 1.0);
+  return a == NULL ||
+         (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
+          a->band_emissivity_scale == 1.0 && a->roughness_scale == 1.0 &&
+          a->specular_scale == 1.0 && a->diffuse_scale == 1.0 && a->lobe.slope_variance == 0.0);
 }
 
 static double linear(const double *table, size_t i, double t)
@@ -260,12 +262,12 @@ struct um_materials_lobe um_materials_lobe(const struct um_materials_record *rec
                                            const struct um_materials_adjustment *adjustment)
 {
   struct um_materials_lobe lobe = record->lobe;
-  if (adjustment == NULL || lobe.kind == NULL || !lobe.kind->rough) return lobe;
-  if (adjustment->roughness_scale != 1.0) {
+  if (adjustment == NULL || lobe.kind == NULL) return lobe;
+  if (lobe.kind->rough && adjustment->roughness_scale != 1.0) {
     lobe.alpha = fmax(lobe.alpha * adjustment->roughness_scale, smallest_alpha);
     lobe.alpha_across = fmax(lobe.alpha_across * adjustment->roughness_scale, smallest_alpha);
   }
-  return lobe;
+  return um_materials_lobe_tilted(&lobe, adjustment->lobe.slope_variance);
 }
 
 double um_materials_roughness(const struct um_materials_record *record,

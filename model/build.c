@@ -7,6 +7,7 @@
 #include "environment/map.h"
 #include "environment/sky_table.h"
 #include "model/build_blocked_impl.h"
+#include "model/build_creases_impl.h"
 #include "model/build_environment_impl.h"
 #include "model/build_orbit_impl.h"
 #include "model/build_parts_impl.h"
@@ -20,6 +21,7 @@ static enum um_status build_body(struct um_context *context, struct um_model *mo
 {
   UM_TRY(um_model_build_parts(context, model));
   UM_TRY(um_model_check_effects(context, model));
+  UM_TRY(um_model_build_creases(context, model));
   UM_TRY(um_model_build_thermal(context, model));
   UM_TRY(um_model_build_blocked(context, model));
   return um_model_check_limits(context, model);
@@ -110,6 +112,8 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->material);
   um_core_free(context, m->adjustment);
   um_core_free(context, m->effect);
+  um_optics_creases_destroy(context, &m->creases);
+  um_core_free(context, m->creasing);
   um_core_free(context, m->start_offset);
   um_core_arena_release(context, &m->memory);
   if (m->origin == NULL) {

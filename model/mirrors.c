@@ -1,4 +1,6 @@
-/* Classes of mirrors: the sides of groups, which are of one material. */
+/* Classes of mirrors: the sides of groups, which are of one material. Paths are traced as if all
+ * were flat, so that a model with other creases shares them; how much goes along them is said here,
+ * creases included. */
 #include "model/mirrors.h"
 
 static struct um_materials_mirror mirror_of(const struct um_model *model, uint32_t material)
@@ -6,6 +8,15 @@ static struct um_materials_mirror mirror_of(const struct um_model *model, uint32
   if (material == UM_GEOMETRY_NONE || !model->environment.specular_exchange_on)
     return (struct um_materials_mirror){0.0, 0.0};
   return um_materials_mirror(model->material[material]);
+}
+
+/* The same as it hangs. */
+static struct um_materials_mirror mirror_creased(const struct um_model *model,
+                                                 const struct um_geometry_surface *surface)
+{
+  if (!model->environment.specular_exchange_on) return (struct um_materials_mirror){0.0, 0.0};
+  return um_materials_mirror_creased(model->material[surface->material],
+                                     um_geometry_slope_variance(&model->creasing[surface->group]));
 }
 
 static bool mirrors(struct um_materials_mirror mirror)
@@ -51,7 +62,7 @@ enum um_status um_model_lobes_make(struct um_context *context, const struct um_m
   double *solar = out->share, *infrared = out->share + mirrors_of->nclass;
   for (size_t s = 0; s < mesh->nsurface && s < mirrors_of->nsurface; s++) {
     if (mirrors_of->of[s] == UM_GEOMETRY_NO_MIRROR) continue;
-    struct um_materials_mirror mirror = mirror_of(model, mesh->surface[s].material);
+    struct um_materials_mirror mirror = mirror_creased(model, &mesh->surface[s]);
     solar[mirrors_of->of[s]] = mirror.solar;
     infrared[mirrors_of->of[s]] = mirror.infrared;
   }
@@ -71,8 +82,8 @@ bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b)
                                 *other = um_geometry_mesh(b->geometry);
   if (own->nsurface != other->nsurface) return false;
   for (size_t s = 0; s < own->nsurface; s++) {
-    struct um_materials_mirror m = mirror_of(a, own->surface[s].material),
-                               n = mirror_of(b, other->surface[s].material);
+    struct um_materials_mirror m = mirror_creased(a, &own->surface[s]),
+                               n = mirror_creased(b, &other->surface[s]);
     if (m.solar != n.solar || m.infrared != n.infrared) return false;
   }
   return true;

@@ -10,6 +10,7 @@
 #include "instrument/sensor.h"
 #include "materials/materials.h"
 #include "model/scenario.h"
+#include "optics/creases.h"
 #include "optics/optics.h"
 #include "orbit/attitude.h"
 #include "orbit/observer.h"
@@ -96,6 +97,8 @@ struct um_model {
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment
       *adjustment; /* [material of the geometry] by effects, at time.start_utc */
+  struct um_geometry_creasing *creasing; /* [group of the geometry] */
+  struct um_optics_creases *creases;     /* NULL: every surface is flat */
   const struct um_thermal_surface_law *
       *surface_law;                           /* [material of the geometry]; NULL: constant */
   const struct um_thermal_ratio **bulk_ratio; /* [2 per record of the library] made so far, or NULL

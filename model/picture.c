@@ -41,6 +41,7 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
   struct um_materials_adjustment *aged = NULL;
   UM_TRY(um_model_materials_over(context, model, &precomputed->sample[instant], 1, &aged));
   struct um_optics_scene scene = {.geometry = model->geometry,
+                                  .creases = model->creases,
                                   .environment = &model->environment,
                                   .samples = &precomputed->sample[instant],
                                   .material = model->material,

@@ -32,6 +32,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
            nsurface * sizeof *view_factor);
   }
   *out = (struct um_optics_scene){.geometry = model->geometry,
+                                  .creases = model->creases,
                                   .environment = &model->environment,
                                   .samples = precomputed->sample,
                                   .view = precomputed->view,

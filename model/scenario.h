@@ -242,6 +242,11 @@ struct um_scenario_inner_conductance { /* of a group to an interior */
   const char *name;
   double conductance_W_K;
 };
+struct um_scenario_creases {
+  struct um_mark at;
+  double tilt_rms_deg, patch_m;
+  int seed;
+};
 struct um_scenario_heat_pipe {
   struct um_mark at;
   double conductance_W_K, capacity_J_K;
@@ -252,7 +257,8 @@ struct um_scenario_group {
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
   struct um_scenario_heat_pipe *heat_pipe;
-  bool bare; /* no MLI here although the part has one */
+  struct um_scenario_creases *creases; /* NULL: the part's */
+  bool bare;                           /* no MLI here although the part has one */
   double interior_conductance_W_K, power_W;
   struct um_schema_list conductances; /* of struct um_scenario_inner_conductance */
   const char *power_file;
@@ -277,6 +283,7 @@ struct um_scenario_part {
   struct um_schema_list groups;    /* of struct um_scenario_group */
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
+  struct um_scenario_creases *creases;
   struct um_scenario_interior *interior;
   struct um_schema_list interiors; /* of struct um_scenario_interior */
   struct um_scenario_solid *solid;

@@ -179,11 +179,25 @@ static const struct um_schema_field heat_pipe_fields[] = {
 OBJECT(heat_pipe_object, struct um_scenario_heat_pipe, "heat pipe",
        "Heat pipes in the wall of a group: their vapour is one temperature.",
        FIELDS(heat_pipe_fields), .scalar_key = "conductance_W_K");
+#define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_creases, member, key, type, __VA_ARGS__)
+static const struct um_schema_field creases_fields[] = {
+    F(tilt_rms_deg, "tilt_rms_deg", UM_SCHEMA_NUMBER, REQUIRED, BETWEEN(0, 30),
+      HELP("of the patches about each of two axes in the surface, root mean square")),
+    F(patch_m, "patch_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
+      HELP("edge of a patch; 0: too small to tell apart, the lobe is as wide as their mean")),
+    F(seed, "seed", UM_SCHEMA_INTEGER, DEFAULT(1), BETWEEN(0, 1e9),
+      HELP("another number, other creases of the same kind")),
+};
+#undef F
+OBJECT(creases_object, struct um_scenario_creases, "creases",
+       "A blanket that hangs in flat patches, each tilted a little.", FIELDS(creases_fields));
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_group, member, key, type, __VA_ARGS__)
 static const struct um_schema_field group_fields[] = {
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
     F(heat_pipe, "heat_pipe", UM_SCHEMA_MAP, .object = &heat_pipe_object),
+    F(creases, "creases", UM_SCHEMA_MAP, .object = &creases_object),
     F(bare, "bare", UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
     F(interior_conductance_W_K, "interior_conductance_W_K", UM_SCHEMA_NUMBER, NO_DEFAULT,
       BETWEEN(0, 1e6), HELP("of the whole group to the interior")),
@@ -229,6 +243,8 @@ static const struct um_schema_field part_fields[] = {
       HELP("thermal properties by group, before the part's own")),
     F(shell, "shell", UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, "mli", UM_SCHEMA_MAP, .object = &mli_object),
+    F(creases, "creases", UM_SCHEMA_MAP, .object = &creases_object,
+      HELP("of all its groups but those that are bare")),
     F(interior, "interior", UM_SCHEMA_MAP, .object = &interior_object),
     F(interiors, "interiors", UM_SCHEMA_DICT, MOST(1000), .object = &interiors_object,
       HELP("several nodes inside the part by name, beside interior; places PART.NAME")),

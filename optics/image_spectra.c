@@ -22,7 +22,7 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
   const struct um_optics_instant *now = &p->frame->now;
   const struct um_optics_scene *scene = p->scene;
   size_t n = image->nbin, surface = image->surface[k], at = p->time * mesh->nsurface + surface;
-  size_t material = mesh->surface[surface].material;
+  size_t skin = um_optics_skin(p->spectra, mesh, surface);
   struct um_vec3 normal = um_geometry_surface_normal(mesh, p->frame->set->pose, surface);
   float *dark = image->dark + k * n, *sun = image->sun + k * n;
   double cos_o = um_vec3_dot(normal, now->observer_body);
@@ -40,8 +40,8 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
       .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
   um_optics_sight_turn(p->spectra, scene, surface, work, &sight);
   um_optics_sum_clear(p->spectra, &work->single);
-  um_optics_sum_add(p->spectra, now, material, &sight, work, &work->single);
-  um_optics_sum_spectrum(p->spectra, scene, now, material, &work->single, work, work->spectral);
+  um_optics_sum_add(p->spectra, now, skin, &sight, work, &work->single);
+  um_optics_sum_spectrum(p->spectra, scene, now, skin, &work->single, work, work->spectral);
   for (size_t b = 0; b < n; b++) {
     const double *from = work->spectral + b * UM_MECHANISM_COUNT;
     sun[b] = (float)from[UM_MECHANISM_SUN];

@@ -212,7 +212,7 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
 {
   const struct um_geometry_mesh *mesh = set->exchange->mesh;
   size_t n = spectra->nbin, at = time * mesh->nsurface + bounce->surface;
-  size_t material = mesh->surface[bounce->surface].material;
+  size_t skin = um_optics_skin(spectra, mesh, bounce->surface);
   struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, bounce->surface);
   double cos_i = um_vec3_dot(normal, instant->sun_body);
   double sun = sunlit && cos_i > 0.0 ? cos_i / UM_PI : 0.0;
@@ -220,8 +220,8 @@ static void bounce_radiance(const struct um_optics_spectra *spectra,
   double earth = instant->earth_reflection * (double)scene->view_factor[at];
   um_optics_spectra_planck(spectra, scene->temperature[at], work->planck);
   const double *emissivity =
-      um_optics_spectra_emissivity(spectra, material, bounce->cosine, work->emissivity);
-  const double *diffuse = spectra->diffuse + material * n;
+      um_optics_spectra_emissivity(spectra, skin, bounce->cosine, work->emissivity);
+  const double *diffuse = spectra->diffuse + skin * n;
   const double *earthlight = spectra->earth;
   if (instant->earth_varies) {
     um_optics_spectra_planck(spectra, (double)scene->brightness[at], work->earth);
@@ -242,15 +242,14 @@ void um_optics_interreflection(const struct um_optics_spectra *spectra,
   const struct um_optics_exchange *e = set->exchange;
   const struct bounce *bounce = e->bounce + e->first[surface];
   size_t n = e->first[surface + 1] - e->first[surface], nbin = spectra->nbin;
-  size_t material = e->mesh->surface[surface].material;
+  size_t skin = um_optics_skin(spectra, e->mesh, surface);
   double cos_o =
       um_vec3_dot(um_geometry_surface_normal(e->mesh, set->pose, surface), instant->observer_body);
   double *reflectance = work->spectral; /* [nbin], free between two spectra */
-  const double *emissivity =
-      um_optics_spectra_emissivity(spectra, material, cos_o, work->emissivity);
+  const double *emissivity = um_optics_spectra_emissivity(spectra, skin, cos_o, work->emissivity);
   for (size_t b = 0; b < nbin; b++)
     reflectance[b] = spectra->wavelength[b] > THERMAL_FROM ? 1.0 - emissivity[b]
-                                                           : spectra->diffuse[material * nbin + b];
+                                                           : spectra->diffuse[skin * nbin + b];
   memset(work->reflected, 0, nbin * sizeof *work->reflected);
   memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
   memset(work->band, 0, spectra->nband * sizeof *work->band);

@@ -77,13 +77,14 @@ static void error_add(const struct job *job, const struct um_optics_instant *now
 {
   const struct um_optics_view *view = job->scene->view;
   const struct um_optics_spectra *spectra = job->spectra;
-  size_t at = time * view->nsurface + s, material = view->material[s];
+  size_t at = time * view->nsurface + s,
+         skin = um_optics_skin(spectra, um_geometry_mesh(job->scene->geometry), s);
   struct um_optics_sight error = *sight;
   error.area_seen = view->area[s] * (double)view->seen_error[at];
   error.area_lit = view->area[s] * (double)view->lit_error[at];
   um_optics_sum_clear(spectra, &work->single);
-  um_optics_sum_add(spectra, now, material, &error, work, &work->single);
-  um_optics_sum_spectrum(spectra, job->scene, now, material, &work->single, work, work->spectral);
+  um_optics_sum_add(spectra, now, skin, &error, work, &work->single);
+  um_optics_sum_spectrum(spectra, job->scene, now, skin, &work->single, work, work->spectral);
   for (size_t k = 0; k < spectra->nband; k++) {
     double sum = 0.0;
     for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++)
@@ -129,26 +130,27 @@ static void compute_time(const struct um_context *context, const struct job *all
 {
   const struct job now_job = job_at(context, all, time), *job = &now_job;
   const struct um_optics_view *view = job->scene->view;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(job->scene->geometry);
   const struct um_optics_spectra *spectra = job->spectra;
   struct um_optics_instant now = um_optics_instant(job->scene, time);
-  memset(work->specular_known, 0, spectra->nmaterial * sizeof *work->specular_known);
+  memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
   um_optics_light(spectra, job->scene, &now, work);
   um_optics_turn(spectra, job->scene, &now, work);
-  for (size_t m = 0; m < spectra->nmaterial; m++) um_optics_sum_clear(spectra, &work->sum[m]);
+  for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
   for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
-    size_t at = time * view->nsurface + s, material = view->material[s];
+    size_t at = time * view->nsurface + s, skin = um_optics_skin(spectra, mesh, s);
     bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
     if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
     struct um_optics_sight sight = sight_of(job->scene, at, s);
     um_optics_sight_turn(spectra, job->scene, s, work, &sight);
-    um_optics_sum_add(spectra, &now, material, &sight, work, &work->sum[material]);
+    um_optics_sum_add(spectra, &now, skin, &sight, work, &work->sum[skin]);
     if (uncertain) error_add(job, &now, time, s, &sight, work);
     if (set != NULL && view->seen[at] > 0.0F && um_optics_exchange_has(set->exchange, s))
       interreflection_add(job, &now, set, time, s, work);
   }
-  for (size_t m = 0; m < spectra->nmaterial; m++) {
+  for (size_t m = 0; m < spectra->nskin; m++) {
     um_optics_sum_spectrum(spectra, job->scene, &now, m, &work->sum[m], work, work->spectral);
-    spectrum_keep(job, time, m, work->spectral);
+    spectrum_keep(job, time, um_optics_material(spectra, m), work->spectral);
   }
   for (size_t k = 0; k < spectra->nband; k++) {
     double *variance = &job->curve->stderr_[time * spectra->nband + k];

@@ -70,8 +70,11 @@ struct um_optics_lightcurve {
   double *stderr_;
 };
 
+struct um_optics_creases; /* creases.h */
+
 struct um_optics_scene {
   const struct um_geometry *geometry;
+  const struct um_optics_creases *creases; /* of surfaces that are not flat; NULL: all are */
   const struct um_environment *environment;
   const struct um_environment_sample *samples; /* [ntime] */
   const struct um_optics_view *view;

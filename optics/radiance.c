@@ -46,7 +46,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
 static enum um_status work_fill(struct um_context *context, const struct um_optics_spectra *spectra,
                                 size_t nray, struct um_optics_work *work)
 {
-  size_t nbin = spectra->nbin, nmaterial = spectra->nmaterial, nband = spectra->nband;
+  size_t nbin = spectra->nbin, nskin = spectra->nskin, nband = spectra->nband;
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->planck));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->emissivity));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_sun));
@@ -56,10 +56,10 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_all));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_earth));
   UM_TRY(um_core_allocate(context, nbin * UM_MECHANISM_COUNT, sizeof(double), &work->spectral));
-  UM_TRY(um_core_allocate(context, nmaterial * nbin, sizeof(double), &work->specular));
-  UM_TRY(um_core_allocate(context, nmaterial, sizeof(bool), &work->specular_known));
-  UM_TRY(um_core_allocate(context, (4 * nmaterial + 4) * nbin, sizeof(double), &work->bins));
-  UM_TRY(um_core_allocate(context, nmaterial, sizeof *work->sum, &work->sum));
+  UM_TRY(um_core_allocate(context, nskin * nbin, sizeof(double), &work->specular));
+  UM_TRY(um_core_allocate(context, nskin, sizeof(bool), &work->specular_known));
+  UM_TRY(um_core_allocate(context, (4 * nskin + 4) * nbin, sizeof(double), &work->bins));
+  UM_TRY(um_core_allocate(context, nskin, sizeof *work->sum, &work->sum));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->incoming));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->reflected));
   UM_TRY(um_core_allocate(context, nband, sizeof(double), &work->band));
@@ -69,8 +69,8 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nray, 1, &work->hidden));
   UM_TRY(um_core_allocate(context, spectra->njoint, sizeof *work->angle, &work->angle));
   UM_TRY(um_core_allocate(context, spectra->npart, sizeof *work->rotation, &work->rotation));
-  for (size_t m = 0; m <= nmaterial; m++) {
-    struct um_optics_sum *sum = m < nmaterial ? &work->sum[m] : &work->single;
+  for (size_t m = 0; m <= nskin; m++) {
+    struct um_optics_sum *sum = m < nskin ? &work->sum[m] : &work->single;
     sum->emitted = work->bins + 4 * m * nbin;
     sum->planet = sum->emitted + nbin;
     sum->masked = sum->planet + nbin;
@@ -134,8 +134,15 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
                           const struct um_optics_scene *scene, size_t surface,
                           const struct um_optics_work *work, struct um_optics_sight *sight)
 {
-  size_t material = um_geometry_mesh(scene->geometry)->surface[surface].material;
-  if (spectra->grain && um_materials_lobe_is_anisotropic(&spectra->lobe[material]))
+  if (!spectra->grain) return;
+  size_t skin = um_optics_skin(spectra, um_geometry_mesh(scene->geometry), surface);
+  if (spectra->creases != NULL) {
+    const struct um_geometry_creases *c = spectra->creases->patches;
+    size_t first = c->first[surface];
+    sight->patches = (struct um_materials_patches){c->along + first, c->across + first,
+                                                   c->share + first, c->first[surface + 1] - first};
+  }
+  if (sight->patches.n > 0 || um_materials_lobe_is_anisotropic(&spectra->lobe[skin]))
     um_geometry_surface_grain(scene->geometry, work->rotation, surface, &sight->grain,
                               &sight->across);
 }
@@ -150,13 +157,13 @@ void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_opti
 }
 
 /* M(i) M(o) of a sunlit surface. */
-static void add_masked(const struct um_optics_spectra *spectra, size_t material,
+static void add_masked(const struct um_optics_spectra *spectra, size_t skin,
                        const struct um_optics_sight *sight, double projected,
                        struct um_optics_work *work, struct um_optics_sum *sum)
 {
   const double *toward = work->masked_observer, *from = work->masked_sun;
-  um_optics_spectra_masked(spectra, material, sight->cos_sun, work->masked_sun);
-  um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
+  um_optics_spectra_masked(spectra, skin, sight->cos_sun, work->masked_sun);
+  um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
   for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
 }
 
@@ -166,7 +173,7 @@ static struct um_materials_pair pair_of(const struct um_optics_instant *instant,
 {
   struct um_materials_pair pair = {
       sight->cos_sun, sight->cos_observer, sight->cos_half, instant->cos_half_phase, 0.0, 0.0, 0.0};
-  if (!um_materials_lobe_is_anisotropic(lobe)) return pair;
+  if (!um_materials_lobe_is_anisotropic(lobe) && sight->patches.n == 0) return pair;
   pair.along_i = um_vec3_dot(sight->grain, instant->sun_body);
   pair.along_o = um_vec3_dot(sight->grain, instant->observer_body);
   pair.along_h = um_vec3_dot(sight->grain, instant->half_body);
@@ -174,7 +181,7 @@ static struct um_materials_pair pair_of(const struct um_optics_instant *instant,
 }
 
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
-                       const struct um_optics_instant *instant, size_t material,
+                       const struct um_optics_instant *instant, size_t skin,
                        const struct um_optics_sight *sight, struct um_optics_work *work,
                        struct um_optics_sum *sum)
 {
@@ -183,11 +190,16 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   if (instant->sun > 0.0 && sight->area_lit > 0.0 && cos_i > 0.0) {
     double projected = sight->area_lit * cos_o * cos_i;
     sum->lambert += projected;
-    if (spectra->masks[material]) add_masked(spectra, material, sight, projected, work, sum);
-    const struct um_materials_lobe *lobe = &spectra->lobe[material];
+    if (spectra->masks[skin]) add_masked(spectra, skin, sight, projected, work, sum);
+    const struct um_materials_lobe *lobe = &spectra->lobe[skin];
     if (lobe->kind != NULL) {
       struct um_materials_pair pair = pair_of(instant, lobe, sight);
-      sum->lobe += projected * lobe->kind->sunlit(lobe, &pair, instant->sun_radius);
+      sum->lobe += projected *
+                   (sight->patches.n > 0
+                        ? um_materials_lobe_patches(&spectra->flat[skin], lobe, &pair,
+                                                    um_vec3_dot(sight->across, instant->half_body),
+                                                    instant->sun_radius, &sight->patches)
+                        : lobe->kind->sunlit(lobe, &pair, instant->sun_radius));
     }
   }
   double seen = sight->area_seen * cos_o;
@@ -198,58 +210,58 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   const double *planck = work->planck;
   double *emitted = sum->emitted, *planet = sum->planet;
   if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
-  if (instant->earth_lobe && spectra->lobe[material].kind != NULL)
-    um_optics_add_earth_lobe(spectra, instant, material, sight, seen, work, sum);
-  if (spectra->diffuse_emitter[material]) {
-    const double *row = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
+  if (instant->earth_lobe && spectra->lobe[skin].kind != NULL)
+    um_optics_add_earth_lobe(spectra, instant, skin, sight, seen, work, sum);
+  if (spectra->diffuse_emitter[skin]) {
+    const double *row = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
     for (size_t b = 0; b < n && instant->earth_varies; b++)
       planet[b] += seen * sight->view_factor * (1.0 - row[b]) * work->earth[b];
     sum->view_factor += seen * sight->view_factor;
     for (size_t b = 0; b < n; b++) emitted[b] += seen * planck[b];
     return;
   }
-  const double *emissivity =
-      um_optics_spectra_emissivity(spectra, material, cos_o, work->emissivity);
+  const double *emissivity = um_optics_spectra_emissivity(spectra, skin, cos_o, work->emissivity);
   for (size_t b = 0; b < n; b++) emitted[b] += seen * emissivity[b] * planck[b];
-  um_optics_add_planet(spectra, instant, material, sight, seen, emissivity, work, sum);
+  um_optics_add_planet(spectra, instant, skin, sight, seen, emissivity, work, sum);
 }
 
 const double *um_optics_specular(const struct um_optics_spectra *spectra,
                                  const struct um_optics_scene *scene,
-                                 const struct um_optics_instant *instant, size_t material,
+                                 const struct um_optics_instant *instant, size_t skin,
                                  struct um_optics_work *work)
 {
-  double *row = work->specular + material * spectra->nbin;
-  if (work->specular_known[material]) return row;
+  double *row = work->specular + skin * spectra->nbin;
+  if (work->specular_known[skin]) return row;
+  size_t material = um_optics_material(spectra, skin);
   const struct um_materials_adjustment *adjustment =
       um_optics_adjustment(scene, instant->time, material);
   for (size_t b = 0; b < spectra->nbin; b++)
     row[b] = um_materials_specular_reflectance(scene->material[material], adjustment,
                                                spectra->wavelength[b], instant->cos_half_phase);
-  work->specular_known[material] = true;
+  work->specular_known[skin] = true;
   return row;
 }
 
 void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
                             const struct um_optics_scene *scene,
-                            const struct um_optics_instant *instant, size_t material,
+                            const struct um_optics_instant *instant, size_t skin,
                             const struct um_optics_sum *sum, struct um_optics_work *work,
                             double *spectral)
 {
   size_t n = spectra->nbin;
   memset(spectral, 0, n * UM_MECHANISM_COUNT * sizeof *spectral);
-  const double *diffuse = spectra->diffuse + material * n;
-  const double *emissivity = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
-  bool diffuse_emitter = spectra->diffuse_emitter[material];
+  const double *diffuse = spectra->diffuse + skin * n;
+  const double *emissivity = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
+  bool diffuse_emitter = spectra->diffuse_emitter[skin];
   if (instant->sun > 0.0 && sum->lambert > 0.0) {
-    const double *mean = spectra->masked_mean + material * n;
+    const double *mean = spectra->masked_mean + skin * n;
     for (size_t b = 0; b < n; b++) {
       double scattered = (diffuse[b] - mean[b]) * sum->lambert;
       if (mean[b] > 0.0) scattered += sum->masked[b] / mean[b];
       spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] = work->sunlight[b] * scattered / UM_PI;
     }
     if (sum->lobe > 0.0) {
-      const double *specular = um_optics_specular(spectra, scene, instant, material, work);
+      const double *specular = um_optics_specular(spectra, scene, instant, skin, work);
       for (size_t b = 0; b < n; b++)
         spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] +=
             work->sunlight[b] * specular[b] * sum->lobe;

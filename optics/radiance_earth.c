@@ -38,11 +38,11 @@ void um_optics_instant_earth(const struct um_environment *environment,
 }
 
 /* Sum over the nodes of a lobe's shares and F, per bin. */
-static void weigh(const struct um_optics_spectra *spectra, size_t material, const double *share,
+static void weigh(const struct um_optics_spectra *spectra, size_t skin, const double *share,
                   double *row)
 {
   size_t n = spectra->nbin;
-  const double *fresnel = spectra->fresnel + material * UM_OPTICS_FRESNEL_NODES * n;
+  const double *fresnel = spectra->fresnel + skin * UM_OPTICS_FRESNEL_NODES * n;
   memset(row, 0, n * sizeof *row);
   for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
     for (size_t b = 0; b < n; b++) row[b] += share[k] * fresnel[k * n + b];
@@ -57,11 +57,11 @@ static struct um_vec3 toward(const struct um_optics_sight *sight, struct um_vec3
 }
 
 void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
-                              const struct um_optics_instant *instant, size_t material,
+                              const struct um_optics_instant *instant, size_t skin,
                               const struct um_optics_sight *sight, double seen,
                               struct um_optics_work *work, struct um_optics_sum *sum)
 {
-  bool turned = um_materials_lobe_is_anisotropic(&spectra->lobe[material]);
+  bool turned = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
   struct um_optics_frame grain;
   if (turned)
     grain = (struct um_optics_frame){toward(sight, instant->observer_body, sight->cos_observer),
@@ -75,37 +75,37 @@ void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
   double whole = um_environment_plate_view_factor(instant->h_ratio,
                                                   acos(fmin(fmax(sight->cos_nadir, -1.0), 1.0)));
   double clear = whole > 0.0 ? fmin(1.0, sight->view_factor / whole) : 0.0;
-  um_optics_earth_lobe(&before, &spectra->facets[material], &lobe);
+  um_optics_earth_lobe(&before, &spectra->facets[skin], &lobe);
   if (instant->earthshine > 0.0 && sight->albedo > 0.0) {
-    weigh(spectra, material, lobe.lit, work->lobe_earth);
+    weigh(spectra, skin, lobe.lit, work->lobe_earth);
     for (size_t b = 0; b < n; b++) sum->earthlit[b] += seen * clear * work->lobe_earth[b];
   }
-  if (spectra->diffuse_emitter[material]) return;
-  weigh(spectra, material, lobe.all, work->lobe_all);
+  if (spectra->diffuse_emitter[skin]) return;
+  weigh(spectra, skin, lobe.all, work->lobe_all);
   /* before the whole of what the surface sees the edge of the Earth is its own horizon */
-  weigh(spectra, material, whole < ALL_OF_IT ? lobe.earth : lobe.all, work->lobe_earth);
+  weigh(spectra, skin, whole < ALL_OF_IT ? lobe.earth : lobe.all, work->lobe_earth);
   for (size_t b = 0; b < n; b++)
     work->lobe_earth[b] =
         work->lobe_all[b] > 0.0 ? clear * work->lobe_earth[b] / work->lobe_all[b] : 0.0;
 }
 
 void um_optics_add_planet(const struct um_optics_spectra *spectra,
-                          const struct um_optics_instant *instant, size_t material,
+                          const struct um_optics_instant *instant, size_t skin,
                           const struct um_optics_sight *sight, double seen,
                           const double *emissivity, struct um_optics_work *work,
                           struct um_optics_sum *sum)
 {
   size_t n = spectra->nbin;
-  const double *diffuse = spectra->diffuse + material * n;
-  const double *mean = spectra->masked_mean + material * n;
-  bool lobe = instant->earth_lobe && spectra->lobe[material].kind != NULL;
-  if (lobe && spectra->masks[material])
-    um_optics_spectra_masked(spectra, material, sight->cos_observer, work->masked_observer);
+  const double *diffuse = spectra->diffuse + skin * n;
+  const double *mean = spectra->masked_mean + skin * n;
+  bool lobe = instant->earth_lobe && spectra->lobe[skin].kind != NULL;
+  if (lobe && spectra->masks[skin])
+    um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
   for (size_t b = 0; b < n; b++) {
     double back = sight->view_factor * (1.0 - emissivity[b]);
     if (lobe) {
       double flat = diffuse[b] - mean[b];
-      if (spectra->masks[material]) flat += work->masked_observer[b];
+      if (spectra->masks[skin]) flat += work->masked_observer[b];
       flat = fmin(flat, 1.0 - emissivity[b]);
       back = sight->view_factor * flat + work->lobe_earth[b] * (1.0 - emissivity[b] - flat);
     }

@@ -33,7 +33,8 @@ struct um_optics_sight {
   double view_factor;                     /* to the Earth [1] */
   double brightness;                      /* of the Earth, where it varies [K] */
   struct um_vec3 grain, across;           /* body frame, unit, with the normal right-handed; set for
-                                             anisotropic lobes */
+                                             anisotropic lobes and patches */
+  struct um_materials_patches patches;    /* of a creased surface; n 0: none */
 };
 
 /* Sums over surfaces of one material. */
@@ -57,16 +58,16 @@ struct um_optics_work {
   double *lobe_all, *lobe_earth;        /* [nbin] a lobe, and what of it the Earth fills */
   double *sunlight;                     /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
   double *spectral;                     /* [nbin][UM_MECHANISM_COUNT] */
-  double *specular;             /* [nmaterial][nbin] F of the current instant, where known */
-  bool *specular_known;         /* [nmaterial] */
-  double *bins;                 /* [3 nmaterial + 3][nbin] behind the sums */
-  struct um_optics_sum *sum;    /* [nmaterial] */
-  struct um_optics_sum single;  /* for one surface */
-  double *incoming;             /* [nbin] inter-reflection */
-  double *reflected;            /* [nbin] inter-reflection */
-  double *band, *band_variance; /* [nband] */
-  struct um_geometry_ray *ray;  /* [nray] */
-  uint8_t *occluded, *hidden;   /* [nray] */
+  double *specular;                     /* [nskin][nbin] F of the current instant, where known */
+  bool *specular_known;                 /* [nskin] */
+  double *bins;                         /* [4 nskin + 4][nbin] behind the sums */
+  struct um_optics_sum *sum;            /* [nskin] */
+  struct um_optics_sum single;          /* for one surface */
+  double *incoming;                     /* [nbin] inter-reflection */
+  double *reflected;                    /* [nbin] inter-reflection */
+  double *band, *band_variance;         /* [nband] */
+  struct um_geometry_ray *ray;          /* [nray] */
+  uint8_t *occluded, *hidden;           /* [nray] */
   double *angle;            /* [njoint] of the current instant, where a lobe has a grain [rad] */
   struct um_quat *rotation; /* [npart] body to part, likewise */
 };
@@ -98,32 +99,32 @@ void um_optics_instant_earth(const struct um_environment *environment,
  * the sum, and for directional emitters the share of the lobe that the Earth fills into
  * work->lobe_earth. seen: area_seen cos_o [m^2]. */
 void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
-                              const struct um_optics_instant *instant, size_t material,
+                              const struct um_optics_instant *instant, size_t skin,
                               const struct um_optics_sight *sight, double seen,
                               struct um_optics_work *work, struct um_optics_sum *sum);
 /* The Earth's own radiation reflected by a directional emitter: the lobe is what 1 - eps leaves
  * beside the diffuse parts, so that an Earth all round gives 1 - eps to the last digit. Behind
  * um_optics_add_earth_lobe. */
 void um_optics_add_planet(const struct um_optics_spectra *spectra,
-                          const struct um_optics_instant *instant, size_t material,
+                          const struct um_optics_instant *instant, size_t skin,
                           const struct um_optics_sight *sight, double seen,
                           const double *emissivity, struct um_optics_work *work,
                           struct um_optics_sum *sum);
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum);
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
-                       const struct um_optics_instant *instant, size_t material,
+                       const struct um_optics_instant *instant, size_t skin,
                        const struct um_optics_sight *sight, struct um_optics_work *work,
                        struct um_optics_sum *sum);
 /* F per bin of a material's lobe at this instant; kept in the work until the next instant. */
 const double *um_optics_specular(const struct um_optics_spectra *spectra,
                                  const struct um_optics_scene *scene,
-                                 const struct um_optics_instant *instant, size_t material,
+                                 const struct um_optics_instant *instant, size_t skin,
                                  struct um_optics_work *work);
 /* Spectral radiant intensity of a sum, spectral[nbin][UM_MECHANISM_COUNT] [W/sr/m], overwritten. */
 void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
                             const struct um_optics_scene *scene,
-                            const struct um_optics_instant *instant, size_t material,
+                            const struct um_optics_instant *instant, size_t skin,
                             const struct um_optics_sum *sum, struct um_optics_work *work,
                             double *spectral);
 

@@ -74,19 +74,19 @@ static void at_cosine(const double *table, size_t n, double cosine, double *row)
   lagrange_rows(w, table + (node - 1) * n, n, n, row);
 }
 
-void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t material,
-                              double cosine, double *row)
+void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t skin, double cosine,
+                              double *row)
 {
   size_t n = spectra->nbin;
-  at_cosine(spectra->masked + material * UM_OPTICS_ANGLE_NODES * n, n, cosine, row);
+  at_cosine(spectra->masked + skin * UM_OPTICS_ANGLE_NODES * n, n, cosine, row);
 }
 
-const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t skin,
                                            double cosine, double *row)
 {
   size_t n = spectra->nbin;
-  const double *table = spectra->emissivity + material * UM_OPTICS_ANGLE_NODES * n;
-  if (spectra->diffuse_emitter[material]) return table;
+  const double *table = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
+  if (spectra->diffuse_emitter[skin]) return table;
   at_cosine(table, n, cosine, row);
   return row;
 }
@@ -179,7 +179,7 @@ static enum um_status sources_create(struct um_context *context,
 
 static enum um_status materials_allocate(struct um_context *context, struct um_optics_spectra *s)
 {
-  size_t n = s->nmaterial;
+  size_t n = s->nskin;
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->diffuse, &s->diffuse));
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->emissivity,
                           &s->emissivity));
@@ -189,6 +189,7 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
   UM_TRY(um_core_allocate(context, n, sizeof *s->masks, &s->masks));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->flat, &s->flat));
   UM_TRY(um_core_allocate(context, n, sizeof *s->facets, &s->facets));
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS, sizeof *s->half,
                           &s->half));
@@ -229,10 +230,19 @@ void um_optics_spectra_materials(const struct um_context *context,
                                  const struct um_optics_scene *scene, size_t time,
                                  struct um_optics_spectra *s)
 {
-  s->grain = false;
-  for (size_t m = 0; m < s->nmaterial; m++) {
-    const struct um_materials_record *record = scene->material[m];
-    const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, m);
+  const struct um_optics_creases *creases = s->creases;
+  s->grain = creases != NULL && creases->patches->first[creases->patches->nsurface] > 0;
+  for (size_t m = 0; m < s->nskin; m++) {
+    size_t material = um_optics_material(s, m);
+    const struct um_materials_record *record = scene->material[material];
+    const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, material);
+    struct um_materials_adjustment creased;
+    s->flat[m] = um_materials_lobe(record, adjustment);
+    if (creases != NULL && creases->slope_variance[m] > 0.0) {
+      creased = adjustment != NULL ? *adjustment : um_materials_no_adjustment;
+      creased.lobe.slope_variance = creases->slope_variance[m];
+      adjustment = &creased;
+    }
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
     lobe_fill(context, record, adjustment, m, s);
     s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
@@ -267,7 +277,7 @@ enum um_status um_optics_spectra_share(struct um_context *context,
   *to = *from;
   to->diffuse = to->emissivity = to->masked = to->masked_mean = NULL;
   to->diffuse_emitter = to->masks = NULL;
-  to->lobe = NULL;
+  to->lobe = to->flat = NULL;
   to->facets = NULL;
   to->half = NULL;
   to->fresnel = NULL;
@@ -279,7 +289,7 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
   void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
                           shared->lobe,    shared->masked,     shared->masked_mean,
                           shared->masks,   shared->facets,     shared->half,
-                          shared->fresnel};
+                          shared->fresnel, shared->flat};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -323,6 +333,8 @@ enum um_status um_optics_spectra_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, 1, sizeof *s, &s));
   s->nband = nband;
   s->nmaterial = um_geometry_material_count(scene->geometry);
+  s->creases = scene->creases;
+  s->nskin = s->creases != NULL ? s->creases->nskin : s->nmaterial;
   s->npart = um_geometry_part_count(scene->geometry);
   s->njoint = um_geometry_joint_count(scene->geometry);
   UM_CHECK(bins_create(context, bands, s));
@@ -345,10 +357,10 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   if (s->planck != NULL)
     for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
   void *const blocks[] = {
-      s->wavelength, s->width,   s->from,        s->to,      s->band,       s->first,
-      s->sun,        s->share,   s->earth,       s->diffuse, s->emissivity, s->diffuse_emitter,
-      s->lobe,       s->masked,  s->masked_mean, s->masks,   s->planck,     s->facets,
-      s->half,       s->fresnel, s->transmission};
+      s->wavelength, s->width,   s->from,         s->to,      s->band,       s->first,
+      s->sun,        s->share,   s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
+      s->lobe,       s->masked,  s->masked_mean,  s->masks,   s->planck,     s->facets,
+      s->half,       s->fresnel, s->transmission, s->flat};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

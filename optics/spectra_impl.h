@@ -3,6 +3,7 @@
 #ifndef UMBRA_OPTICS_SPECTRA_IMPL_H
 #define UMBRA_OPTICS_SPECTRA_IMPL_H
 
+#include "optics/creases.h"
 #include "optics/earth_lobe_impl.h"
 #include "optics/optics.h"
 
@@ -17,30 +18,45 @@ struct um_optics_planck {
   double *radiance;    /* [nnode][bins of the band] [W/m^2/sr/m] */
 };
 
+/* Tables of materials stand by skin (creases.h): without creases a skin is a material. */
 struct um_optics_spectra {
-  size_t nbin, nband, nmaterial, npart, njoint;
-  double *wavelength, *width; /* [nbin] [m] */
-  double *from, *to;          /* [nbin] edges [m] */
-  double *transmission;       /* [nbin] of the band's filter [1] */
-  uint32_t *band;             /* [nbin] */
-  size_t *first;              /* [nband + 1] first bin of each band */
-  double *sun;                /* [nbin] bin mean at 1 au [W/m^2/m] */
-  double *share;              /* [nbin] sun / total solar irradiance [1/m] */
-  double *earth;              /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
-  double *diffuse;            /* [nmaterial][nbin] rho_d, with the mean of M [1] */
-  double *emissivity;         /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] [1]; a diffuse emitter has
-                                 its one value in the first row */
-  bool *diffuse_emitter;      /* [nmaterial] */
-  double *masked;             /* [nmaterial][UM_OPTICS_ANGLE_NODES][nbin] M of materials.h [1] */
-  double *masked_mean;        /* [nmaterial][nbin] its hemispherical mean [1] */
-  bool *masks;                /* [nmaterial] M is not 0 */
-  struct um_materials_lobe *lobe;       /* [nmaterial], of kind NULL where there is none */
-  bool grain;                           /* a lobe is anisotropic */
-  struct um_optics_lobe_facets *facets; /* [nmaterial] of the lobe */
-  struct um_vec3 *half;                 /* [nmaterial][rings][cells] behind facets */
-  double *fresnel; /* [nmaterial][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */
+  size_t nbin, nband, nskin, nmaterial, npart, njoint;
+  double *wavelength, *width;     /* [nbin] [m] */
+  double *from, *to;              /* [nbin] edges [m] */
+  double *transmission;           /* [nbin] of the band's filter [1] */
+  uint32_t *band;                 /* [nbin] */
+  size_t *first;                  /* [nband + 1] first bin of each band */
+  double *sun;                    /* [nbin] bin mean at 1 au [W/m^2/m] */
+  double *share;                  /* [nbin] sun / total solar irradiance [1/m] */
+  double *earth;                  /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
+  double *diffuse;                /* [nskin][nbin] rho_d, with the mean of M [1] */
+  double *emissivity;             /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] [1]; a diffuse emitter has
+                                     its one value in the first row */
+  bool *diffuse_emitter;          /* [nskin] */
+  double *masked;                 /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] M of materials.h [1] */
+  double *masked_mean;            /* [nskin][nbin] its hemispherical mean [1] */
+  bool *masks;                    /* [nskin] M is not 0 */
+  struct um_materials_lobe *lobe; /* [nskin], of kind NULL where there is none */
+  struct um_materials_lobe *flat; /* [nskin] the same on one patch of a creased surface */
+  const struct um_optics_creases *creases; /* of the scene; NULL: nothing is creased */
+  bool grain;                              /* a lobe is anisotropic, or there are patches */
+  struct um_optics_lobe_facets *facets;    /* [nskin] of the lobe */
+  struct um_vec3 *half;                    /* [nskin][rings][cells] behind facets */
+  double *fresnel;                 /* [nskin][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */
   struct um_optics_planck *planck; /* [nband] */
 };
+
+/* Skin of a surface, and material of a skin. */
+static inline size_t um_optics_skin(const struct um_optics_spectra *spectra,
+                                    const struct um_geometry_mesh *mesh, size_t surface)
+{
+  return spectra->creases != NULL ? spectra->creases->skin[surface]
+                                  : mesh->surface[surface].material;
+}
+static inline size_t um_optics_material(const struct um_optics_spectra *spectra, size_t skin)
+{
+  return spectra->creases != NULL ? spectra->creases->material[skin] : skin;
+}
 
 /* Tables for the surfaces' temperatures of samples [first, first + count) of the scene. Refuses bad
  * bands, missing records and temperatures that are not positive and finite. */
@@ -65,10 +81,10 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
 void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
                               double *row);
 /* M per bin of a material that masks toward a cosine; fills `row`. */
-void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t material,
-                              double cosine, double *row);
+void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t skin, double cosine,
+                              double *row);
 /* Emissivity per bin of a material toward a cosine; a row of the table, or `row` filled. */
-const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t material,
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t skin,
                                            double cosine, double *row);
 
 #endif

@@ -42,7 +42,7 @@ static enum um_status make_columns(struct um_context *context,
 {
   size_t n = point->forward->observations.count;
   c->ncolumn = 0;
-  for (size_t p = 0; p < c->effect->nparameter; p++) {
+  for (size_t p = 0; p < um_effect_fitted(c->effect); p++) {
     struct um_sensitivity_change change;
     double step = um_sensitivity_first_step(c, p, at[p]);
     double *column = c->signature + c->ncolumn * n;
@@ -59,7 +59,7 @@ static enum um_status make_columns(struct um_context *context,
 static bool put_shapes(struct um_sensitivity_candidate *c)
 {
   bool any = false;
-  for (size_t p = 0; p < c->effect->nparameter; p++) {
+  for (size_t p = 0; p < um_effect_fitted(c->effect); p++) {
     bool is_free = false;
     for (size_t k = 0; k < c->ncolumn; k++) is_free = is_free || c->parameter[k] == p;
     const struct um_effect_parameter *parameter = &c->effect->parameters[p];
@@ -92,7 +92,7 @@ static enum um_status find_amplitude(struct um_context *context,
   set_defaults(c, at);
   UM_TRY(um_sensitivity_step_to(context, point, c, at, NULL, c->signature, &change));
   if (!um_sensitivity_alive(&change, point->noise)) return UM_OK;
-  for (size_t p = 0; p < n; p++) {
+  for (size_t p = 0; p < um_effect_fitted(c->effect); p++) {
     set_defaults(c, at);
     at[p] = c->null_value[p];
     if (memcmp(at, c->null_value, n * sizeof *at) == 0) continue; /* tried */
@@ -115,7 +115,7 @@ static enum um_status find_amplitude(struct um_context *context,
 static void put_rest(struct um_sensitivity_candidate *c)
 {
   c->nunidentified = 0;
-  for (size_t p = 0; p < c->effect->nparameter && !c->insensitive; p++) {
+  for (size_t p = 0; p < um_effect_fitted(c->effect) && !c->insensitive; p++) {
     bool is_free = false;
     for (size_t k = 0; k < c->ncolumn; k++) is_free = is_free || c->parameter[k] == p;
     if (!is_free) c->unidentified[c->nunidentified++] = p;
@@ -125,8 +125,9 @@ static void put_rest(struct um_sensitivity_candidate *c)
 size_t um_sensitivity_signature_moves(const struct um_sensitivity_candidate *c,
                                       struct um_sensitivity_move *out)
 {
-  size_t n = c->insensitive || c->is_switch ? 0 : c->effect->nparameter;
-  for (size_t p = 0; p < n; p++) {
+  size_t n = c->effect->nparameter,
+         nfree = c->insensitive || c->is_switch ? 0 : um_effect_fitted(c->effect);
+  for (size_t p = 0; p < nfree; p++) {
     out[p] =
         (struct um_sensitivity_move){.effect = c->effect,
                                      .target = c->target,
@@ -134,7 +135,7 @@ size_t um_sensitivity_signature_moves(const struct um_sensitivity_candidate *c,
                                      .step = um_sensitivity_first_step(c, p, c->null_value[p])};
     memcpy(out[p].at, c->null_value, n * sizeof *out[p].at);
   }
-  return n;
+  return nfree;
 }
 
 static enum um_status make(struct um_context *context, const struct um_sensitivity_point *point,
@@ -142,10 +143,10 @@ static enum um_status make(struct um_context *context, const struct um_sensitivi
 {
   if (c->is_switch) return make_switch(context, point, c);
   UM_TRY(make_columns(context, point, c->null_value, c));
-  if (c->effect->nparameter > 1) {
+  if (um_effect_fitted(c->effect) > 1) {
     if (c->ncolumn == 0)
       UM_TRY(find_amplitude(context, point, c));
-    else if (c->ncolumn < c->effect->nparameter && put_shapes(c))
+    else if (c->ncolumn < um_effect_fitted(c->effect) && put_shapes(c))
       UM_TRY(um_sensitivity_signature_renew(context, point, c));
   }
   c->insensitive = c->ncolumn == 0;

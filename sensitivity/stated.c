@@ -9,6 +9,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/constants.h"
+
 #define VISIBLE   0.55e-6 /* wavelength that reflectances are said at [m] */
 #define ROOM      300.0   /* temperature that emittances are said at [K] */
 #define SHORTWAVE 2.5e-6  /* end of sunlight, begin of heat [m] */
@@ -157,6 +159,21 @@ static void of_wall(const struct question *q, enum um_effect_stated which,
         wall->through_conductance_W_m2_K * out->null_value);
 }
 
+/* The most creased group of a target leads: a flatter one has no less than none. */
+static void of_creases(const struct question *q, struct um_sensitivity_stated *out)
+{
+  const struct um_geometry *g = q->model->geometry;
+  const struct um_effect_use use = {.effect = q->effect, .target = q->target};
+  double most = 0.0;
+  for (size_t k = 0; k < um_geometry_group_count(g); k++) {
+    const struct um_geometry_group *group = um_geometry_group(g, (uint32_t)k);
+    if (um_effect_acts_on_group(&use, um_geometry_part_name(g, group->part), group->name))
+      most = fmax(most, q->model->creasing[k].tilt_square);
+  }
+  say(out, "mean square of the creases' tilt", "deg^2", most / (UM_DEG * UM_DEG));
+  out->minimum = 0.0;
+}
+
 /* Where there is one contact: what it conducts. */
 static void of_contact(const struct question *q, struct um_sensitivity_stated *out)
 {
@@ -303,6 +320,9 @@ static void answer(const struct question *q, enum um_effect_stated which, double
   case UM_STATED_HEAT_CAPACITY:
   case UM_STATED_THROUGH_CONDUCTANCE:
     of_wall(q, which, out);
+    return;
+  case UM_STATED_CREASE_SQUARE:
+    of_creases(q, out);
     return;
   case UM_STATED_CONTACT_CONDUCTANCE:
     of_contact(q, out);

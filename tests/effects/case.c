@@ -142,6 +142,7 @@ void case_refused(const char *scenario, const char *with, const char *part)
   const char *const list[] = {with, NULL};
   struct um_model *model = NULL;
   struct um_model_precomputed *precomputed = NULL;
+  um_core_message_clear(context); /* the first message is kept */
   enum um_status status = create(scenario, list, NULL, NULL, &model);
   if (status == UM_OK) status = um_model_precompute(context, model, &precomputed);
   if (status == UM_OK) fail_msg("%s was accepted", with);

@@ -48,6 +48,7 @@ static const struct entry cases[] = {
     {"mli_emittance", "box", 0.1, "panel", NULL},
     {"mli_temperature_law", "box", 0.3, "panel", NULL},
     {"mli_seams", "box", 0.02, "panel", "seams do not insulate"},
+    {"mli_creases", "box", 2.0, "vis", NULL},
     {"heat_capacity", "panel", 0.1, "vis", NULL},
     {"specific_heat_law", "panel", 2e-4, "vis", NULL},
     {"interior_capacity", "bus", 500.0, "panel", NULL},
@@ -102,6 +103,7 @@ static const struct entry cases[] = {
   "    outside: mli_kapton\n"                                                                      \
   "    shell: {material: aluminium_bare, thickness_mm: 1.2}\n"                                     \
   "    mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 50}\n"                         \
+  "    creases: {tilt_rms_deg: 2, patch_m: 0.1}\n"                                                 \
   "    lumped: true\n"                                                                             \
   "  - name: wing\n"                                                                               \
   "    plate: {size_m: [1, 1]}\n"                                                                  \

@@ -97,6 +97,13 @@ static const struct lab_world worlds[] = {
      .set = {"parts.array.electrical_extraction=0.18"},
      .filter = {.channels = "lwir"}},
 
+    /* A blanket that is known to hang in patches hangs in flatter or steeper ones. */
+    {.name = "dusk-creases", DUSK, .set = {"parts.bus.creases={tilt_rms_deg: 3, patch_m: 0.1}"}},
+    {.name = "dawn-creases",
+     DAWN,
+     PLACES,
+     .set = {"parts.bus.creases={tilt_rms_deg: 3, patch_m: 0.1}"}},
+
     /* A thermostat is seen by its switching: temperatures as often as light. */
     {.name = "dusk-dense", DUSK, .kelvin = 0.3, .place = {"bus.interior", "bus.-x"}},
     {.name = "dawn-dense",

@@ -193,9 +193,11 @@ static void adjustments_are_continuous(void **state)
   (void)state;
   const double h = 1e-7;
   const struct um_materials_adjustment steps[] = {
-      {h, 1, 1, 1, 1, 1, 0},     {0, 1 - h, 1, 1, 1, 1, 0}, {0, 1, 1 - h, 1, 1, 1, 0},
-      {0, 1, 1, 1 + h, 1, 1, 0}, {0, 1, 1, 1, 1 - h, 1, 0}, {0, 1, 1, 1, 1, 1 - h, 0},
-      {0, 1 + h, 1, 1, 1, 1, 0}, {0, 1, 1, 1, 1, 1, h}};
+      {h, 1, 1, 1, 1, 1, 0, {0}},     {0, 1 - h, 1, 1, 1, 1, 0, {0}},
+      {0, 1, 1 - h, 1, 1, 1, 0, {0}}, {0, 1, 1, 1 + h, 1, 1, 0, {0}},
+      {0, 1, 1, 1, 1 - h, 1, 0, {0}}, {0, 1, 1, 1, 1, 1 - h, 0, {0}},
+      {0, 1 + h, 1, 1, 1, 1, 0, {0}}, {0, 1, 1, 1, 1, 1, h, {0}},
+      {0, 1, 1, 1, 1, 1, 0, {h}}};
   for (size_t m = 0; m < um_materials_library_count(library); m++) {
     const struct um_materials_record *r = um_materials_library_at(library, m);
     for (size_t s = 0; s < sizeof steps / sizeof steps[0]; s++)
@@ -218,16 +220,16 @@ static void adjustments_have_one_slope(void **state)
 {
   (void)state;
   const double h = 1e-4;
-  const struct um_materials_adjustment up[] = {{0, 1, 1 + h, 1, 1, 1, 0},
-                                               {0, 1, 1, 1 + h, 1, 1, 0},
-                                               {0, 1, 1, 1, 1 + h, 1, 0},
-                                               {0, 1, 1, 1, 1, 1 + h, 0},
-                                               {0, 1, 1, 1, 1, 1, h}},
-                                       down[] = {{0, 1, 1 - h, 1, 1, 1, 0},
-                                                 {0, 1, 1, 1 - h, 1, 1, 0},
-                                                 {0, 1, 1, 1, 1 - h, 1, 0},
-                                                 {0, 1, 1, 1, 1, 1 - h, 0},
-                                                 {0, 1, 1, 1, 1, 1, -h}};
+  const struct um_materials_adjustment up[] = {{0, 1, 1 + h, 1, 1, 1, 0, {0}},
+                                               {0, 1, 1, 1 + h, 1, 1, 0, {0}},
+                                               {0, 1, 1, 1, 1 + h, 1, 0, {0}},
+                                               {0, 1, 1, 1, 1, 1 + h, 0, {0}},
+                                               {0, 1, 1, 1, 1, 1, h, {0}}},
+                                       down[] = {{0, 1, 1 - h, 1, 1, 1, 0, {0}},
+                                                 {0, 1, 1, 1 - h, 1, 1, 0, {0}},
+                                                 {0, 1, 1, 1, 1 - h, 1, 0, {0}},
+                                                 {0, 1, 1, 1, 1, 1 - h, 0, {0}},
+                                                 {0, 1, 1, 1, 1, 1, -h, {0}}};
   for (size_t m = 0; m < um_materials_library_count(library); m++) {
     const struct um_materials_record *r = um_materials_library_at(library, m);
     if (strcmp(um_materials_name(r), "black") == 0) continue;
@@ -319,10 +321,13 @@ static void extreme_adjustments_stay_physical(void **state)
 {
   (void)state;
   const struct um_materials_adjustment extremes[] = {
-      {1.0, 1, 1, 1, 1, 1, 0},     {-1.0, 1, 1, 1, 1, 1, 0}, {0, 0, 1, 1, 1, 1, 0},
-      {0, 5, 1, 1, 1, 1, 0},       {0, 1, 1, 2.9, 1, 1, 0},  {0, 1, 1, 0.1, 1, 1, 0},
-      {0, 1, 1, 1, 9, 1, 0},       {0, 1, 1, 1, 1, 9, 0},    {-0.3, 2, 2, 2, 3, 3, 0},
-      {0.3, 0.1, 0.1, 0, 0, 0, 0}, {0, 1, 1, 1, 1, 1, 9},    {0, 1, 1, 1, 1, 1, -9}};
+      {1.0, 1, 1, 1, 1, 1, 0, {0}},  {-1.0, 1, 1, 1, 1, 1, 0, {0}},
+      {0, 0, 1, 1, 1, 1, 0, {0}},    {0, 5, 1, 1, 1, 1, 0, {0}},
+      {0, 1, 1, 2.9, 1, 1, 0, {0}},  {0, 1, 1, 0.1, 1, 1, 0, {0}},
+      {0, 1, 1, 1, 9, 1, 0, {0}},    {0, 1, 1, 1, 1, 9, 0, {0}},
+      {-0.3, 2, 2, 2, 3, 3, 0, {0}}, {0.3, 0.1, 0.1, 0, 0, 0, 0, {0}},
+      {0, 1, 1, 1, 1, 1, 9, {0}},    {0, 1, 1, 1, 1, 1, -9, {0}},
+      {0, 1, 1, 1, 1, 1, 0, {0.3}}};
   struct facets *facets = malloc(sizeof *facets);
   for (size_t m = 0; m < um_materials_library_count(library); m++) {
     const struct um_materials_record *r = um_materials_library_at(library, m);

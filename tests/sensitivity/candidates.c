@@ -279,9 +279,12 @@ static void test_stated(void **state)
       {"area", "panel", 1.1, 2.0, 2.2},
       {"spin_period", NULL, 0.01, 240.0, 242.4},
       {"exposure", NULL, 5.0, 4.0, 9.0},
+      {"mli_creases", "panel", 7.0, 9.0, 16.0},
+      {"mli_creases", "panel", -20.0, 9.0, 0.0},
   };
-  const char *const cells[] = {"parts.panel.electrical_extraction=0.18", "time.exposure_s=2"};
-  const struct um_model_options options = {.overrides = cells, .noverride = 2};
+  const char *const cells[] = {"parts.panel.electrical_extraction=0.18", "time.exposure_s=2",
+                               "parts.panel.creases={tilt_rms_deg: 3}"};
+  const struct um_model_options options = {.overrides = cells, .noverride = 3};
   put_world("");
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
