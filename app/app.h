@@ -11,8 +11,11 @@
 
 /* UM_APP_VERSION, as "0.1.0": the project's, from CMakeLists.txt by the build. */
 
-#define UM_APP_RENDER_WIDTH      512   /* pixels */
-#define UM_APP_RENDER_SAMPLES    16    /* per pixel */
+#define UM_APP_RENDER_WIDTH      512 /* pixels */
+#define UM_APP_RENDER_SAMPLES    16  /* per pixel */
+#define UM_APP_MAP_STEP          2   /* [deg] */
+#define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
+#define UM_APP_MAP_PLANES        4
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
 
@@ -43,6 +46,9 @@ struct um_app_options {
   double level;                                      /* 0: not said */
   int steps;                                         /* 0: not said */
   const char *from_brdf, *half_angle, *from_profile; /* of materials */
+  /* of map and attitude: --step, --phase-angles, --planes */
+  const char *step, *phase_angles;
+  int planes;
   bool force, json, thermal, optics, no_plots, allow_effects;
   char *command; /* the command as typed */
 };
@@ -157,6 +163,7 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);
 int um_app_expand(struct um_context *context, const struct um_app_options *options);
+int um_app_map(struct um_context *context, const struct um_app_options *options);
 int um_app_compare(struct um_context *context, const struct um_app_options *options);
 int um_app_period(struct um_context *context, const struct um_app_options *options);
 int um_app_import(struct um_context *context, const struct um_app_options *options);

@@ -49,6 +49,15 @@ static const struct um_app_option table[] = {
     {"picture", "picture", "UTC", LIST(picture), .example = "--picture 2016-09-21T20:33:00Z",
      .help = "Leave a picture of every band at the instant nearest to this one as OpenEXR among "
              "the results; first-light: when the Sun's first light is there."},
+    {"step", "step", "DEG", .takes = UM_APP_TEXT, AT(step), .default_value = TEXT(UM_APP_MAP_STEP),
+     .example = "--step 1", .help = "Of the map in latitude and longitude, a part of 90 deg."},
+    {"phase-angles", "phase-angles", "DEG,...", .takes = UM_APP_TEXT, AT(phase_angles),
+     .default_value = UM_APP_MAP_PHASE_ANGLES, .example = "--phase-angles 0",
+     .help = "Sun - satellite - observer, one map for each, from 0 to below 180 deg, rising."},
+    {"planes", "planes", "N", .takes = UM_APP_NUMBER, AT(planes), .most = 180,
+     .default_value = TEXT(UM_APP_MAP_PLANES), .example = "--planes 12",
+     .help = "In how many planes through the phase vector Sun and observer stand, over half a "
+             "turn; pictures show the mean."},
     {"noise", "noise", "REL[,FLOOR]", .takes = UM_APP_TEXT, AT(noise),
      .default_value = "FLOOR " TEXT(UM_APP_FLOOR), .example = "--noise 0.02,0.005",
      .help = "Noise of light: sigma^2 = (REL x truth)^2 + (FLOOR x peak of the band)^2."},

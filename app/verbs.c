@@ -56,6 +56,17 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra expand envisat.nc --wavelengths 8-8.1um -o short.exr\n"
                  "umbra expand envisat.nc --tile 2000,1500,512,512 -o array.exr\n",
      .run = um_app_expand},
+    {"map", "SCENARIO [MEASURED]",
+     "what the body reflects, by the direction of the phase vector in its own axes",
+     .accepts = "out step phase-angles planes " CHANGES " " RESULTS,
+     .about =
+         "The phase vector halves the angle between Sun and observer. map.csv and map.exr hold "
+         "the reflectivity [m^2/sr] of every band, pass.csv the pass looked up there and "
+         "computed, measured.csv the measurements as reflectivity. Sunlight alone: no Earth, "
+         "no heat.",
+     .examples = "umbra map scenarios/flying-laptop --phase-angles 0\n"
+                 "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
+     .run = um_app_map},
     {"compare", "SCENARIO MEASURED",
      "a scenario beside measurements: how far off, when, and what the residual goes with",
      .accepts = "out " CHANGES " " RESULTS,

@@ -60,9 +60,8 @@ static double true_exposure(const struct um_model *model, const double *exposure
   return exposure;
 }
 
-/* Times of the observations: the scenario's own, every step from start to stop. */
-static enum um_status scenario_times(struct um_context *context, const struct um_model *model,
-                                     double **times, size_t *count)
+enum um_status um_model_scenario_times(struct um_context *context, const struct um_model *model,
+                                       double **times, size_t *count)
 {
   const struct um_scenario_time *time = model->scenario->time;
   *count = (size_t)floor((time->stop - time->start) / time->step_s + 1e-9) + 1;
@@ -288,7 +287,7 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
   size_t n = 0;
   *out = NULL;
   UM_TRY(um_model_check_track(context, model));
-  UM_TRY(scenario_times(context, model, &times, &n));
+  UM_TRY(um_model_scenario_times(context, model, &times, &n));
   enum um_status status = um_model_precompute_at(context, model, times, NULL, n, out);
   um_core_free(context, times);
   return status;

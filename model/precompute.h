@@ -5,6 +5,10 @@
 #include "model/model.h"
 #include "model/precomputed.h"
 
+/* Times of the scenario's own observations, every step from start to stop, t_tai [s]; the caller
+ * frees *times. UM_ERR_MEMORY. */
+enum um_status um_model_scenario_times(struct um_context *context, const struct um_model *model,
+                                       double **times, size_t *count);
 /* Over the scenario's own window. UM_ERR_INPUT; the caller destroys. */
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
                                    struct um_model_precomputed **out);

@@ -3,6 +3,7 @@
 #define UMBRA_OPTICS_OPTICS_H
 
 #include "environment/environment.h"
+#include "environment/shadow_light.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
 #include "materials/materials.h"
@@ -21,6 +22,18 @@ static inline double um_optics_band_edge(const struct um_optics_band *band, int 
 {
   return band->from + (band->to - band->from) * i / band->bins;
 }
+
+/* Sunlight at an instant: what distance, shadow and the Earth's air leave of it. */
+struct um_optics_sunlight {
+  double share;  /* sunlit fraction (1 au / d)^2 [1] */
+  double sunlit; /* fraction of the disc [1] */
+  struct um_environment_shadow_light air;
+};
+void um_optics_sunlight_at(const struct um_environment *environment,
+                           const struct um_environment_sample *sample,
+                           struct um_optics_sunlight *out);
+/* Spectral irradiance at a wavelength [m], of that at 1 au above all air; both [W/m^2/m]. */
+double um_optics_sunlight(const struct um_optics_sunlight *light, double solar, double wavelength);
 
 enum um_optics_mechanism {
   UM_MECHANISM_SUN,   /* sunlight reflected once */
@@ -88,6 +101,7 @@ struct um_optics_scene {
   const float *brightness;  /* [ntime][nsurface] brightness temperature of the Earth before the
                                surface [K]; NULL: the environment's */
   int interreflection_samples; /* rays per surface that is not open; 0: off */
+  bool sunlight_only;          /* neither the Earth nor heat is added up */
 };
 /* Light curve. The Sun term is multiplied by the sunlit fraction, so it is exactly zero in the
  * umbra. Radiance of a surface toward the observer:

@@ -19,7 +19,6 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "environment/shadow_light.h"
 
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
@@ -39,6 +38,7 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.earth_reflection =
       environment->earth_reflection_on ? environment->earth_reflection_factor : 0.0;
   now.earth_varies = scene->brightness != NULL;
+  now.sunlight_only = scene->sunlight_only;
   um_optics_instant_earth(environment, sample, &now);
   return now;
 }
@@ -106,19 +106,34 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   *work = NULL;
 }
 
+void um_optics_sunlight_at(const struct um_environment *environment,
+                           const struct um_environment_sample *sample,
+                           struct um_optics_sunlight *out)
+{
+  double relative = UM_AU / sample->sun_distance;
+  out->sunlit = sample->sunlit_fraction;
+  out->share = sample->sunlit_fraction * relative * relative;
+  out->air.count = 0;
+  if (environment->limb != NULL && out->share > 0.0)
+    um_environment_shadow_light(environment, sample->r, sample->sun, sample->sun_distance,
+                                sample->pole, &out->air);
+}
+
+double um_optics_sunlight(const struct um_optics_sunlight *light, double solar, double wavelength)
+{
+  double out = light->share * solar;
+  if (light->air.count > 0)
+    out *= um_environment_shadow_light_at(&light->air, wavelength) / light->sunlit;
+  return out;
+}
+
 void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                      const struct um_optics_instant *instant, struct um_optics_work *work)
 {
-  const struct um_environment_sample *s = &scene->samples[instant->time];
-  struct um_environment_shadow_light light = {.count = 0};
-  if (scene->environment->limb != NULL && instant->sun > 0.0)
-    um_environment_shadow_light(scene->environment, s->r, s->sun, s->sun_distance, s->pole, &light);
-  for (size_t b = 0; b < spectra->nbin; b++) {
-    work->sunlight[b] = instant->sun * spectra->sun[b];
-    if (light.count > 0)
-      work->sunlight[b] *=
-          um_environment_shadow_light_at(&light, spectra->wavelength[b]) / s->sunlit_fraction;
-  }
+  struct um_optics_sunlight light;
+  um_optics_sunlight_at(scene->environment, &scene->samples[instant->time], &light);
+  for (size_t b = 0; b < spectra->nbin; b++)
+    work->sunlight[b] = um_optics_sunlight(&light, spectra->sun[b], spectra->wavelength[b]);
 }
 
 void um_optics_turn(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
@@ -203,7 +218,7 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
     }
   }
   double seen = sight->area_seen * cos_o;
-  if (!(seen > 0.0)) return;
+  if (!(seen > 0.0) || instant->sunlight_only) return;
   sum->albedo += seen * sight->albedo;
   um_optics_spectra_planck(spectra, sight->temperature, work->planck);
   size_t n = spectra->nbin;

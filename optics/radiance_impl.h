@@ -15,6 +15,7 @@ struct um_optics_instant {
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
   double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
   bool earth_varies;                      /* every surface has an Earth of its own before it */
+  bool sunlight_only;                     /* nothing but the Sun is added up */
   bool earth_lobe;                        /* lobes reflect it, where they look */
   struct um_vec3 nadir_body;              /* unit */
   double h_ratio;                         /* of the geocentre's distance [1] */

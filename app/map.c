@@ -1,0 +1,211 @@
+/* umbra map: the reflectivity map of the satellite, the pass and measurements on it. */
+#include <math.h>
+#include <string.h>
+
+#include "app/app.h"
+#include "app/map_options.h"
+#include "app/terminal.h"
+#include "compare/measurements.h"
+#include "compare/on_map.h"
+#include "core/constants.h"
+#include "core/number.h"
+#include "model/build.h"
+#include "output/map.h"
+
+/* What one run of the command holds. */
+struct work {
+  struct um_model *model;
+  struct um_model_map *map;
+  struct um_model_map_pass *pass; /* NULL: no observer, or orbit.points without measurements */
+  struct um_compare_measurements *measurements;
+  struct um_compare_on_map *on_map;
+  struct um_model_map_pass *at_measured;
+  struct um_core_folder *folder;
+  char *out;
+};
+
+/* ---- what is said ---- */
+
+static void summary(const struct work *w, size_t band, struct um_model_map_node *high, double at[2],
+                    double *mean)
+{
+  const struct um_model_map *map = w->map;
+  double weights = 0.0;
+  *high = (struct um_model_map_node){0.0, 0.0, 0.0};
+  *mean = at[0] = at[1] = 0.0;
+  for (size_t i = 0; i < map->nlatitude; i++) {
+    double latitude = -0.5 * UM_PI + (double)i * map->step;
+    for (size_t j = 0; j < map->nlongitude; j++) {
+      struct um_model_map_node node = um_model_map_node(map, 0, i, j, band);
+      *mean += cos(latitude) * node.mean;
+      weights += cos(latitude);
+      if (node.mean > high->mean) {
+        *high = node;
+        at[0] = latitude / UM_DEG;
+        at[1] = -180.0 + (double)j * map->step / UM_DEG;
+      }
+    }
+  }
+  *mean /= weights;
+}
+
+static void print_band(const struct work *w, size_t b)
+{
+  struct um_model_map_node high;
+  double at[2], mean;
+  summary(w, b, &high, at, &mean);
+  printf("%-5s at %g deg: %.4g m2/sr in the mean, %.4g at most, at latitude %.4g, longitude %.4g "
+         "deg\n",
+         w->model->band[b].name, w->map->phase_angle[0] / UM_DEG, mean, high.mean, at[0], at[1]);
+  if (w->pass == NULL) return;
+  struct um_model_map_difference d = um_model_map_difference(w->pass, b);
+  if (d.count == 0 || !(d.mean > 0.0)) return;
+  printf("      along the pass %.4g W/sr in the mean of %zu instants in sunlight; looked up: bias "
+         "%+.2g %%, rms %.2g %%; at %g deg alone: %+.2g %%, %.2g %%\n",
+         d.mean, d.count, 100.0 * d.bias / d.mean, 100.0 * d.rms / d.mean,
+         w->map->phase_angle[0] / UM_DEG, 100.0 * d.bias_0 / d.mean, 100.0 * d.rms_0 / d.mean);
+}
+
+static void print_all(const struct work *w)
+{
+  printf("%s: map of %zu x %zu nodes, %zu phase angles, %zu planes in all\n",
+         w->model->scenario->name, w->map->nlongitude, w->map->nlatitude, w->map->nphase,
+         w->map->planes);
+  for (size_t b = 0; b < w->model->nband; b++) print_band(w, b);
+  if (w->on_map != NULL)
+    printf("%s: %zu rows on the map, %zu in the shadow left out\n", w->measurements->path,
+           w->on_map->count, w->on_map->dark);
+  printf("results in %s\n", w->out);
+}
+
+static void json_band(const struct work *w, size_t b)
+{
+  struct um_model_map_node high;
+  double at[2], mean;
+  summary(w, b, &high, at, &mean);
+  printf("{\"name\": ");
+  um_core_json_string(stdout, w->model->band[b].name);
+  um_core_json_field(stdout, ", ", "mean_m2_sr", mean);
+  um_core_json_field(stdout, ", ", "highest_m2_sr", high.mean);
+  um_core_json_field(stdout, ", ", "highest_latitude_deg", at[0]);
+  um_core_json_field(stdout, ", ", "highest_longitude_deg", at[1]);
+  if (w->pass != NULL) {
+    struct um_model_map_difference d = um_model_map_difference(w->pass, b);
+    printf(", \"pass_instants\": %zu", d.count);
+    um_core_json_field(stdout, ", ", "pass_mean_W_sr", d.mean);
+    um_core_json_field(stdout, ", ", "looked_up_bias_W_sr", d.bias);
+    um_core_json_field(stdout, ", ", "looked_up_rms_W_sr", d.rms);
+    um_core_json_field(stdout, ", ", "smallest_phase_angle_bias_W_sr", d.bias_0);
+    um_core_json_field(stdout, ", ", "smallest_phase_angle_rms_W_sr", d.rms_0);
+  }
+  printf("}");
+}
+
+static void json_all(const struct work *w)
+{
+  printf("{\"name\": ");
+  um_core_json_string(stdout, w->model->scenario->name);
+  printf(", \"folder\": ");
+  um_core_json_string(stdout, w->out);
+  printf(", \"phase_angles_deg\": [");
+  for (size_t g = 0; g < w->map->nphase; g++)
+    printf("%s%.9g", g > 0 ? ", " : "", w->map->phase_angle[g] / UM_DEG);
+  printf("]");
+  if (w->on_map != NULL)
+    printf(", \"measured_rows\": %zu, \"rows_in_shadow\": %zu", w->on_map->count, w->on_map->dark);
+  printf(",\n  \"bands\": [");
+  for (size_t b = 0; b < w->model->nband; b++) {
+    printf("%s\n    ", b > 0 ? "," : "");
+    json_band(w, b);
+  }
+  printf("]}\n");
+}
+
+/* ---- files ---- */
+
+typedef enum um_status (*writer)(struct um_context *context, const struct um_output_map *of,
+                                 FILE *file);
+
+static enum um_status table(struct um_context *context, const struct um_output_map *of,
+                            struct um_core_folder *folder, const char *name, writer write)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, name, &file));
+  enum um_status status = write(context, of, file);
+  enum um_status closed = um_core_file_close(context, name, &file);
+  return status != UM_OK ? status : closed;
+}
+
+static enum um_status measured_table(struct um_context *context, const struct work *w)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, w->folder, "measured.csv", &file));
+  enum um_status status =
+      um_compare_on_map_write(context, w->on_map, w->model, w->at_measured, file);
+  enum um_status closed = um_core_file_close(context, "measured.csv", &file);
+  return status != UM_OK ? status : closed;
+}
+
+static enum um_status write_all(struct um_context *context, const struct um_app_options *options,
+                                struct work *w)
+{
+  struct um_output_map of = {w->model, w->map, w->pass, w->on_map != NULL};
+  const char *folder = um_core_folder_path(w->folder);
+  char *exr = NULL;
+  UM_TRY(table(context, &of, w->folder, "map.csv", um_output_write_map));
+  if (w->pass != NULL) UM_TRY(table(context, &of, w->folder, "pass.csv", um_output_write_map_pass));
+  if (w->on_map != NULL) UM_TRY(measured_table(context, w));
+  UM_TRY(um_core_asprintf(context, &exr, "%s/map.exr", folder));
+  enum um_status status = um_output_write_map_exr(context, &of, exr);
+  um_core_free(context, exr);
+  if (status == UM_OK && !options->no_plots) status = um_output_plot_map(context, &of, folder);
+  return status == UM_OK ? um_core_folder_commit(context, &w->folder) : status;
+}
+
+/* ---- the command ---- */
+
+static enum um_status compute(struct um_context *context, const struct um_app_options *options,
+                              const struct um_model_map_grid *grid, struct work *w)
+{
+  struct um_model_options changes = um_app_model_options(options);
+  if (options->npositional > 1)
+    UM_TRY(um_compare_measurements_read(context, options->positional[1], &w->measurements));
+  UM_TRY(um_model_create(context, options->positional[0], &changes, &w->model));
+  if (w->measurements != NULL)
+    UM_TRY(um_compare_on_map_create(context, w->model, w->measurements, &w->on_map));
+  UM_TRY(um_app_out_folder(context, options, w->model->scenario->name, &w->out));
+  UM_TRY(um_core_folder_begin(context, w->out, options->force, &w->folder));
+  UM_TRY(um_model_map_create(context, w->model, grid, &w->map));
+  if (w->model->has_observer && !w->model->points)
+    UM_TRY(um_model_map_pass_create(context, w->model, w->map, &w->pass));
+  if (w->on_map != NULL)
+    UM_TRY(um_model_map_pass_of(context, w->model, w->map, w->on_map->sample, w->on_map->plan->time,
+                                w->on_map->plan->ntime, &w->at_measured));
+  return UM_OK;
+}
+
+int um_app_map(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct work w = {0};
+  struct um_app_map_options o;
+  int code = um_app_map_options_parse(options, &o);
+  if (code != UM_APP_DONE) return code;
+  UM_CHECK(compute(context, options, &o.grid, &w));
+  UM_CHECK(write_all(context, options, &w));
+  um_app_terminal_clear();
+  if (options->json)
+    json_all(&w);
+  else
+    print_all(&w);
+done:
+  um_core_folder_abort(&w.folder);
+  um_model_map_pass_destroy(context, &w.at_measured);
+  um_model_map_pass_destroy(context, &w.pass);
+  um_model_map_destroy(context, &w.map);
+  um_compare_on_map_destroy(context, &w.on_map);
+  um_compare_measurements_destroy(context, &w.measurements);
+  um_model_destroy(context, &w.model);
+  um_core_free(context, w.out);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
