@@ -285,7 +285,7 @@ static void test_memory(void **state)
     f.scene.view = view;
     if (status == UM_OK) status = um_optics_lightcurve_compute(context, &f.scene, bands, 2, &curve);
     if (status == UM_OK)
-      status = um_optics_image_render(context, &f.scene, 1, bands, &options, &image);
+      status = um_optics_image_render(context, &f.scene, 1, bands, 2, &options, &image);
     bool exhausted = memory.calls < memory.fail_call;
     memory.fail_call = 0;
     assert_int_equal(status, exhausted ? UM_OK : UM_ERR_MEMORY);
