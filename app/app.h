@@ -33,10 +33,11 @@ struct um_app_options {
   size_t nwith, nwithout;
   const char **effect_file; /* --effect-file */
   size_t neffect_file;
-  const char *time_utc, *band;    /* --time, --band */
-  int width, samples;             /* --width, --samples */
-  const char *wavelengths, *tile; /* --wavelengths, --tile */
-  const char **picture;           /* --picture */
+  const char *time_utc, *band;       /* --time, --band */
+  int width, samples;                /* --width, --samples */
+  const char *wavelengths, *tile;    /* --wavelengths, --tile */
+  const char *sensor, *psf, *motion; /* of frame: --sensor, --psf, --motion */
+  const char **picture;              /* --picture */
   size_t npicture;
   /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
   const char *noise, *seed, *temperatures, *temperature_sigma;
@@ -162,6 +163,7 @@ int um_app_materials_fit(struct um_context *context, const struct um_app_options
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);
 int um_app_render(struct um_context *context, const struct um_app_options *options);
+int um_app_frame(struct um_context *context, const struct um_app_options *options);
 int um_app_expand(struct um_context *context, const struct um_app_options *options);
 int um_app_map(struct um_context *context, const struct um_app_options *options);
 int um_app_compare(struct um_context *context, const struct um_app_options *options);

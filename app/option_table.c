@@ -46,6 +46,20 @@ static const struct um_app_option table[] = {
     {"tile", "tile", "X,Y,WIDTH,HEIGHT", .takes = UM_APP_TEXT, AT(tile),
      .default_value = "the whole picture", .example = "--tile 1000,500,256,256",
      .help = "Write this rectangle alone [pixels], counted from the upper left corner."},
+    {"sensor", "sensor", "S", .takes = UM_APP_TEXT, AT(sensor), .example = "--sensor ufo",
+     .help = "The sensor, as the scenario calls it."},
+    {"psf", "psf", "PSF", .takes = UM_APP_TEXT, AT(psf), .default_value = "gaussian",
+     .example = "--psf seeing:0.1",
+     .help = "The image of a star: gaussian of the sensor's fwhm_arcsec; moffat:BETA of the same "
+             "FWHM; airy, diffraction alone; seeing:R0_M, turbulence of that Fried parameter at "
+             "500 nm and the zenith; or a CSV file with radius_arcsec and value."},
+    {"motion", "motion", "RATE,ANGLE", .takes = UM_APP_TEXT, AT(motion), .default_value = "0,0",
+     .example = "--motion 12,30",
+     .help = "Motion of the image on the detector [arcsec/s], [degrees from the right "
+             "counter-clockwise]."},
+    {"frame-seed", "seed", "N", .takes = UM_APP_TEXT, AT(seed),
+     .default_value = "no noise: expected counts", .example = "--seed 1",
+     .help = "Draw photon and read noise, whole counts; the same seed gives the same noise."},
     {"picture", "picture", "UTC", LIST(picture), .example = "--picture 2016-09-21T20:33:00Z",
      .help = "Leave a picture of every band at the instant nearest to this one as OpenEXR among "
              "the results; first-light: when the Sun's first light is there."},

@@ -9,6 +9,7 @@
 #include <sys/statvfs.h>
 
 #include "core/number.h"
+#include "orbit/time.h"
 
 #define FILE_MOST     68719476736.0 /* of an OpenEXR file, 64 GiB */
 #define ROOM_LEFT     0.95          /* of the disk's free space that a file may take */
@@ -17,6 +18,34 @@
 #define CUBE_RATE     40e6 /* bytes of factors that are compressed [1/s] */
 #define CHANNEL_BYTES 4.0
 #define COPIES        3.0 /* of a line: expanded, packed, compressed */
+
+enum um_status um_app_instant_create(struct um_context *context,
+                                     const struct um_app_options *options,
+                                     struct um_app_instant *out)
+{
+  double unused;
+  *out = (struct um_app_instant){.changes = um_app_model_options(options)};
+  if (um_orbit_time_parse(context, options->time_utc, &unused) != UM_OK) {
+    um_core_message_prefix(context, "--time");
+    return UM_ERR_INPUT;
+  }
+  UM_TRY(um_core_allocate(context, options->nset + 2, sizeof *out->overrides, &out->overrides));
+  UM_TRY(um_core_asprintf(context, &out->at[0], "time.start_utc=%s", options->time_utc));
+  UM_TRY(um_core_asprintf(context, &out->at[1], "time.stop_utc=%s", options->time_utc));
+  for (size_t i = 0; i < options->nset; i++) out->overrides[i] = options->set[i];
+  out->overrides[options->nset] = out->at[0];
+  out->overrides[options->nset + 1] = out->at[1];
+  out->changes.overrides = out->overrides;
+  out->changes.noverride = options->nset + 2;
+  return UM_OK;
+}
+
+void um_app_instant_destroy(struct um_context *context, struct um_app_instant *instant)
+{
+  um_core_free(context, (void *)instant->overrides);
+  um_core_free(context, instant->at[0]);
+  um_core_free(context, instant->at[1]);
+}
 
 bool um_app_is_cube(const char *path)
 {

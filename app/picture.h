@@ -6,6 +6,17 @@
 #include "output/cube.h"
 #include "output/exr.h"
 
+/* A scenario at the one instant that --time says: its overrides and two more. UM_ERR_INPUT names
+ * --time; destroy after a failure too. */
+struct um_app_instant {
+  struct um_model_options changes;
+  const char **overrides;
+  char *at[2];
+};
+enum um_status um_app_instant_create(struct um_context *context,
+                                     const struct um_app_options *options,
+                                     struct um_app_instant *out);
+void um_app_instant_destroy(struct um_context *context, struct um_app_instant *instant);
 /* A name in .nc asks for a factored picture. */
 bool um_app_is_cube(const char *path);
 /* Said before the computing begins: what cannot be written, or is not ours to replace. The picture

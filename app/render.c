@@ -11,19 +11,6 @@
 #include "output/cube.h"
 #include "output/exr.h"
 
-/* The scenario's overrides plus the one instant that is wanted. */
-static enum um_status overrides_of(struct um_context *context, const struct um_app_options *options,
-                                   const char ***out, char *at[2])
-{
-  UM_TRY(um_core_allocate(context, options->nset + 2, sizeof **out, out));
-  UM_TRY(um_core_asprintf(context, &at[0], "time.start_utc=%s", options->time_utc));
-  UM_TRY(um_core_asprintf(context, &at[1], "time.stop_utc=%s", options->time_utc));
-  for (size_t i = 0; i < options->nset; i++) (*out)[i] = options->set[i];
-  (*out)[options->nset] = at[0];
-  (*out)[options->nset + 1] = at[1];
-  return UM_OK;
-}
-
 static enum um_status write_picture(struct um_context *context,
                                     const struct um_app_options *options,
                                     const struct um_model *model,
@@ -61,6 +48,27 @@ static enum um_status estimate(struct um_context *context, const struct um_app_o
   return um_app_picture_cost(context, options, &cost, bins);
 }
 
+/* Of the band, through its filter, over all pixels of the picture, sky included: E = L N Omega, as
+ * others plot it. */
+static enum um_status mean_radiance(struct um_context *context, const struct um_optics_image *image,
+                                    double *out)
+{
+  double *weight = NULL, (*weighed)[2] = NULL, sum = 0.0;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, image->nbin, sizeof *weight, &weight));
+  UM_CHECK(um_core_allocate(context, image->nspectrum, sizeof *weighed, &weighed));
+  for (size_t b = 0; b < image->nbin; b++) weight[b] = image->transmission[b] * image->bin_width[b];
+  um_optics_image_weigh(image, weight, weighed);
+  for (int y = 0; y < image->height; y++)
+    for (int x = 0; x < image->width; x++)
+      sum += um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);
+  *out = sum / ((double)image->width * (double)image->height);
+done:
+  um_core_free(context, weight);
+  um_core_free(context, weighed);
+  return status;
+}
+
 static enum um_status render(struct um_context *context, const struct um_app_options *options,
                              struct um_model *model)
 {
@@ -69,6 +77,7 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
   struct um_model_result *result = NULL;
   struct um_optics_image *image = NULL;
   size_t band;
+  double mean;
   if (um_model_band_require(context, model, options->band, &band) != UM_OK) {
     um_core_message_prefix(context, "--band %s", options->band);
     return UM_ERR_INPUT;
@@ -79,8 +88,9 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
   UM_CHECK(um_model_picture(context, model, precomputed, result, 0, band, 1, width_of(options),
                             samples_of(options), &image));
   UM_CHECK(write_picture(context, options, model, image, band));
-  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths\n", options->out, image->width,
-         image->height, image->pixel_size, image->nbin);
+  UM_CHECK(mean_radiance(context, image, &mean));
+  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths, mean radiance %.6g W/m2/sr\n",
+         options->out, image->width, image->height, image->pixel_size, image->nbin, mean);
 done:
   um_optics_image_destroy(context, &image);
   um_model_result_destroy(context, &result);
@@ -88,32 +98,17 @@ done:
   return status;
 }
 
-static enum um_status check_time(struct um_context *context, const char *utc)
-{
-  double unused;
-  enum um_status status = um_orbit_time_parse(context, utc, &unused);
-  if (status == UM_ERR_INPUT) um_core_message_prefix(context, "--time");
-  return status;
-}
-
 int um_app_render(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_model *model = NULL;
-  const char **overrides = NULL;
-  char *at[2] = {NULL, NULL};
-  UM_CHECK(check_time(context, options->time_utc));
+  struct um_app_instant instant = {0};
   UM_CHECK(um_app_check_picture(context, options));
-  struct um_model_options changes = um_app_model_options(options);
-  UM_CHECK(overrides_of(context, options, &overrides, at));
-  changes.overrides = overrides;
-  changes.noverride = options->nset + 2;
-  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(um_app_instant_create(context, options, &instant));
+  UM_CHECK(um_model_create(context, options->positional[0], &instant.changes, &model));
   UM_CHECK(render(context, options, model));
 done:
   um_model_destroy(context, &model);
-  um_core_free(context, (void *)overrides);
-  um_core_free(context, at[0]);
-  um_core_free(context, at[1]);
+  um_app_instant_destroy(context, &instant);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -67,6 +67,14 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra map scenarios/flying-laptop --phase-angles 0\n"
                  "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
      .run = um_app_map},
+    {"frame", "SCENARIO", "what a sensor's detector records at an instant, as FITS",
+     .needs = "time sensor file", .accepts = CHANGES " psf motion frame-seed width samples force",
+     .about =
+         "The picture of the sensor's band, with the counts of umbra run, spread by optics and "
+         "air, smeared by motion, in pixels, with sky, noise and saturation.",
+     .examples = "umbra frame scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo "
+                 "--seed 1 -o ufo.fits\n",
+     .run = um_app_frame},
     {"compare", "SCENARIO MEASURED",
      "a scenario beside measurements: how far off, when, and what the residual goes with",
      .accepts = "out " CHANGES " " RESULTS,

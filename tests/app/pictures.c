@@ -219,13 +219,15 @@ static void test_views(void **state)
   exr_context_t file;
   exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
   double pixel = 0.0, sum = 0.0;
+  int rows = 0;
   assert_int_equal(exr_start_read(&file, path, &start), EXR_ERR_SUCCESS);
   assert_int_equal(exr_attr_get_double(file, 0, "pixelSizeM", &pixel), EXR_ERR_SUCCESS);
   assert_int_equal(exr_finish(&file), EXR_ERR_SUCCESS);
   for (int k = 0; k < 4; k++) {
     exr_attr_box2i_t window;
     float *value = read_channel(path, names[k], &window);
-    int n = (window.max.y - window.min.y + 1) * (window.max.x - window.min.x + 1);
+    rows = window.max.y - window.min.y + 1;
+    int n = rows * (window.max.x - window.min.x + 1);
     for (int i = 0; i < n; i++) sum += (double)value[i];
     free(value);
   }
@@ -233,6 +235,15 @@ static void test_views(void **state)
   struct table t = table_read("out/lightcurve.csv");
   assert_string_equal(table_text(&t, 3, "time_utc"), "2016-09-06T18:10:00.000Z");
   double wanted = table_number(&t, 3, "vis_intensity_W_sr");
+  /* the mean radiance that render states: E = L N Omega of its frame, box and sky */
+  struct command c = command_run("render", "box.yaml", "--time", "2016-09-06T18:10:00Z", "--band",
+                                 "vis", "--width", "384", "-o", "r.exr", NULL);
+  const char *said = strstr(c.out, "mean radiance ");
+  assert_non_null(said);
+  double frame = strtod(said + 14, NULL) * 384.0 * rows * pixel * pixel;
+  print_message("frame %.6g, ", frame);
+  assert_true(fabs(frame - sum) <= 1e-4 * sum);
+  command_release(&c);
   print_message("view %.6g, light curve %.6g W/sr\n", sum, wanted);
   assert_true(wanted > 0.0 && fabs(sum - wanted) <= 0.01 * wanted);
   table_release(&t);
