@@ -16,6 +16,8 @@
 #define UM_APP_MAP_STEP          2   /* [deg] */
 #define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
 #define UM_APP_MAP_PLANES        4
+#define UM_APP_AXIS_STEP         10 /* [deg] */
+#define UM_APP_SOLUTIONS         12
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
 
@@ -50,6 +52,8 @@ struct um_app_options {
   /* of map and attitude: --step, --phase-angles, --planes */
   const char *step, *phase_angles;
   int planes;
+  const char *period, *axis_step; /* of attitude: --period, --axis-step */
+  int solutions;                  /* --solutions */
   bool force, json, thermal, optics, no_plots, allow_effects;
   char *command; /* the command as typed */
 };
@@ -165,6 +169,7 @@ int um_app_effects(struct um_context *context, const struct um_app_options *opti
 int um_app_render(struct um_context *context, const struct um_app_options *options);
 int um_app_frame(struct um_context *context, const struct um_app_options *options);
 int um_app_expand(struct um_context *context, const struct um_app_options *options);
+int um_app_attitude(struct um_context *context, const struct um_app_options *options);
 int um_app_map(struct um_context *context, const struct um_app_options *options);
 int um_app_compare(struct um_context *context, const struct um_app_options *options);
 int um_app_period(struct um_context *context, const struct um_app_options *options);

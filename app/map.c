@@ -189,7 +189,7 @@ int um_app_map(struct um_context *context, const struct um_app_options *options)
   enum um_status status;
   struct work w = {0};
   struct um_app_map_options o;
-  int code = um_app_map_options_parse(options, &o);
+  int code = um_app_map_options_parse(options, UM_APP_MAP_STEP, &o);
   if (code != UM_APP_DONE) return code;
   UM_CHECK(compute(context, options, &o.grid, &w));
   UM_CHECK(write_all(context, options, &w));

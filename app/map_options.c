@@ -37,9 +37,10 @@ static bool phase_angles(const char *text, struct um_app_map_options *out)
   return false;
 }
 
-int um_app_map_options_parse(const struct um_app_options *options, struct um_app_map_options *out)
+int um_app_map_options_parse(const struct um_app_options *options, double default_step,
+                             struct um_app_map_options *out)
 {
-  double step = UM_APP_MAP_STEP;
+  double step = default_step;
   if (options->step != NULL && !um_core_number_parse(options->step, &step))
     return misuse("--step takes a number [deg]");
   if (!(step >= STEP_LEAST && step <= 90.0 && fabs(90.0 / step - round(90.0 / step)) < 1e-6))

@@ -11,7 +11,9 @@ struct um_app_map_options {
   double phase_angle[UM_APP_MAP_PHASES]; /* [rad] */
   struct um_model_map_grid grid;         /* its phase angles are those */
 };
-/* UM_APP_DONE, or UM_APP_MISUSE with what is wrong said. */
-int um_app_map_options_parse(const struct um_app_options *options, struct um_app_map_options *out);
+/* default_step [deg]. Without --phase-angles: one, of 0 deg. UM_APP_DONE, or UM_APP_MISUSE with
+ * what is wrong said. */
+int um_app_map_options_parse(const struct um_app_options *options, double default_step,
+                             struct um_app_map_options *out);
 
 #endif

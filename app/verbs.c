@@ -75,6 +75,16 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra frame scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo "
                  "--seed 1 -o ufo.fits\n",
      .run = um_app_frame},
+    {"attitude", "SCENARIO MEASURED",
+     "spins that agree with measured light: axis, sense, period and phase, every solution",
+     .accepts = "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES
+                " force json",
+     .about = "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh, "
+              "period_s and phase_deg are sought over all directions, by look-up on a reflectivity "
+              "map, and the best fitted by direct simulation. attitude.csv lists what agrees, with "
+              "how many sigma it stands apart from the best. Sunlight alone: bands that it rules.",
+     .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
+     .run = um_app_attitude},
     {"compare", "SCENARIO MEASURED",
      "a scenario beside measurements: how far off, when, and what the residual goes with",
      .accepts = "out " CHANGES " " RESULTS,

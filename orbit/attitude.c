@@ -245,10 +245,7 @@ static struct um_quat yaw_steering(const struct um_orbit_attitude_law *law,
   return two_axes(law, nadir, across(input->sun, nadir, orbit_normal(input)));
 }
 
-/* The smallest rotation of a frame after which `axis_body`, read in the turned frame, is the
- * direction `axis` of the first frame: about axis_body x axis by the angle between them; any
- * perpendicular serves for opposite directions. */
-static struct um_quat smallest_rotation(struct um_vec3 axis_body, struct um_vec3 axis)
+struct um_quat um_orbit_attitude_smallest_rotation(struct um_vec3 axis_body, struct um_vec3 axis)
 {
   struct um_vec3 cross = um_vec3_cross(axis_body, axis), t, b;
   double sine = um_vec3_norm(cross);
@@ -315,7 +312,7 @@ static enum um_status spin(struct um_context *context, const struct um_orbit_att
     return UM_OK;
   }
   if (law->axis_frame == UM_AXIS_LVLH) UM_TRY(lvlh(context, input, &base));
-  base = um_quat_then(base, smallest_rotation(law->axis_body, law->axis));
+  base = um_quat_then(base, um_orbit_attitude_smallest_rotation(law->axis_body, law->axis));
   *q = um_quat_then(base, nutating(law, law->axis_body, angle));
   return UM_OK;
 }

@@ -75,6 +75,10 @@ void um_orbit_attitude_destroy(struct um_orbit_attitude **attitude);
 enum um_status um_orbit_attitude_at(struct um_context *context,
                                     const struct um_orbit_attitude *attitude,
                                     const struct um_orbit_attitude_input *input, struct um_quat *q);
+/* The smallest rotation of a frame after which `axis_body`, read in the turned frame, is the
+ * direction `axis` of the first frame, both unit: about axis_body x axis by the angle between them;
+ * any perpendicular serves for opposite directions. SPIN begins with it. */
+struct um_quat um_orbit_attitude_smallest_rotation(struct um_vec3 axis_body, struct um_vec3 axis);
 /* Largest rate of turn [rad/s] expected of the laws (orbital rate included), for choosing steps. */
 double um_orbit_attitude_rate(const struct um_orbit_attitude *attitude, double orbital_rate);
 

@@ -6,13 +6,14 @@
 #include "model_test.h"
 
 #define BINS "bands.vis.bins=6"
+#define SENSORS                                                                                    \
+  "sensors={eye: {band: vis, aperture_m: 0.4, throughput: 0.6, quantum_efficiency: 0.5, gain_e: "  \
+  "1}}"
 
 static struct um_model *grey_model(void)
 {
   const char *const without[] = {"earthshine", "reflected_earth_ir"};
-  const char *const set[] = {BINS, "observer.air={profile: us_standard}",
-                             "sensors={eye: {band: vis, aperture_m: 0.4, throughput: 0.6, "
-                             "quantum_efficiency: 0.5, gain_e: 1}}"};
+  const char *const set[] = {BINS, "observer.air={profile: us_standard}", SENSORS};
   struct um_model_options options = {
       .overrides = set, .noverride = 3, .without = without, .nwithout = 2};
   struct um_model *model = NULL;

@@ -1,0 +1,230 @@
+/* From rows on a map to a list of spins. */
+#include "compare/spin.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "compare/spin_impl.h"
+#include "compare/time_text.h"
+#include "core/constants.h"
+
+#define ROWS_LEAST 5 /* one more than parameters */
+#define LAWS_MAX   1e9
+
+double um_compare_spin_distance(const struct um_compare_spin_data *data,
+                                const struct um_compare_spin_law *a,
+                                const struct um_compare_spin_law *b)
+{
+  double largest = 0.0;
+  for (size_t i = 0; i < data->count; i++) {
+    double t = data->row[i].t;
+    struct um_quat p = um_compare_spin_attitude(data, a, t);
+    struct um_quat d = um_quat_then(um_quat_conjugate(p), um_compare_spin_attitude(data, b, t));
+    double sine = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    largest = fmax(largest, 2.0 * atan2(sine, fabs(d.w)));
+  }
+  return largest;
+}
+
+/* ---- what is sought, and in what ---- */
+
+enum um_status um_compare_spins_check(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_on_map *on_map,
+                                      const struct um_compare_spin_search *s)
+{
+  const struct um_schema_list *list = &model->scenario->attitude;
+  const struct um_scenario_attitude *law = list->items;
+  const struct um_scenario_spin *spin = list->count > 0 ? law->spin : NULL;
+  if (list->count != 1 || spin == NULL || spin->q_gcrs.count > 0 || model->nutates)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s:%d: attitude: accepted: one law, a spin with axis_gcrs or axis_lvlh "
+                        "and without nutation",
+                        law != NULL ? law->at.file : model->scenario->at.file,
+                        law != NULL ? law->at.line : model->scenario->at.line);
+  if (on_map->count < ROWS_LEAST)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: %zu rows of light in sunlight; accepted: %d or more",
+                        on_map->measurements->path, on_map->count, ROWS_LEAST);
+  for (size_t i = 0; i < on_map->count; i++)
+    if (!(on_map->row[i].sigma > 0.0))
+      return um_core_fail(
+          context, UM_ERR_INPUT, "%s:%d: column 'sigma' is empty; accepted: a sigma in every row",
+          on_map->measurements->path, on_map->measurements->row[on_map->row[i].row].line);
+  if (!(s->axis_step > 0.0 && s->turn_step > 0.0 && s->turn_step <= 0.5 * UM_PI && s->keep > 0))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "steps of %g deg for axes, %g deg for turns; accepted: above 0, to 90 deg",
+                        s->axis_step / UM_DEG, s->turn_step / UM_DEG);
+  if (s->period_least > 0.0 && s->period_most >= s->period_least && s->period_most < INFINITY)
+    return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "periods from %g to %g s; accepted: above 0, rising",
+                      s->period_least, s->period_most);
+}
+
+static enum um_status size_check(struct um_context *context, const struct um_compare_spin_data *d)
+{
+  const struct um_compare_spin_search *s = d->search;
+  double rates = 2.0 * UM_PI * (1.0 / s->period_least - 1.0 / s->period_most) * d->span /
+                     (2.0 * s->turn_step) +
+                 1.0;
+  double laws =
+      4.0 * UM_PI / (s->axis_step * s->axis_step) * 2.0 * rates * 2.0 * UM_PI / s->turn_step;
+  if (laws <= LAWS_MAX) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%.3g laws of spin, %g periods between %g and %g s for observations over %g "
+                      "s; accepted: up to %g, by a narrower range or wider steps",
+                      laws, floor(rates), s->period_least, s->period_most, d->span, LAWS_MAX);
+}
+
+/* The frame of the axis at every observation, by the laws of orbit/. */
+static enum um_status fill_rows(struct um_context *context, const struct um_compare_on_map *on_map,
+                                bool lvlh, double middle, struct um_compare_spin_data *d)
+{
+  enum um_status status = UM_OK;
+  struct um_orbit_attitude *frame = NULL;
+  struct um_orbit_attitude_law law = {.kind = lvlh ? UM_ATTITUDE_LVLH : UM_ATTITUDE_FIXED,
+                                      .from_tai = -INFINITY,
+                                      .q = {1.0, 0.0, 0.0, 0.0}};
+  UM_TRY(um_orbit_attitude_create(context, &law, 1, &frame));
+  for (size_t i = 0; i < on_map->count; i++) {
+    const struct um_compare_map_row *from = &on_map->row[i];
+    const struct um_environment_sample *s = &on_map->sample[from->observation];
+    struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer, NULL};
+    struct um_compare_spin_row *row = &d->row[i];
+    UM_CHECK(um_orbit_attitude_at(context, frame, &in, &row->frame));
+    row->t = s->t_tai - middle;
+    row->sun = um_quat_apply(row->frame, s->sun);
+    row->observer = um_quat_apply(row->frame, s->to_observer);
+    row->band = from->band;
+    row->value = from->value;
+    row->sigma = from->sigma;
+  }
+done:
+  um_orbit_attitude_destroy(&frame);
+  return status;
+}
+
+static enum um_status data_make(struct um_context *context, const struct um_compare_on_map *on_map,
+                                struct um_compare_spins *spins, struct um_compare_spin_data *d)
+{
+  const struct um_scenario_attitude *law = d->model->scenario->attitude.items;
+  double first = INFINITY, last = -INFINITY;
+  for (size_t i = 0; i < on_map->count; i++) {
+    double t = on_map->sample[on_map->row[i].observation].t_tai;
+    first = fmin(first, t);
+    last = fmax(last, t);
+  }
+  const double *a = law->spin->axis_body;
+  d->axis_body = spins->axis_body = um_vec3_unit(um_vec3(a[0], a[1], a[2]));
+  d->count = spins->nobservation = on_map->count;
+  d->span = last - first;
+  spins->at_tai = 1e-3 * round(1e3 * 0.5 * (first + last)); /* as texts have it */
+  spins->lvlh = law->spin->axis_lvlh.count > 0;
+  UM_TRY(um_core_allocate(context, d->count, sizeof *d->row, &d->row));
+  return fill_rows(context, on_map, spins->lvlh, spins->at_tai, d);
+}
+
+/* ---- the list ---- */
+
+static int compare_spins(const void *a, const void *b)
+{
+  double x = ((const struct um_compare_spin *)a)->chi2,
+         y = ((const struct um_compare_spin *)b)->chi2;
+  return (x > y) - (x < y);
+}
+
+static struct um_compare_spin_law law_of(const struct um_compare_spin *s)
+{
+  return (struct um_compare_spin_law){s->axis, 2.0 * UM_PI / s->period, s->phase, s->misfit};
+}
+
+/* The best first; what came to the same attitude, to a fifth of a step of the grid, once. */
+static void sort_out(const struct um_compare_spin_data *d, struct um_compare_spins *spins)
+{
+  size_t n = 0;
+  double near = 0.2 * fmin(d->search->axis_step, d->search->turn_step);
+  qsort(spins->spin, spins->count, sizeof *spins->spin, compare_spins);
+  for (size_t i = 0; i < spins->count; i++) {
+    struct um_compare_spin_law own = law_of(&spins->spin[i]);
+    bool known = false;
+    for (size_t k = 0; k < n && !known; k++) {
+      struct um_compare_spin_law other = law_of(&spins->spin[k]);
+      known = um_compare_spin_distance(d, &own, &other) < near;
+    }
+    if (!known) spins->spin[n++] = spins->spin[i];
+  }
+  spins->count = n;
+  double best = spins->spin[0].chi2, dof = (double)d->count - 4.0;
+  double scale = fmax(1.0, best / dof);
+  for (size_t i = 0; i < n; i++) spins->spin[i].apart = sqrt((spins->spin[i].chi2 - best) / scale);
+}
+
+enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,
+                                     const struct um_compare_on_map *on_map,
+                                     const struct um_model_map *map,
+                                     const struct um_compare_spin_search *search,
+                                     struct um_compare_spins **out)
+{
+  enum um_status status;
+  struct um_compare_spins *spins = NULL;
+  struct um_compare_spin_data d = {.model = model, .map = map, .search = search};
+  struct um_compare_spin_law *laws = NULL;
+  size_t n = 0;
+  *out = NULL;
+  UM_TRY(um_compare_spins_check(context, model, on_map, search));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *spins, &spins));
+  UM_CHECK(data_make(context, on_map, spins, &d));
+  UM_CHECK(size_check(context, &d));
+  UM_CHECK(um_compare_spin_grid(context, &d, &laws, &n, &spins->nlaw));
+  UM_CHECK(um_core_allocate(context, n, sizeof *spins->spin, &spins->spin));
+  um_core_progress_begin(context, "fitting attitudes", n);
+  for (size_t i = 0; i < n; i++) {
+    um_core_quiet_begin(context);
+    status = um_compare_spin_refine(context, &d, &laws[i], &spins->spin[i]);
+    um_core_quiet_end(context);
+    if (status == UM_OK) status = um_core_progress_step(context, 1);
+    if (status == UM_OK) status = um_core_stop_check(context, "attitudes were fitted");
+    if (status != UM_OK) break;
+  }
+  um_core_progress_end(context);
+  if (status != UM_OK) goto done;
+  spins->count = n;
+  sort_out(&d, spins);
+  *out = spins;
+  spins = NULL;
+done:
+  um_core_free(context, d.row);
+  um_core_free(context, laws);
+  um_compare_spins_destroy(context, &spins);
+  return status;
+}
+
+void um_compare_spins_destroy(struct um_context *context, struct um_compare_spins **spins)
+{
+  if (spins == NULL || *spins == NULL) return;
+  um_core_free(context, (*spins)->spin);
+  um_core_free(context, *spins);
+  *spins = NULL;
+}
+
+void um_compare_spins_write(const struct um_compare_spins *spins, FILE *file)
+{
+  char at[40];
+  um_compare_time_text(spins->at_tai, at);
+  fprintf(file,
+          "axis_%s_x,axis_%s_y,axis_%s_z,period_s,phase_deg,at_utc,chi2,apart_sigma,"
+          "axis_sigma_deg,period_sigma_s,phase_sigma_deg\n",
+          spins->lvlh ? "lvlh" : "gcrs", spins->lvlh ? "lvlh" : "gcrs",
+          spins->lvlh ? "lvlh" : "gcrs");
+  for (size_t i = 0; i < spins->count; i++) {
+    const struct um_compare_spin *s = &spins->spin[i];
+    const double sigma[] = {s->axis_sigma / UM_DEG, s->period_sigma, s->phase_sigma / UM_DEG};
+    fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%s,%.9g,%.9g", s->axis.x, s->axis.y, s->axis.z,
+            s->period, s->phase / UM_DEG, at, s->chi2, s->apart);
+    for (int k = 0; k < 3; k++)
+      if (isfinite(sigma[k]))
+        fprintf(file, ",%.9g", sigma[k]);
+      else
+        fputc(',', file);
+    fputc('\n', file);
+  }
+}
