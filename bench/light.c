@@ -117,7 +117,7 @@ static double view_time(const struct bench *bench, const struct pass *pass)
   double began = now(bench);
   bench_must(bench,
              um_optics_view_trace(bench->context, pass->model->geometry, pass->precomputed->sample,
-                                  pass->precomputed->nobs, SAMPLES, &view));
+                                  pass->precomputed->nobs, SAMPLES, 0, &view));
   double time = now(bench) - began;
   um_optics_view_destroy(bench->context, &view);
   return time;

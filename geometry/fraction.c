@@ -5,13 +5,13 @@
  * below the surface's own horizon is mirrored through the disc's centre to one above: the cosine at
  * the centre, which callers use, is the mean over the disc, the part below counted negative.
  *
- * Standard error of a fraction f of n > 1 points: sample deviation over sqrt(n),
- * e = sqrt(f (1 - f) / (n - 1)), that of independent points and above the true error of these
- * evenly spread ones. A single point tells nothing of its error: e = 1/2, the largest that a 0-1
- * variable can have. */
+ * Standard error of a fraction f of n > 1 points: e = sqrt(f (1 - f) q(n)), with q what evenly
+ * spread points do where a straight edge cuts a facet (scatter.c), 1/(n - 1) for independent ones.
+ * A single point tells nothing of its error: e = 1/2, the largest that a 0-1 variable can have. */
 #include <assert.h>
 
 #include "geometry/points_impl.h"
+#include "geometry/scatter.h"
 #include "geometry/visibility_impl.h"
 
 /* Rays traced at a time; on the stack. */
@@ -33,6 +33,7 @@ struct task {
   struct um_vec3 s;    /* toward the Sun's centre */
   struct um_vec3 t, b; /* complete s to a frame */
   double tangent;      /* of the disc's angular radius */
+  uint64_t seed;       /* of the points */
   double *seen, *lit;  /* [nsurface]; lit NULL: not asked */
   struct batch view, sun;
 };
@@ -43,7 +44,7 @@ static struct um_vec3 sun_direction(const struct task *task, const struct batch 
   if (!(task->tangent > 0.0)) return task->s;
   const struct um_geometry_visibility *v = task->visibility;
   double xy[2];
-  um_geometry_points_disc(v, view->ray[i].from_facet, (uint64_t)view->sample[i], xy);
+  um_geometry_points_disc(v, task->seed, view->ray[i].from_facet, (uint64_t)view->sample[i], xy);
   struct um_vec3 across =
       um_vec3_axpy(um_vec3_scale(task->t, task->tangent * xy[0]), task->tangent * xy[1], task->b);
   if (view->sun_cosine[i] <= task->tangent) { /* the disc may cross the surface's horizon */
@@ -88,7 +89,7 @@ static void add_samples(struct task *task, size_t surface, double sun_cosine, in
   uint32_t facet = v->mesh->surface[surface].facet;
   for (int k = 0; k < nsample; k++) {
     if (view->n == BATCH) trace_view(task);
-    struct um_vec3 origin = um_geometry_points_facet(v, facet, (uint64_t)k);
+    struct um_vec3 origin = um_geometry_points_facet(v, task->seed, facet, (uint64_t)k);
     view->ray[view->n] = (struct um_geometry_ray){origin, task->o, INFINITY, facet};
     view->surface[view->n] = surface;
     view->sample[view->n] = k;
@@ -128,6 +129,7 @@ static void begin(struct task *task, const struct um_geometry_visibility *visibi
   task->visibility = visibility;
   task->o = task->s = o;
   task->tangent = 0.0;
+  task->seed = 0;
   task->seen = seen;
   task->lit = NULL;
   task->view.n = task->sun.n = 0;
@@ -147,19 +149,19 @@ static double standard_error(double f, int nsample, bool exact)
 {
   if (exact) return 0.0;
   if (nsample < 2) return 0.5;
-  /* e = sqrt(f (1 - f) / (n - 1)) */
-  return sqrt(fmax(0.0, f * (1.0 - f)) / (double)(nsample - 1));
+  return sqrt(fmax(0.0, f * (1.0 - f)) * um_geometry_scatter(nsample));
 }
 
 void um_geometry_visibility_toward_both(const struct um_geometry_visibility *visibility,
                                         struct um_vec3 o, struct um_vec3 s, double radius,
-                                        int nsample, double *seen, double *lit, double *seen_error,
-                                        double *lit_error)
+                                        int nsample, uint64_t seed, double *seen, double *lit,
+                                        double *seen_error, double *lit_error)
 {
   assert(nsample >= 1);
   if (nsample < 1) nsample = 1;
   struct task task;
   begin(&task, visibility, o, seen);
+  task.seed = seed;
   task.s = s;
   task.lit = lit;
   task.tangent = tan(radius);

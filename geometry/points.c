@@ -47,9 +47,9 @@ void um_geometry_points_fill(struct um_geometry_visibility *visibility)
 }
 
 struct um_vec3 um_geometry_points_facet(const struct um_geometry_visibility *visibility,
-                                        uint32_t facet, uint64_t sample)
+                                        uint64_t seed, uint32_t facet, uint64_t sample)
 {
-  uint64_t index = um_core_hash(KEY_POINT, facet) % UM_GEOMETRY_POINTS + sample;
+  uint64_t index = um_core_hash(KEY_POINT + seed, facet) % UM_GEOMETRY_POINTS + sample;
   double far[2];
   const double *w = far;
   if (index < 2 * UM_GEOMETRY_POINTS)
@@ -64,10 +64,10 @@ struct um_vec3 um_geometry_points_facet(const struct um_geometry_visibility *vis
   return um_vec3_axpy(p, w[1], um_vec3_sub(vertex[c[2]], a));
 }
 
-void um_geometry_points_disc(const struct um_geometry_visibility *visibility, uint32_t facet,
-                             uint64_t sample, double xy[2])
+void um_geometry_points_disc(const struct um_geometry_visibility *visibility, uint64_t seed,
+                             uint32_t facet, uint64_t sample, double xy[2])
 {
-  uint64_t index = um_core_hash(KEY_DISC, facet) % UM_GEOMETRY_POINTS + sample;
+  uint64_t index = um_core_hash(KEY_DISC + seed, facet) % UM_GEOMETRY_POINTS + sample;
   if (index >= 2 * UM_GEOMETRY_POINTS) {
     disc_point(index, xy);
     return;

@@ -121,7 +121,7 @@ static void fill_surface(const struct um_geometry_visibility *v, const struct ce
       if (height <= 0.0) d = um_vec3_axpy(d, -2.0 * height, n);
       /* points go on from cell to cell and so cover the facet evenly over all cells */
       struct um_vec3 origin =
-          um_geometry_points_facet(v, facet, (uint64_t)cell * (uint64_t)nsample + (uint64_t)k);
+          um_geometry_points_facet(v, 0, facet, (uint64_t)cell * (uint64_t)nsample + (uint64_t)k);
       if (batch.n == BATCH) trace(v, &batch, count);
       batch.ray[batch.n] = (struct um_geometry_ray){origin, d, INFINITY, facet};
       batch.cell[batch.n++] = cell;

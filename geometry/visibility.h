@@ -47,13 +47,14 @@ void um_geometry_visibility_toward(const struct um_geometry_visibility *visibili
 /* Toward two at once. seen[s]: fraction that sees direction o. lit[s]: fraction that sees both o
  * and the Sun (a disc of angular radius `radius` [rad] about direction s: each point sample also
  * samples the disc). seen_error/lit_error: standard errors of the two fractions,
- * sqrt(f (1 - f) / (nsample - 1)) of independent points, above that of the evenly spread ones used;
- * 1/2, the largest possible, for nsample = 1; 0 where no ray was needed (open, or facing away).
- * Arrays [nsurface]; errors may be NULL. */
+ * sqrt(f (1 - f) um_geometry_scatter(nsample)); 1/2, the largest possible, for nsample =
+ * 1; 0 where no ray was needed (open, or facing away). seed: other points of the same kind, for
+ * errors that are independent of those of another seed; 0 are the points of
+ * um_geometry_visibility_toward. Arrays [nsurface]; errors may be NULL. */
 void um_geometry_visibility_toward_both(const struct um_geometry_visibility *visibility,
                                         struct um_vec3 o, struct um_vec3 s, double radius,
-                                        int nsample, double *seen, double *lit, double *seen_error,
-                                        double *lit_error);
+                                        int nsample, uint64_t seed, double *seen, double *lit,
+                                        double *seen_error, double *lit_error);
 
 /* Body-frame sky: for each surface, which directions are free; one per pose. */
 struct um_geometry_sky;

@@ -181,7 +181,8 @@ enum um_status um_model_precompute_points(struct um_context *context, const stru
   UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
   UM_CHECK(trace_loads(context, model, precomputed));
   UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample, npoint,
-                                model->scenario->optics->samples, &precomputed->view));
+                                model->scenario->optics->samples,
+                                (uint64_t)model->scenario->optics->seed, &precomputed->view));
 done:
   status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);

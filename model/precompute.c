@@ -323,7 +323,8 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
   if (model->has_observer)
     UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample,
                                   precomputed->nobs * precomputed->nsub,
-                                  model->scenario->optics->samples, &precomputed->view));
+                                  model->scenario->optics->samples,
+                                  (uint64_t)model->scenario->optics->seed, &precomputed->view));
 done:
   um_core_free(context, grid);
   um_core_free(context, edge);
@@ -346,7 +347,8 @@ enum um_status um_model_precomputed_resample(struct um_context *context, struct 
                         "%d rays between surfaces; accepted: 1 or more, as the scenario has them",
                         interreflection_samples);
   UM_TRY(um_optics_view_trace(context, model->geometry, precomputed->sample,
-                              precomputed->nobs * precomputed->nsub, samples, &view));
+                              precomputed->nobs * precomputed->nsub, samples,
+                              (uint64_t)optics->seed, &view));
   um_optics_view_destroy(context, &precomputed->view);
   precomputed->view = view;
   optics->samples = samples;

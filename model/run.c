@@ -8,6 +8,7 @@
 #include "model/run_optics_impl.h"
 #include "model/run_places_impl.h"
 #include "model/thermal_solution.h"
+#include "optics/adapt.h"
 
 /* Surface and node temperatures of the observations, means over the exposure. */
 static enum um_status keep_temperatures(struct um_context *context, const struct um_model *model,
@@ -32,14 +33,39 @@ static enum um_status keep_temperatures(struct um_context *context, const struct
   return UM_OK;
 }
 
+/* More points where the scenario asks for a relative error. */
+static enum um_status adapt(struct um_context *context, const struct um_model *model,
+                            const struct um_model_heat_run *run,
+                            struct um_model_precomputed *precomputed)
+{
+  double asked = model->scenario->optics->relative_error;
+  struct um_optics_scene scene = {0};
+  struct um_optics_adaptation did;
+  if (isnan(asked) || precomputed->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
+  enum um_status status =
+      um_optics_adapt(context, &scene, model->band, model->nband, asked, precomputed->view, &did);
+  um_model_scene_release(context, &scene);
+  if (status != UM_OK) return status;
+  um_core_log(context, UM_LOG_INFO,
+              "optics.relative_error %g: %.0f points per facet in the mean, %d at most", asked,
+              did.points, did.most);
+  if (did.missed > 0)
+    um_core_log(context, UM_LOG_WARNING,
+                "optics.relative_error %g asks for more than %d points per facet at %zu of %zu "
+                "instants, where the error is up to %.2g",
+                asked, UM_OPTICS_SAMPLES_MAX, did.missed, precomputed->view->ntime, did.largest);
+  return UM_OK;
+}
+
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
-                            const struct um_model_precomputed *precomputed,
-                            struct um_model_result **out)
+                            struct um_model_precomputed *precomputed, struct um_model_result **out)
 {
   struct um_model_thermal_solution *heat = NULL;
   *out = NULL;
   UM_TRY(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
-  enum um_status status = um_model_run_with(context, model, precomputed, heat, out);
+  enum um_status status = adapt(context, model, &heat->run, precomputed);
+  if (status == UM_OK) status = um_model_run_with(context, model, precomputed, heat, out);
   if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
     status = um_model_check_record_ranges(context, model, precomputed, *out);
   um_model_thermal_solution_destroy(context, &heat);

@@ -6,10 +6,11 @@
 #include "model/result.h"
 #include "model/thermal_solution.h"
 
-/* Run on a geometry precomputation made from the same model. */
+/* Run on a geometry precomputation made from the same model. Where the scenario asks for a relative
+ * error (optics.relative_error), its lines of sight are traced again with the points that this
+ * takes, and stay so. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
-                            const struct um_model_precomputed *precomputed,
-                            struct um_model_result **out);
+                            struct um_model_precomputed *precomputed, struct um_model_result **out);
 
 /* Run with heat that matches. um_model_run is this with heat of its own and a factor on tolerances
  * of 1. */

@@ -353,7 +353,8 @@ struct um_scenario_preset {
 };
 struct um_scenario_optics {
   struct um_mark at;
-  int samples, interreflection_samples;
+  int samples, interreflection_samples, seed;
+  double relative_error;
 };
 struct um_scenario_effect {
   struct um_mark at;

@@ -83,6 +83,11 @@ static const struct um_schema_field optics_fields[] = {
       HELP("points per facet that look at observer and Sun")),
     F(interreflection_samples, "interreflection_samples", UM_SCHEMA_INTEGER, DEFAULT(0),
       BETWEEN(0, 4096), HELP("rays per point for light between surfaces; 0: none")),
+    F(relative_error, "relative_error", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1),
+      HELP("standard error of every instant and band over its intensity that is asked of `run`: "
+           "more points per facet than `samples` where they are needed; nothing asked without it")),
+    F(seed, "seed", UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 1000000000),
+      HELP("another one takes other points, whose errors are independent")),
 };
 #undef F
 OBJECT(optics_object, struct um_scenario_optics, "optics", "How light curves are computed.",

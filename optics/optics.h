@@ -47,8 +47,10 @@ enum um_optics_mechanism {
 /* Geometry of sight, traced once per timeline; no optical property acts on it. */
 struct um_optics_view {
   size_t ntime, nsurface;
-  float *seen; /* [ntime][nsurface] fraction of the area that the observer sees */
-  float *lit;  /* [ntime][nsurface] fraction that the observer sees and the Sun lights */
+  uint64_t seed;
+  int *nsample; /* [ntime] points per facet of surfaces that something can hide */
+  float *seen;  /* [ntime][nsurface] fraction of the area that the observer sees */
+  float *lit;   /* [ntime][nsurface] fraction that the observer sees and the Sun lights */
   float *seen_error, *lit_error; /* [ntime][nsurface] standard errors of those fractions */
   float *cos_observer, *cos_sun; /* [ntime][nsurface] cosines of the surface normal; <= 0: away */
   /* [ntime][nsurface] cosine of the normal to the Sun-observer bisector; double, because narrow
@@ -60,12 +62,21 @@ struct um_optics_view {
 };
 /* Directions to the observer and to the Sun are turned into the body frame by each sample's
  * attitude, joints by its Sun; the Sun is a disc of its true angular radius. Samples whose
- * to_observer is zero are refused (UM_ERR_INPUT), as is nsample outside 1..65536: points per facet
- * of surfaces that something can hide; open surfaces are exact. Same bytes for any number of
- * threads. UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED. The caller destroys. */
+ * to_observer is zero are refused (UM_ERR_INPUT), as is nsample outside 1..UM_OPTICS_SAMPLES_MAX:
+ * points per facet of surfaces that something can hide; open surfaces are exact. seed: another one
+ * takes other points of the same kind. Same bytes for any number of threads. UM_ERR_MEMORY,
+ * UM_ERR_LIBRARY, UM_ERR_CANCELLED. The caller destroys. */
+#define UM_OPTICS_SAMPLES_MAX 65536
 enum um_status um_optics_view_trace(struct um_context *context, const struct um_geometry *geometry,
                                     const struct um_environment_sample *samples, size_t ntime,
-                                    int nsample, struct um_optics_view **out);
+                                    int nsample, uint64_t seed, struct um_optics_view **out);
+/* Trace again the times whose number of points is not nsample[time]; geometry and samples as they
+ * were for the view. Errors as above; the times traced before one stay traced. */
+enum um_status um_optics_view_retrace(struct um_context *context,
+                                      const struct um_geometry *geometry,
+                                      const struct um_environment_sample *samples,
+                                      const int *nsample /* [ntime] */,
+                                      struct um_optics_view *view);
 void um_optics_view_destroy(struct um_context *context, struct um_optics_view **view);
 
 struct um_optics_lightcurve {

@@ -121,7 +121,7 @@ static enum um_status stage_run(struct stage *s, const struct um_optics_band *ba
                                         .temperature = s->temperature,
                                         .albedo = s->albedo,
                                         .view_factor = s->view_factor};
-  UM_TRY(um_optics_view_trace(s->context, s->geometry, s->samples, s->ntime, 1, &s->view));
+  UM_TRY(um_optics_view_trace(s->context, s->geometry, s->samples, s->ntime, 1, 0, &s->view));
   struct um_optics_scene seen = scene;
   seen.view = s->view;
   return um_optics_lightcurve_compute(s->context, &seen, band, 1, &s->curve);

@@ -1,4 +1,5 @@
 /* Fractions toward directions: projected areas, exact ones and shadows of known size. */
+#include "geometry/scatter.h"
 #include "tests/geometry/support.h"
 
 /* A unit cube along (1, 1, 1) shows three faces at cos = 1/sqrt 3: sqrt 3 m^2, exactly. */
@@ -70,7 +71,7 @@ static void grazing_fractions_are_exact(void **state)
       /* the other body stays out of the way: only directions well off the line between them */
       if (fabs(d.z) > 0.9) continue;
       um_geometry_visibility_toward(s.visibility, d, 3, seen);
-      um_geometry_visibility_toward_both(s.visibility, d, d, 0.00465, 3, seen, lit, NULL, NULL);
+      um_geometry_visibility_toward_both(s.visibility, d, d, 0.00465, 3, 0, seen, lit, NULL, NULL);
       for (size_t i = 0; i < s.mesh->nsurface; i++) {
         if (s.mesh->surface[i].part != (uint32_t)body) continue;
         assert_false(um_geometry_visibility_is_open(s.visibility, i));
@@ -101,7 +102,7 @@ static void plate_above_plate(void **state)
   double *seen = calloc(n, sizeof *seen), *lit = calloc(n, sizeof *lit);
   double *seen_error = calloc(n, sizeof *seen), *lit_error = calloc(n, sizeof *lit);
   assert_true(seen != NULL && lit != NULL && seen_error != NULL && lit_error != NULL);
-  um_geometry_visibility_toward_both(s.visibility, d, um_vec3(0, 0, 1), 0.0, 64, seen, lit,
+  um_geometry_visibility_toward_both(s.visibility, d, um_vec3(0, 0, 1), 0.0, 64, 0, seen, lit,
                                      seen_error, lit_error);
   double seen_area = 0.0, lit_area = 0.0, seen_variance = 0.0, lit_variance = 0.0;
   for (size_t i = 0; i < n; i++) {
@@ -144,7 +145,7 @@ static void shadow_edge_across_facets(void **state)
   size_t n = s.mesh->nsurface;
   double *seen = calloc(n, sizeof *seen), *lit = calloc(n, sizeof *lit), *e = calloc(n, sizeof *e);
   assert_true(seen != NULL && lit != NULL && e != NULL);
-  um_geometry_visibility_toward_both(s.visibility, d, d, 0.0, 16, seen, lit, e, NULL);
+  um_geometry_visibility_toward_both(s.visibility, d, d, 0.0, 16, 0, seen, lit, e, NULL);
   double area = 0.0, variance = 0.0;
   for (size_t i = 0; i < n; i++) {
     const struct um_geometry_surface *surface = &s.mesh->surface[i];
@@ -155,7 +156,7 @@ static void shadow_edge_across_facets(void **state)
     /* the same ray twice: what sees o = s is lit */
     assert_true(seen[i] == lit[i]);
     double f = seen[i];
-    assert_close(e[i], sqrt(f * (1.0 - f) / 15.0), 1e-15);
+    assert_close(e[i], sqrt(f * (1.0 - f) * 0.4 / 15.0), 1e-15);
   }
   assert_true(variance > 0.0);
   assert_close(area, 3.0, 4.0 * sqrt(variance));
@@ -184,7 +185,7 @@ static void sun_disc_makes_penumbra(void **state)
   assert_true(seen != NULL && lit != NULL && e != NULL);
   /* seen from a direction from which all of the floor is free: low, from -x */
   struct um_vec3 o = um_vec3_unit(um_vec3(-1, 0, 0.3)), sun = um_vec3(0, 0, 1);
-  um_geometry_visibility_toward_both(s.visibility, o, sun, 0.1, 256, seen, lit, NULL, e);
+  um_geometry_visibility_toward_both(s.visibility, o, sun, 0.1, 256, 0, seen, lit, NULL, e);
   double area = 0.0, variance = 0.0;
   size_t partial = 0;
   for (size_t i = 0; i < n; i++) {
@@ -217,12 +218,13 @@ static void penumbra_converges_on_one_facet(void **state)
   double seen[8], lit[8], e[8];
   assert_int_equal(s.mesh->nsurface, 8);
   um_geometry_visibility_toward_both(s.visibility, um_vec3_unit(um_vec3(-1, 0, 0.2)),
-                                     um_vec3(0, 0, 1), 0.3, 4096, seen, lit, NULL, e);
+                                     um_vec3(0, 0, 1), 0.3, 4096, 0, seen, lit, NULL, e);
   double area = 0.0, variance = 0.0;
   for (size_t i = 0; i < 4; i++) {
     double a = s.mesh->area[s.mesh->surface[i].facet];
     area += a * lit[i];
-    variance += a * a * e[i] * e[i];
+    variance += a * a * lit[i] * (1.0 - lit[i]) / 4095.0;
+    assert_close(e[i], sqrt(lit[i] * (1.0 - lit[i]) * um_geometry_scatter(4096)), 1e-15);
   }
   assert_close(area, 2.6, sqrt(variance));
   support_destroy(&s);
@@ -237,7 +239,7 @@ static void error_of_one_sample(void **state)
   struct support s = support_create(parts, 2);
   double seen[8], lit[8], seen_error[8], lit_error[8];
   struct um_vec3 up = um_vec3(0, 0, 1);
-  um_geometry_visibility_toward_both(s.visibility, up, up, 0.0, 1, seen, lit, seen_error,
+  um_geometry_visibility_toward_both(s.visibility, up, up, 0.0, 1, 0, seen, lit, seen_error,
                                      lit_error);
   for (size_t i = 0; i < 8; i++) {
     bool asked = s.mesh->surface[i].part == 0 && !s.mesh->surface[i].back;

@@ -32,8 +32,8 @@ static void one_scene_many_threads(void **state)
     double *own = result + 4 * n * t;
     for (int k = 0; k < 5; k++)
       um_geometry_visibility_toward_both(s.visibility, um_vec3_unit(um_vec3(1, 2, 3)),
-                                         um_vec3_unit(um_vec3(-1, 2, 1)), 0.00465, 16, own, own + n,
-                                         own + 2 * n, own + 3 * n);
+                                         um_vec3_unit(um_vec3(-1, 2, 1)), 0.00465, 16, 0, own,
+                                         own + n, own + 2 * n, own + 3 * n);
   }
   for (size_t t = 1; t < NTHREAD; t++)
     assert_memory_equal(result, result + 4 * n * t, 4 * n * sizeof *result);

@@ -128,8 +128,8 @@ void fixture_run(struct fixture *f, int nsample, const struct um_optics_band *ba
 {
   um_optics_lightcurve_destroy(f->context, &f->curve);
   um_optics_view_destroy(f->context, &f->view);
-  FIXTURE_OK(
-      f, um_optics_view_trace(f->context, f->geometry, f->samples, f->ntime, nsample, &f->view));
+  FIXTURE_OK(f, um_optics_view_trace(f->context, f->geometry, f->samples, f->ntime, nsample,
+                                     f->seed, &f->view));
   f->scene.view = f->view;
   FIXTURE_OK(f, um_optics_lightcurve_compute(f->context, &f->scene, bands, nband, &f->curve));
 }

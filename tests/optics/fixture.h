@@ -15,6 +15,7 @@ struct fixture {
   struct um_environment environment;
   struct um_environment_sample *samples; /* [ntime] */
   size_t ntime;
+  uint64_t seed; /* of the points that look */
   const struct um_materials_record *record[FIXTURE_MATERIALS];
   double *temperature; /* [ntime][nsurface] */
   float *albedo, *view_factor;

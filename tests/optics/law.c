@@ -236,10 +236,10 @@ static void test_refusals(void **state)
   fixture_run(&f, 4, bands, 2);
   struct um_optics_view *view = NULL;
   struct um_optics_lightcurve *curve = NULL;
-  expect_message(&f, um_optics_view_trace(f.context, f.geometry, f.samples, 2, 0, &view),
+  expect_message(&f, um_optics_view_trace(f.context, f.geometry, f.samples, 2, 0, 0, &view),
                  UM_ERR_INPUT, "0 points");
   f.samples[1].to_observer = um_vec3(0.0, 0.0, 0.0);
-  expect_message(&f, um_optics_view_trace(f.context, f.geometry, f.samples, 2, 4, &view),
+  expect_message(&f, um_optics_view_trace(f.context, f.geometry, f.samples, 2, 4, 0, &view),
                  UM_ERR_INPUT, "sample 1");
   assert_null(view);
   struct um_optics_band bad = {"swir", 2e-6, 1e-6, 3, NULL};
@@ -281,7 +281,7 @@ static void test_memory(void **state)
     um_core_message_clear(context);
     memory.calls = 0;
     memory.fail_call = step + 1;
-    enum um_status status = um_optics_view_trace(context, f.geometry, f.samples, 2, 4, &view);
+    enum um_status status = um_optics_view_trace(context, f.geometry, f.samples, 2, 4, 0, &view);
     f.scene.view = view;
     if (status == UM_OK) status = um_optics_lightcurve_compute(context, &f.scene, bands, 2, &curve);
     if (status == UM_OK)

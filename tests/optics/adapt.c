@@ -1,0 +1,186 @@
+/* Does a light curve have the error that it states, and the one that was asked for?
+ *
+ *        wing (turned, moved)
+ *      ----/----
+ *        +-----+   the bus is hidden and shaded by the wing in part, seen and lit from INSTANTS
+ *        | bus |   directions drawn at random; each of SEEDS draws of the points has errors that
+ *        +-----+   are independent of those of the others
+ *
+ * Truth is the mean of two draws with 2048 points, whose own variance is a hundredth of what is
+ * looked at. Sums over draws and instants of (value - truth)^2 and of the stated variance are held
+ * against each other: their ratio is chi-square per degree of freedom, INSTANTS * SEEDS of which
+ * those of one draw have much in common; the ratio of one scene is good to 10 %, and SCENES of them
+ * differ, since edges are no random lines. */
+#include "optics/adapt.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/constants.h"
+#include "core/sampling.h"
+#include "fixture.h"
+
+enum { SCENES = 3, INSTANTS = 10, SEEDS = 100, VALUES = 2 * INSTANTS, TRUTHS = 2 };
+
+static double uniform(uint64_t c, uint64_t k) { return um_core_hash_uniform(um_core_hash(c, k)); }
+
+static struct um_vec3 direction(uint64_t c, uint64_t k)
+{
+  double z = 2.0 * uniform(c, k) - 1.0, angle = 2.0 * UM_PI * uniform(c, k + 1);
+  double r = sqrt(1.0 - z * z);
+  return um_vec3(r * cos(angle), r * sin(angle), z);
+}
+
+static void configure(struct fixture *f, uint64_t c)
+{
+  static const struct um_geometry_skin bus = {NULL, "blanket", NULL}, wing = {NULL, "cell", "back"};
+  fixture_create(f);
+  fixture_material(f, "blanket", 0.3, 0.3, 0.2, 0.7);
+  fixture_material(f, "cell", 0.3, 0.1, 0.3, 0.85);
+  fixture_material(f, "back", 0.5, 0.1, 0.3, 0.8);
+  struct um_geometry_part_spec parts[2] = {fixture_part("bus", UM_SHAPE_BOX, &bus),
+                                           fixture_part("wing", UM_SHAPE_PLATE, &wing)};
+  for (size_t i = 0; i < 3; i++) parts[0].size[i] = 1.0 + uniform(c, i);
+  parts[0].facet_size = parts[1].facet_size = 0.6;
+  parts[1].size[0] = 1.0 + uniform(c, 5);
+  parts[1].size[1] = 1.0 + 2.0 * uniform(c, 6);
+  parts[1].position = um_vec3_scale(direction(c, 10), 1.5 + uniform(c, 7));
+  parts[1].rotation = um_quat_from_axis(direction(c, 20), UM_PI * uniform(c, 8));
+  fixture_scene(f, parts, 2, INSTANTS);
+  for (uint64_t t = 0; t < INSTANTS; t++) {
+    struct um_environment_sample *s = &f->samples[t];
+    s->sun = direction(c, 30 + 4 * t);
+    s->to_observer = um_vec3_unit(um_vec3_axpy(s->sun, 0.9, direction(c, 32 + 4 * t)));
+  }
+}
+
+static const struct um_optics_band bands[2] = {{"vis", 0.38e-6, 0.78e-6, 2, NULL},
+                                               {"lwir", 8e-6, 12e-6, 2, NULL}};
+
+/* Intensities and stated errors of all instants and bands for a seed [VALUES]; asked NaN: 16
+ * points, or `nsample` of them. */
+static void draw(struct fixture *f, uint64_t seed, int nsample, double asked, double *value,
+                 double *error)
+{
+  f->seed = seed;
+  fixture_run(f, nsample, bands, 2);
+  if (!isnan(asked)) {
+    struct um_optics_adaptation did;
+    FIXTURE_OK(f, um_optics_adapt(f->context, &f->scene, bands, 2, asked, f->view, &did));
+    assert_true(did.missed == 0 && did.largest <= 1.05 * asked);
+    um_optics_lightcurve_destroy(f->context, &f->curve);
+    FIXTURE_OK(f, um_optics_lightcurve_compute(f->context, &f->scene, bands, 2, &f->curve));
+  }
+  size_t n = f->curve->nmaterial * UM_MECHANISM_COUNT;
+  for (size_t k = 0; k < VALUES; k++) {
+    value[k] = 0.0;
+    for (size_t i = 0; i < n; i++) value[k] += f->curve->intensity[k * n + i];
+    if (error != NULL) error[k] = f->curve->stderr_[k];
+  }
+}
+
+static void truth_of(struct fixture *f, double *truth)
+{
+  double value[VALUES];
+  for (size_t k = 0; k < VALUES; k++) truth[k] = 0.0;
+  for (uint64_t s = 0; s < TRUTHS; s++) {
+    draw(f, 1000 + s, 2048, NAN, value, NULL);
+    for (size_t k = 0; k < VALUES; k++) truth[k] += value[k] / TRUTHS;
+  }
+}
+
+/* Mean square of relative errors, of stated ones, over the instants and bands whose stated error is
+ * not 0; where an error was asked for, of the larger band of the instants that took more points. */
+struct scatter {
+  double error, stated;
+  size_t n;
+};
+
+static void look(struct fixture *f, const double *truth, uint64_t seed, double asked,
+                 struct scatter sum[2])
+{
+  double value[VALUES], error[VALUES];
+  draw(f, seed, asked > 0.0 ? 4 : 16, asked, value, error);
+  for (size_t t = 0; t < INSTANTS; t++) {
+    if (asked > 0.0 && f->view->nsample[t] == 4) continue;
+    double stated[2];
+    for (size_t k = 0; k < 2; k++)
+      stated[k] = truth[2 * t + k] > 0.0 ? error[2 * t + k] / truth[2 * t + k] : 0.0;
+    for (size_t k = 0; k < 2; k++) {
+      if (!(stated[k] > 0.0) || (asked > 0.0 && stated[k] < stated[1 - k])) continue;
+      double e = value[2 * t + k] / truth[2 * t + k] - 1.0;
+      sum[k].error += e * e;
+      sum[k].stated += stated[k] * stated[k];
+      sum[k].n++;
+    }
+  }
+}
+
+static void test_stated(void **state)
+{
+  (void)state;
+  struct scatter sum[2] = {{0.0, 0.0, 0}};
+  double truth[VALUES];
+  for (uint64_t c = 0; c < SCENES; c++) {
+    struct fixture f;
+    configure(&f, 700 + c);
+    truth_of(&f, truth);
+    for (uint64_t s = 0; s < SEEDS; s++) look(&f, truth, s, NAN, sum);
+    fixture_destroy(&f);
+  }
+  for (size_t k = 0; k < 2; k++) {
+    double is = sqrt(sum[k].error / (double)sum[k].n),
+           said = sqrt(sum[k].stated / (double)sum[k].n);
+    print_message("%s: error %.4f %%, stated %.4f %%, ratio %.3f\n", bands[k].name, 100.0 * is,
+                  100.0 * said, is / said);
+    assert_true(fabs(is / said - 1.0) <= 0.1);
+  }
+}
+
+/* Each instant's error in the band that needs more. */
+static void test_asked(void **state)
+{
+  (void)state;
+  const double asked = 0.003;
+  struct scatter all = {0.0, 0.0, 0};
+  double truth[VALUES];
+  for (uint64_t c = 0; c < SCENES; c++) {
+    struct fixture f;
+    struct scatter sum[2] = {{0.0, 0.0, 0}};
+    configure(&f, 700 + c);
+    truth_of(&f, truth);
+    for (uint64_t s = 0; s < SEEDS; s++) look(&f, truth, s, asked, sum);
+    for (size_t k = 0; k < 2; k++) {
+      all.error += sum[k].error;
+      all.stated += sum[k].stated;
+      all.n += sum[k].n;
+    }
+    fixture_destroy(&f);
+  }
+  double is = sqrt(all.error / (double)all.n), said = sqrt(all.stated / (double)all.n);
+  print_message("asked %.2f %%: error %.4f %%, stated %.4f %%\n", 100.0 * asked, 100.0 * is,
+                100.0 * said);
+  assert_true(fabs(is / asked - 1.0) <= 0.2);
+}
+
+/* Numbers of points and all values are the same for any number of threads. */
+static void test_threads(void **state)
+{
+  (void)state;
+  struct fixture f;
+  double one[VALUES], two[VALUES];
+  configure(&f, 700);
+  um_core_context_set_threads(f.context, 1);
+  draw(&f, 3, 4, 0.004, one, NULL);
+  um_core_context_set_threads(f.context, 3);
+  draw(&f, 3, 4, 0.004, two, NULL);
+  assert_memory_equal(one, two, sizeof one);
+  fixture_destroy(&f);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_stated), cmocka_unit_test(test_asked),
+                                     cmocka_unit_test(test_threads)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
