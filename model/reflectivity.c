@@ -63,7 +63,8 @@ static enum um_status render(struct um_context *context, const struct um_model *
   struct um_optics_view *view = NULL;
   struct um_optics_lightcurve *curve = NULL;
   UM_CHECK(um_optics_view_trace(context, model->geometry, b->sample, count,
-                                model->scenario->optics->samples, &view));
+                                model->scenario->optics->samples,
+                                (uint64_t)model->scenario->optics->seed, &view));
   struct um_optics_scene scene = {.geometry = model->geometry,
                                   .environment = &b->dark,
                                   .samples = b->sample,

@@ -5,15 +5,14 @@
 
 #define MARGIN 0.03 /* of the body's larger extent, on each side */
 
-enum um_status um_optics_camera_create(struct um_context *context,
-                                       const struct um_optics_image_options *options,
-                                       const struct um_geometry_mesh *mesh,
+enum um_status um_optics_camera_create(struct um_context *context, int width,
+                                       struct um_vec3 up_gcrs, const struct um_geometry_mesh *mesh,
                                        const struct um_geometry_pose *pose, struct um_quat q,
                                        struct um_vec3 toward, struct um_optics_camera *camera)
 {
-  struct um_vec3 up = um_quat_apply(q, options->up_gcrs);
+  struct um_vec3 up = um_quat_apply(q, up_gcrs);
   up = um_vec3_axpy(up, -um_vec3_dot(up, toward), toward);
-  if (!(um_vec3_norm(up) > 1e-6 * um_vec3_norm(options->up_gcrs)))
+  if (!(um_vec3_norm(up) > 1e-6 * um_vec3_norm(up_gcrs)))
     return um_core_fail(context, UM_ERR_INPUT,
                         "image: the upward direction lies along the line of sight");
   camera->toward = toward;
@@ -32,12 +31,12 @@ enum um_status um_optics_camera_create(struct um_context *context,
   double size_x = high[0] - low[0], size_y = high[1] - low[1];
   double margin = MARGIN * fmax(size_x, size_y);
   if (!(margin > 0.0)) return um_core_fail(context, UM_ERR_INPUT, "image: the body has no extent");
-  camera->width = options->width;
-  camera->pixel_size = (size_x + 2.0 * margin) / options->width;
+  camera->width = width;
+  camera->pixel_size = (size_x + 2.0 * margin) / width;
   double rows = ceil((size_y + 2.0 * margin) / camera->pixel_size);
-  if (!(rows <= UM_OPTICS_IMAGE_WIDTH))
+  if (!(rows <= UM_OPTICS_CAMERA_LINES))
     return um_core_fail(context, UM_ERR_INPUT, "image: %g rows for width %d; accepted: up to %d",
-                        rows, options->width, UM_OPTICS_IMAGE_WIDTH);
+                        rows, width, UM_OPTICS_CAMERA_LINES);
   camera->height = (int)rows;
   /* centred; in front of everything by the body's own extent */
   double left = 0.5 * (low[0] + high[0]) - 0.5 * camera->width * camera->pixel_size;

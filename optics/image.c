@@ -58,8 +58,8 @@ static enum um_status render_begin(struct um_context *context, struct render *r)
   frame->set = &r->stage->set[0];
   frame->now = um_optics_instant(scene, r->time);
   frame->samples = samples;
-  UM_TRY(um_optics_camera_create(context, r->options, frame->mesh, frame->set->pose, sample->q,
-                                 frame->now.observer_body, &frame->camera));
+  UM_TRY(um_optics_camera_create(context, width, r->options->up_gcrs, frame->mesh, frame->set->pose,
+                                 sample->q, frame->now.observer_body, &frame->camera));
   double bytes = um_optics_tracer_bytes(context, frame);
   if (!(bytes <= UM_OPTICS_IMAGE_BYTES))
     return um_core_fail(context, UM_ERR_INPUT,

@@ -3,6 +3,7 @@
 #define UMBRA_OPTICS_IMAGE_IMPL_H
 
 #include "optics/camera_impl.h"
+#include "optics/image.h"
 #include "optics/radiance_impl.h"
 #include "optics/set_impl.h"
 

@@ -1,7 +1,8 @@
 /* Spectral image as OpenEXR, one channel per wavelength in the layout of Fichet, Pacanowski &
  * Wilkie 2021 (JCGT 10:3): "S0.<nm with a decimal comma>nm" [W/m^2/sr/nm], and R, G, B for viewers:
  * the means of the longest, middle and shortest third of the wavelengths, 1 being what a hundredth
- * of the lit picture exceeds. A tile's data window tells where it lies in the whole. */
+ * of the picture exceeds. A tile's data window tells where it lies in the whole. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,8 +11,9 @@
 
 #define NM_PER_M 1e9
 #define QUANTILE 0.99
-#define PREVIEW  3  /* R, G, B */
-#define NAME     48 /* [bytes] of a channel's */
+#define DARKEST  1e-8 /* a hundredth of the darkest night sky [W/m^2/sr/m]: black is black */
+#define PREVIEW  3    /* R, G, B */
+#define NAME     48   /* [bytes] of a channel's */
 
 struct source {
   const struct um_optics_image *image;
@@ -40,13 +42,13 @@ static enum um_status preview_create(struct um_context *context, struct source *
   um_optics_image_weigh(image, weight, s->preview[0]);
   UM_CHECK(um_optics_image_quantile(context, image, (const double(*)[2])s->preview[0], QUANTILE,
                                     &white));
-  s->white = white;
+  s->white = fmax(white, DARKEST);
   for (size_t c = 0; c < PREVIEW; c++) {
     size_t third = PREVIEW - 1 - c, from = n < PREVIEW ? 0 : third * n / PREVIEW;
     size_t to = n < PREVIEW ? n : (third + 1) * n / PREVIEW;
     memset(weight, 0, image->nbin * sizeof *weight);
-    for (size_t b = from; b < to && white > 0.0; b++)
-      weight[s->cut.bin + b] = 1.0 / (white * (double)(to - from));
+    for (size_t b = from; b < to; b++)
+      weight[s->cut.bin + b] = 1.0 / (s->white * (double)(to - from));
     um_optics_image_weigh(image, weight, s->preview[c]);
   }
 done:
