@@ -1,10 +1,14 @@
 /* Spectra of the surfaces that a picture sees. Facets are flat and far from everything, so each has
  * one radiance in shadow and one in sunlight. */
+#include <math.h>
 #include <omp.h>
 #include <string.h>
 
 #include "optics/image_impl.h"
 #include "optics/interreflection_impl.h"
+
+#define WHOLE  0.98 /* of a surface, seen: all of it */
+#define SLIVER 0.02 /* the smallest share that is told apart */
 
 struct palette {
   const struct um_optics_scene *scene;
@@ -12,6 +16,7 @@ struct palette {
   size_t time, nthread;
   struct um_optics_spectra *spectra;
   struct um_optics_work *work; /* [nthread] */
+  double *seen;                /* [nspectrum] share of each surface that the picture sees [1] */
 };
 
 /* Radiances of one surface: a share of it that is as large as 1 m^2 seen from the observer. */
@@ -48,8 +53,34 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
     dark[b] = (float)(from[UM_MECHANISM_EARTH] + from[UM_MECHANISM_EMITTED]);
   }
   if (!um_optics_exchange_has(p->frame->set->exchange, surface)) return;
-  um_optics_interreflection(p->spectra, scene, now, p->frame->set, p->time, surface, 1.0, work);
-  for (size_t b = 0; b < n; b++) dark[b] += (float)work->reflected[b];
+  /* of a surface that something hides in part, the mean over the part that is seen */
+  double seen = p->seen[k];
+  um_optics_interreflection(p->spectra, scene, now, p->frame->set, p->time, surface, seen, work);
+  for (size_t b = 0; b < n; b++) dark[b] += (float)(work->reflected[b] / seen);
+}
+
+/* Area that samples saw over the projected area. What is nearly whole counts as whole: outlines are
+ * sampled. */
+static enum um_status seen_create(struct um_context *context, const struct um_optics_image *image,
+                                  struct palette *p)
+{
+  double sample = image->pixel_size * image->pixel_size / image->samples;
+  UM_TRY(um_core_allocate(context, image->nspectrum, sizeof *p->seen, &p->seen));
+  for (int y = 0; y < image->height; y++) {
+    const struct um_optics_image_row *row = &image->row[y];
+    for (uint32_t i = 0; row->count > 0 && i < row->first[row->count]; i++)
+      p->seen[row->share[i].spectrum] += sample * row->share[i].seen;
+  }
+  for (size_t k = 0; k < image->nspectrum; k++) {
+    size_t surface = image->surface[k];
+    double cosine =
+        um_vec3_dot(um_geometry_surface_normal(p->frame->mesh, p->frame->set->pose, surface),
+                    p->frame->now.observer_body);
+    double area = p->frame->mesh->area[p->frame->mesh->surface[surface].facet] * cosine;
+    double share = area > 0.0 ? p->seen[k] / area : 1.0;
+    p->seen[k] = share > WHOLE ? 1.0 : fmax(share, SLIVER);
+  }
+  return UM_OK;
 }
 
 static enum um_status bins_create(struct um_context *context,
@@ -102,8 +133,10 @@ enum um_status um_optics_image_spectra(struct um_context *context,
   UM_CHECK(bins_create(context, p.spectra, image));
   UM_CHECK(um_optics_work_create(context, p.spectra, nexchange > 0 ? (size_t)nexchange : 0,
                                  p.nthread, &p.work));
+  UM_CHECK(seen_create(context, image, &p));
   UM_CHECK(fill_all(context, &p, image));
 done:
+  um_core_free(context, p.seen);
   um_optics_work_destroy(context, p.nthread, &p.work);
   um_optics_spectra_destroy(context, &p.spectra);
   return status;

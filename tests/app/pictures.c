@@ -203,6 +203,27 @@ static void test_render(void **state)
   free(third);
 }
 
+/* Sum over a view's pixels of spectral radiance per nm, times bin [nm] and pixel [W/sr]. */
+static double view_intensity(const char *path, const char *const *names, double bin, int *rows,
+                             double *pixel)
+{
+  exr_context_t file;
+  exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+  double sum = 0.0;
+  assert_int_equal(exr_start_read(&file, path, &start), EXR_ERR_SUCCESS);
+  assert_int_equal(exr_attr_get_double(file, 0, "pixelSizeM", pixel), EXR_ERR_SUCCESS);
+  assert_int_equal(exr_finish(&file), EXR_ERR_SUCCESS);
+  for (int k = 0; k < 4; k++) {
+    exr_attr_box2i_t window;
+    float *value = read_channel(path, names[k], &window);
+    *rows = window.max.y - window.min.y + 1;
+    int n = *rows * (window.max.x - window.min.x + 1);
+    for (int i = 0; i < n; i++) sum += (double)value[i];
+    free(value);
+  }
+  return sum * bin * *pixel * *pixel;
+}
+
 /* The sum over a view's pixels of spectral radiance per nm, times bin and pixel, is the light
  * curve's intensity at that instant: units and scale, within its standard error and a hundredth of
  * the box's outline (384 pixels across, 16 samples each). */
@@ -216,22 +237,9 @@ static void test_views(void **state)
                  "2016-09-06T18:10:10Z", "--picture", "first-light", NULL);
   const char *path = "out/view-20160906T181000Z-vis.exr";
   assert_true(command_exists("out/view-20160906T181000Z-lwir.exr"));
-  exr_context_t file;
-  exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  double pixel = 0.0, sum = 0.0;
+  double pixel = 0.0;
   int rows = 0;
-  assert_int_equal(exr_start_read(&file, path, &start), EXR_ERR_SUCCESS);
-  assert_int_equal(exr_attr_get_double(file, 0, "pixelSizeM", &pixel), EXR_ERR_SUCCESS);
-  assert_int_equal(exr_finish(&file), EXR_ERR_SUCCESS);
-  for (int k = 0; k < 4; k++) {
-    exr_attr_box2i_t window;
-    float *value = read_channel(path, names[k], &window);
-    rows = window.max.y - window.min.y + 1;
-    int n = rows * (window.max.x - window.min.x + 1);
-    for (int i = 0; i < n; i++) sum += (double)value[i];
-    free(value);
-  }
-  sum *= 100.0 * pixel * pixel; /* bins of 100 nm */
+  double sum = view_intensity(path, names, 100.0, &rows, &pixel);
   struct table t = table_read("out/lightcurve.csv");
   assert_string_equal(table_text(&t, 3, "time_utc"), "2016-09-06T18:10:00.000Z");
   double wanted = table_number(&t, 3, "vis_intensity_W_sr");
@@ -257,6 +265,32 @@ static void test_views(void **state)
                  "does not leave the shadow");
 }
 
+/* Light between surfaces is in pictures as in light curves: with the panel's light on the bus the
+ * view has the light curve's intensity within its standard error and 0.2 % of outline, and without
+ * it the difference is several times that. */
+static void test_views_between(void **state)
+{
+  (void)state;
+  static const char *const names[] = {"S0.8500,000nm", "S0.9500,000nm", "S0.10500,000nm",
+                                      "S0.11500,000nm"};
+  double pixel;
+  int rows;
+  command_copy_data("two_parts.yaml");
+  command_expect(0, "run", "two_parts.yaml", "--no-plots", "--out", "out", "--set",
+                 "optics.interreflection_samples=256", "--set", "optics.samples=256", "--picture",
+                 "2016-09-06T18:10:06Z", NULL);
+  double sum = view_intensity("out/view-20160906T181006Z-lwir.exr", names, 1000.0, &rows, &pixel);
+  struct table t = table_read("out/lightcurve.csv");
+  double wanted = table_number(&t, 3, "lwir_intensity_W_sr");
+  double error = table_number(&t, 3, "lwir_stderr_W_sr");
+  double between = table_number(&t, 3, "lwir_interreflected_W_sr");
+  print_message("view %.6g, light curve %.6g +- %.2g, %.3g between surfaces W/sr\n", sum, wanted,
+                error, between);
+  assert_true(between > 4.0 * error + 0.002 * wanted);
+  assert_true(fabs(sum - wanted) <= 4.0 * error + 0.002 * wanted);
+  table_release(&t);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -264,6 +298,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_expand, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_expand_refuses, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_views, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_views_between, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
