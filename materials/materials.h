@@ -18,6 +18,7 @@ struct um_materials_lobe_adjustment {
   double
       slope_variance; /* mean square slope per axis that creases add to the lobe's facets, alpha^2
                          + 2 s^2 [1] */
+  double log_across;  /* ln of the factor of alpha_across, of kinds that may be anisotropic [1] */
 };
 
 /* Changes that effects make to a record's optics; all null values leave it bit-identical. Those

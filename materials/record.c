@@ -26,7 +26,7 @@ const struct um_materials_adjustment um_materials_no_adjustment = {
     .specular_scale = 1.0,
     .diffuse_scale = 1.0,
     .emissivity_tilt = 0.0,
-    .lobe = {0.0},
+    .lobe = {0.0, 0.0},
 };
 
 /* A scale of 0 leaves a lobe this narrow, not none. */
@@ -37,10 +37,10 @@ static double unit_clamp(double x) { return x < 0.0 ? 0.0 : (x > 1.0 ? 1.0 : x);
 /* Nothing is changed but, perhaps, the tilt of the emissivity, which is added last. */
 static bool is_null(const struct um_materials_adjustment *a)
 {
-  return a == NULL ||
-         (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
-          a->band_emissivity_scale == 1.0 && a->roughness_scale == 1.0 &&
-          a->specular_scale == 1.0 && a->diffuse_scale == 1.0 && a->lobe.slope_variance == 0.0);
+  return a == NULL || (a->absorptance_shift == 0.0 && a->emittance_scale == 1.0 &&
+                       a->band_emissivity_scale == 1.0 && a->roughness_scale == 1.0 &&
+                       a->specular_scale == 1.0 && a->diffuse_scale == 1.0 &&
+                       a->lobe.slope_variance == 0.0 && a->lobe.log_across == 0.0);
 }
 
 static double linear(const double *table, size_t i, double t)
@@ -267,6 +267,8 @@ struct um_materials_lobe um_materials_lobe(const struct um_materials_record *rec
     lobe.alpha = fmax(lobe.alpha * adjustment->roughness_scale, smallest_alpha);
     lobe.alpha_across = fmax(lobe.alpha_across * adjustment->roughness_scale, smallest_alpha);
   }
+  if (lobe.kind->anisotropic && adjustment->lobe.log_across != 0.0)
+    lobe.alpha_across = fmax(lobe.alpha_across * exp(adjustment->lobe.log_across), smallest_alpha);
   return um_materials_lobe_tilted(&lobe, adjustment->lobe.slope_variance);
 }
 

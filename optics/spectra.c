@@ -247,7 +247,8 @@ void um_optics_spectra_materials(const struct um_context *context,
     lobe_fill(context, record, adjustment, m, s);
     s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
-    s->masks[m] = s->lobe[m].kind != NULL && !um_materials_is_grey(record);
+    bool passed_on = scene->environment->multiple_scattering_on; /* from facet to facet */
+    s->masks[m] = passed_on && s->lobe[m].kind != NULL && !um_materials_is_grey(record);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
     double *masked = s->masked + m * UM_OPTICS_ANGLE_NODES * s->nbin;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
@@ -260,7 +261,9 @@ void um_optics_spectra_materials(const struct um_context *context,
         emissivity[i * s->nbin + b] =
             um_materials_emissivity(record, adjustment, wavelength, u * u);
       }
-      s->masked_mean[m * s->nbin + b] = um_materials_masked_mean(record, adjustment, wavelength);
+      double masked_mean = um_materials_masked_mean(record, adjustment, wavelength);
+      s->masked_mean[m * s->nbin + b] = passed_on ? masked_mean : 0.0;
+      if (!passed_on) s->diffuse[m * s->nbin + b] -= masked_mean;
       for (size_t i = 0; i < UM_OPTICS_ANGLE_NODES && s->masks[m]; i++) {
         double u = (double)i / (UM_OPTICS_ANGLE_NODES - 1);
         masked[i * s->nbin + b] =

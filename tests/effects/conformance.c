@@ -42,6 +42,7 @@ static const struct entry cases[] = {
     {"mutual_radiation", NULL, 0.0, "bus", "a switch"},
     {"solar_multiple_reflection", NULL, 0.0, "bus", "a switch"},
     {"specular_exchange", NULL, 0.0, "bus", "a switch"},
+    {"multiple_scattering", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},
@@ -70,6 +71,7 @@ static const struct entry cases[] = {
     {"band_emissivity", "grey_panel", 0.05, "vis", NULL},
     {"directional_emissivity", "grey_panel", 0.3, "vis", NULL},
     {"roughness", "grey_panel", 0.1, "vis", NULL},
+    {"anisotropy", "grey_panel", 0.1, "vis", NULL},
     {"specular_level", "grey_panel", 0.1, "vis", NULL},
     {"diffuse_level", "grey_panel", 0.1, "vis", NULL},
     {"area", "panel", 0.1, "vis", NULL},
@@ -110,7 +112,7 @@ static const struct entry cases[] = {
   "    pose: {position_m: [3, 0, 0]}\n"                                                            \
   "    joint: {axis: [0, 1, 0], angle_deg: 20}\n"                                                  \
   "    front: grey_panel\n"                                                                        \
-  "    back: grey_metal\n"                                                                         \
+  "    back: aluminium_bare\n"                                                                     \
   "    shell: {areal_heat_capacity_J_m2_K: 2000, through_conductance_W_m2_K: 50}\n"                \
   "    lumped: true\n"                                                                             \
   "thermal:"

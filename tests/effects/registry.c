@@ -61,6 +61,7 @@ static void no_lobe(struct um_environment *e) { e->earthlight_lobe_on = false; }
 static void no_mutual(struct um_environment *e) { e->mutual_radiation_on = false; }
 static void no_solar_reflection(struct um_environment *e) { e->solar_reflection_on = false; }
 static void no_mirrors(struct um_environment *e) { e->specular_exchange_on = false; }
+static void no_passing_on(struct um_environment *e) { e->multiple_scattering_on = false; }
 
 static void switches_change_one_field(void **state)
 {
@@ -76,6 +77,7 @@ static void switches_change_one_field(void **state)
   check_switch("mutual_radiation", no_mutual);
   check_switch("solar_multiple_reflection", no_solar_reflection);
   check_switch("specular_exchange", no_mirrors);
+  check_switch("multiple_scattering", no_passing_on);
 }
 
 /* Without an ellipsoid there is nothing to make round. */

@@ -38,6 +38,7 @@ static const struct entry entries[] = {
     {"band_emissivity", "cfrp", "mli", 0, 0.92, 1.08},
     {"directional_emissivity", "cfrp", "mli", 0, -0.6, 0.8},
     {"roughness", "cell", "cell", 0, 0.8, 1.25},
+    {"anisotropy", "cell", "cell", 0, 0.7, 1.4},
     {"specular_level", "mli", "cell", 0, 0.8, 1.25},
     {"diffuse_level", "white", "mli", 0, 0.9, 1.1},
     {"area", "array", "bus", 0, 0.95, 1.05},
@@ -99,7 +100,8 @@ static const struct {
                 {"earth_map", true, true},
                 {"mutual_radiation", true, true},
                 {"solar_multiple_reflection", true, true},
-                {"specular_exchange", false, true}};
+                {"specular_exchange", false, true},
+                {"multiple_scattering", true, false}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

@@ -70,6 +70,12 @@ static const struct lab_world worlds[] = {
      .without = "specular_exchange",
      .set = {"parts.bus.outside=fep_silver", "parts.array.pose.position_m=[0, 1.4, 0]"}},
 
+    /* Rough metal, whose facets throw light at each other. */
+    {.name = "dusk-multiple_scattering",
+     DUSK,
+     .without = "multiple_scattering",
+     .set = {"parts.array.front=aluminium_bare", "parts.array.back=copper"}},
+
     /* Only records with tables store by temperature: an array of sheet aluminium. */
     {.name = "dusk-bulk_temperature",
      DUSK,

@@ -1,0 +1,27 @@
+/* What one facet of a rough surface throws to another goes on, f_M = M(i) M(o)/(pi <M>), so that a
+ * surface that absorbs nothing reflects everything (materials/spectrum.c). Without it that light is
+ * lost: to 13 % of a surface of alpha 0.5. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->multiple_scattering_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_multiple_scattering = {
+    UM_EFFECT_ABI,
+    .name = "multiple_scattering",
+    .summary = "Light that facets of a rough surface pass on to each other leaves it all the same",
+    .reference = "Kulla & Conty 2017, SIGGRAPH course; Turquin 2019, Industrial Light & Magic; "
+                 "Heitz et al. 2016, ACM Trans. Graph. 35:58",
+    .validity = "lobes of records with spectra: numbers of grey records are taken as they stand; "
+                "reflected light alone, absorptance and emittance never have the loss",
+    .separated_by = "diffuse_level and roughness: broad light of all colours that grows toward "
+                    "grazing angles, most of the roughest surfaces",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+};
