@@ -63,6 +63,7 @@ static double sun(const struct creased *c, size_t t)
 static void put_metal(struct creased *c, double alpha)
 {
   fixture_create(&c->f);
+  um_core_context_set_threads(c->f.context, 1); /* runs too short to share */
   c->creases = NULL;
   fixture_metal(&c->f, "m", 1.3, 7.4, alpha);
 }

@@ -22,6 +22,7 @@ static void white_plate(struct fixture *f, double alpha, size_t ntime)
   struct um_geometry_part_spec part = fixture_part("plate", UM_SHAPE_PLATE, &skin);
   part.size[0] = part.size[1] = 1.0;
   fixture_create(f);
+  um_core_context_set_threads(f->context, 1); /* runs too short to share */
   snprintf(text, sizeof text,
            "name: m\nsummary: test\ncitation: test\nreflectance: {wavelength_um: [0.2, 50], "
            "diffuse: [0, 0], specular: [1, 1]}\nsurface: {beckmann_alpha: %.17g}\n",
