@@ -7,10 +7,14 @@
 #include "core/constants.h"
 #include "core/csv.h"
 
-#define HALF_MOST   512  /* cells */
-#define RING_STEP   0.05 /* of v in the quadrature of an obstructed aperture [1] */
-#define POINTS_MOST 1000000
-#define SEEING_REF  5e-7 /* wavelength at which r0 is stated [m] */
+#define HALF_MOST      512  /* cells */
+#define RING_STEP      0.05 /* of v in the quadrature of an obstructed aperture [1] */
+#define POINTS_MOST    1000000
+#define INTEGRAL_LEAST 1e-290 /* of a table in its own unit */
+#define INTEGRAL_MOST  1e290
+#define RADIUS_LEAST   1e-6 /* of the second point of a table [arcsec] */
+#define RADIUS_MOST    1e9
+#define SEEING_REF     5e-7 /* wavelength at which r0 is stated [m] */
 
 /* 2 J_1(x)/x */
 static double somb(double x) { return fabs(x) < 1e-6 ? 1.0 - 0.125 * x * x : 2.0 * j1(x) / x; }
@@ -75,15 +79,18 @@ static double airy_encircled(double v, double o)
   return 0.5 * (1.0 - o * o) * sum * h / 3.0;
 }
 
-/* 2 pi int r (v_0 + s (r - r_0)) dr over the pieces up to a radius. */
+/* 2 pi int r v dr over the pieces up to a radius; of one from (a, v) to (b, w) that is
+ * pi (b - a) (a (2 v + w) + b (v + 2 w))/3, a sum of what is not negative. */
 static double table_encircled(const struct um_instrument_psf *psf, double radius)
 {
   double sum = 0.0;
   for (size_t i = 0; i + 1 < psf->n && psf->radius[i] < radius; i++) {
-    double a = psf->radius[i], b = fmin(psf->radius[i + 1], radius);
-    double slope = (psf->value[i + 1] - psf->value[i]) / (psf->radius[i + 1] - a);
-    sum += UM_PI * (psf->value[i] - slope * a) * (b * b - a * a) +
-           2.0 / 3.0 * UM_PI * slope * (b * b * b - a * a * a);
+    double a = psf->radius[i], b = psf->radius[i + 1], v = psf->value[i], w = psf->value[i + 1];
+    if (b > radius) {
+      w = v + (w - v) * ((radius - a) / (b - a));
+      b = radius;
+    }
+    sum += UM_PI / 3.0 * (b - a) * (a * (2.0 * v + w) + b * (v + 2.0 * w));
   }
   return sum;
 }
@@ -120,9 +127,12 @@ static enum um_status read_rows(struct um_context *context, const struct um_core
   for (size_t i = 0; i < out->n; i++) {
     UM_TRY(um_core_csv_number(context, csv, i, r, &out->radius[i]));
     UM_TRY(um_core_csv_number(context, csv, i, v, &out->value[i]));
-    if (i == 0 ? out->radius[i] != 0.0 : !(out->radius[i] > out->radius[i - 1]))
-      return um_core_csv_fail(context, csv, i, r, "%g arcsec; accepted: ascending from 0",
-                              out->radius[i]);
+    double last = i == 0 ? 0.0 : out->radius[i - 1], here = out->radius[i];
+    bool well = i == 0 ? here == 0.0 : here > last && here >= RADIUS_LEAST && here <= RADIUS_MOST;
+    if (!well)
+      return um_core_csv_fail(context, csv, i, r,
+                              "%g arcsec; accepted: 0 first, then ascending from %g to %g", here,
+                              RADIUS_LEAST, RADIUS_MOST);
     if (!(out->value[i] >= 0.0))
       return um_core_csv_fail(context, csv, i, v, "%g; accepted: 0 or above", out->value[i]);
   }
@@ -146,7 +156,7 @@ enum um_status um_instrument_psf_read(struct um_context *context, const char *pa
   UM_CHECK(um_core_allocate(context, out->n, sizeof(double), &out->value));
   UM_CHECK(read_rows(context, csv, out));
   double all = table_encircled(out, INFINITY);
-  if (!(all > 0.0 && isfinite(all)))
+  if (!(all >= INTEGRAL_LEAST && all <= INTEGRAL_MOST))
     status =
         um_core_fail(context, UM_ERR_INPUT, "%s: its integral is %g; accepted: above 0", path, all);
   for (size_t i = 0; i < out->n; i++) out->value[i] /= all;
