@@ -157,8 +157,8 @@ enum um_status um_instrument_psf_read(struct um_context *context, const char *pa
   UM_CHECK(read_rows(context, csv, out));
   double all = table_encircled(out, INFINITY);
   if (!(all >= INTEGRAL_LEAST && all <= INTEGRAL_MOST))
-    status =
-        um_core_fail(context, UM_ERR_INPUT, "%s: its integral is %g; accepted: above 0", path, all);
+    status = um_core_fail(context, UM_ERR_INPUT, "%s: its integral is %g; accepted: %g to %g", path,
+                          all, INTEGRAL_LEAST, INTEGRAL_MOST);
   for (size_t i = 0; i < out->n; i++) out->value[i] /= all;
 done:
   um_core_csv_destroy(&csv);
