@@ -93,6 +93,27 @@ static bool parse_wavelengths(const char *text, double *from, double *to)
   return well;
 }
 
+/* "X,Y,WIDTH,HEIGHT" [pixels] */
+static bool parse_tile(const char *text, struct um_output_cube_part *out)
+{
+  int *const to[] = {&out->x, &out->y, &out->width, &out->height};
+  char word[64], *at = word;
+  if (strlen(text) >= sizeof word) return false;
+  strcpy(word, text);
+  for (int k = 0; k < 4; k++) {
+    double number;
+    char *comma = strchr(at, ',');
+    if ((comma == NULL) != (k == 3)) return false;
+    if (comma != NULL) *comma = '\0';
+    if (!um_core_number_parse(at, &number) || number != floor(number) ||
+        number < (k < 2 ? 0.0 : 1.0) || number > UM_OPTICS_IMAGE_WIDTH)
+      return false;
+    *to[k] = (int)number;
+    if (comma != NULL) at = comma + 1;
+  }
+  return true;
+}
+
 enum um_status um_app_picture_part(struct um_context *context, const struct um_app_options *options,
                                    struct um_output_cube_part *out)
 {
@@ -103,12 +124,7 @@ enum um_status um_app_picture_part(struct um_context *context, const struct um_a
                         "--wavelengths %s; accepted: FROM-TO in um, as 8-8.1um",
                         options->wavelengths);
   if (options->tile == NULL) return UM_OK;
-  int used = 0;
-  if (sscanf(options->tile, "%6d,%6d,%6d,%6d%n", &out->x, &out->y, &out->width, &out->height,
-             &used) == 4 &&
-      options->tile[used] == '\0' && out->x >= 0 && out->y >= 0 && out->width > 0 &&
-      out->height > 0)
-    return UM_OK;
+  if (parse_tile(options->tile, out)) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "--tile %s; accepted: X,Y,WIDTH,HEIGHT in pixels, from the upper left corner",
                       options->tile);
