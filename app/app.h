@@ -16,8 +16,8 @@
 #define UM_APP_MAP_STEP          2   /* [deg] */
 #define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
 #define UM_APP_MAP_PLANES        4
-#define UM_APP_AXIS_STEP         10 /* [deg] */
-#define UM_APP_SOLUTIONS         12
+#define UM_APP_AXIS_STEP         5 /* [deg] */
+#define UM_APP_SOLUTIONS         24
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
 

@@ -14,10 +14,11 @@
 #include "core/number.h"
 #include "model/build.h"
 
-#define COARSE_STEP  5.0 /* of the map [deg] */
+#define COARSE_STEP  3.0 /* of the map [deg] */
 #define PHASES       4   /* of the map, where none are stated */
 #define PERIOD_RANGE 0.1 /* to both sides of the scenario's [1] */
 #define TOLD_APART   3.0 /* [sigma] */
+#define AGREES       4.0 /* reduced chi-square of the best, at most */
 
 struct work {
   struct um_model *model;
@@ -100,9 +101,16 @@ static void phases_of_rows(const struct um_compare_on_map *on_map, struct um_app
 
 /* ---- what is said ---- */
 
+static double reduced(const struct um_compare_spins *spins, size_t i)
+{
+  return spins->spin[i].chi2 / ((double)spins->nobservation - 4.0);
+}
+
+/* Solutions that agree with the measurements and cannot be told apart. */
 static size_t agreeing(const struct um_compare_spins *spins)
 {
   size_t n = 0;
+  if (reduced(spins, 0) > AGREES) return 0;
   while (n < spins->count && spins->spin[n].apart < TOLD_APART) n++;
   return n;
 }
@@ -112,8 +120,8 @@ static void print_all(const struct work *w)
   const struct um_compare_spins *s = w->spins;
   char at[40];
   um_compare_time_text(s->at_tai, at);
-  printf("%s against %s: %zu observations, %zu in the shadow left out; %zu laws looked up, %zu "
-         "solutions fitted\n",
+  printf("%s against %s: %zu observations of sunlight, %zu in the shadow left out; %zu laws "
+         "looked up, %zu solutions fitted\n",
          w->model->scenario->name, w->measurements->path, s->nobservation, w->on_map->dark, s->nlaw,
          s->count);
   printf("axis in %s, phase at %s; apart from the best [sigma]: below %g not told apart, %zu\n",
@@ -124,10 +132,15 @@ static void print_all(const struct work *w)
   for (size_t i = 0; i < s->count; i++) {
     const struct um_compare_spin *p = &s->spin[i];
     printf("%4zu   %8.5f %8.5f %8.5f %12.3f %11.2f %11.4g %9.3g %12.2g %5.2g deg\n", i + 1,
-           p->axis.x, p->axis.y, p->axis.z, p->period, p->phase / UM_DEG,
-           p->chi2 / ((double)s->nobservation - 4.0), p->apart, p->axis_sigma / UM_DEG,
-           p->phase_sigma / UM_DEG);
+           p->axis.x, p->axis.y, p->axis.z, p->period, p->phase / UM_DEG, reduced(s, i), p->apart,
+           p->axis_sigma / UM_DEG, p->phase_sigma / UM_DEG);
   }
+  if (agreeing(s) == 0)
+    printf(
+        "no solution agrees: reduced chi-square of the best %.3g. The right one lies between the "
+        "axes and periods that were tried, or outside them, or the light is not the Sun's "
+        "alone; a finer --axis-step and --step look closer\n",
+        reduced(s, 0));
   const struct um_compare_spin *best = &s->spin[0];
   printf("the best as keys: --set attitude.0.spin.axis_%s=[%.6f,%.6f,%.6f] --set "
          "attitude.0.spin.period_s=%.6g --set attitude.0.spin.phase_deg=%.4f --set "
@@ -156,6 +169,7 @@ static void json_all(const struct work *w)
     um_core_json_field(stdout, ", ", "period_s", p->period);
     um_core_json_field(stdout, ", ", "phase_deg", p->phase / UM_DEG);
     um_core_json_field(stdout, ", ", "chi2", p->chi2);
+    um_core_json_field(stdout, ", ", "reduced_chi2", reduced(s, i));
     um_core_json_field(stdout, ", ", "apart_sigma", p->apart);
     um_core_json_field(stdout, ", ", "axis_sigma_deg", p->axis_sigma / UM_DEG);
     um_core_json_field(stdout, ", ", "period_sigma_s", p->period_sigma);

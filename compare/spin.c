@@ -10,6 +10,7 @@
 
 #define ROWS_LEAST 5 /* one more than parameters */
 #define LAWS_MAX   1e9
+#define SUN_RULES  2.5e-6 /* [m] beyond which heat outshines sunlight: bands are left out */
 
 double um_compare_spin_distance(const struct um_compare_spin_data *data,
                                 const struct um_compare_spin_law *a,
@@ -28,6 +29,18 @@ double um_compare_spin_distance(const struct um_compare_spin_data *data,
 
 /* ---- what is sought, and in what ---- */
 
+static bool is_used(const struct um_model *model, const struct um_compare_map_row *row)
+{
+  return model->band[row->band].to <= SUN_RULES;
+}
+
+static size_t used_count(const struct um_model *model, const struct um_compare_on_map *on_map)
+{
+  size_t n = 0;
+  for (size_t i = 0; i < on_map->count; i++) n += is_used(model, &on_map->row[i]);
+  return n;
+}
+
 enum um_status um_compare_spins_check(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_on_map *on_map,
                                       const struct um_compare_spin_search *s)
@@ -41,12 +54,14 @@ enum um_status um_compare_spins_check(struct um_context *context, const struct u
                         "and without nutation",
                         law != NULL ? law->at.file : model->scenario->at.file,
                         law != NULL ? law->at.line : model->scenario->at.line);
-  if (on_map->count < ROWS_LEAST)
+  size_t used = used_count(model, on_map);
+  if (used < ROWS_LEAST)
     return um_core_fail(context, UM_ERR_INPUT,
-                        "%s: %zu rows of light in sunlight; accepted: %d or more",
-                        on_map->measurements->path, on_map->count, ROWS_LEAST);
+                        "%s: %zu rows of light in sunlight, in bands that end by %g um; accepted: "
+                        "%d or more",
+                        on_map->measurements->path, used, 1e6 * SUN_RULES, ROWS_LEAST);
   for (size_t i = 0; i < on_map->count; i++)
-    if (!(on_map->row[i].sigma > 0.0))
+    if (is_used(model, &on_map->row[i]) && !(on_map->row[i].sigma > 0.0))
       return um_core_fail(
           context, UM_ERR_INPUT, "%s:%d: column 'sigma' is empty; accepted: a sigma in every row",
           on_map->measurements->path, on_map->measurements->row[on_map->row[i].row].line);
@@ -88,8 +103,9 @@ static enum um_status fill_rows(struct um_context *context, const struct um_comp
   for (size_t i = 0; i < on_map->count; i++) {
     const struct um_compare_map_row *from = &on_map->row[i];
     const struct um_environment_sample *s = &on_map->sample[from->observation];
+    if (!is_used(d->model, from)) continue;
     struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer, NULL};
-    struct um_compare_spin_row *row = &d->row[i];
+    struct um_compare_spin_row *row = &d->row[d->count];
     UM_CHECK(um_orbit_attitude_at(context, frame, &in, &row->frame));
     row->t = s->t_tai - middle;
     row->sun = um_quat_apply(row->frame, s->sun);
@@ -97,6 +113,7 @@ static enum um_status fill_rows(struct um_context *context, const struct um_comp
     row->band = from->band;
     row->value = from->value;
     row->sigma = from->sigma;
+    d->count++;
   }
 done:
   um_orbit_attitude_destroy(&frame);
@@ -109,18 +126,20 @@ static enum um_status data_make(struct um_context *context, const struct um_comp
   const struct um_scenario_attitude *law = d->model->scenario->attitude.items;
   double first = INFINITY, last = -INFINITY;
   for (size_t i = 0; i < on_map->count; i++) {
+    if (!is_used(d->model, &on_map->row[i])) continue;
     double t = on_map->sample[on_map->row[i].observation].t_tai;
     first = fmin(first, t);
     last = fmax(last, t);
   }
   const double *a = law->spin->axis_body;
   d->axis_body = spins->axis_body = um_vec3_unit(um_vec3(a[0], a[1], a[2]));
-  d->count = spins->nobservation = on_map->count;
   d->span = last - first;
   spins->at_tai = 1e-3 * round(1e3 * 0.5 * (first + last)); /* as texts have it */
   spins->lvlh = law->spin->axis_lvlh.count > 0;
-  UM_TRY(um_core_allocate(context, d->count, sizeof *d->row, &d->row));
-  return fill_rows(context, on_map, spins->lvlh, spins->at_tai, d);
+  UM_TRY(um_core_allocate(context, on_map->count, sizeof *d->row, &d->row));
+  UM_TRY(fill_rows(context, on_map, spins->lvlh, spins->at_tai, d));
+  spins->nobservation = d->count;
+  return UM_OK;
 }
 
 /* ---- the list ---- */

@@ -36,12 +36,12 @@ struct um_compare_spins {
 
 /* The scenario has one attitude law, a spin about axis_body without nutation, whose other keys are
  * what is sought; its attitude effects are not applied. Every row of on_map wants a sigma. The
- * light is that of the Sun alone, as on the map. The grid takes the map's own error as 0.3 of each
- * value, so that a glint beside its place weighs no more than a few faint rows; its local minima in
- * phase at every axis and sense are gathered into solutions apart by more than steps of the grid,
- * and the best of these are fitted. UM_ERR_INPUT: another law, no sigma, a search that is none,
- * more than 1e9 laws, fewer than five rows. Others as um_model_reflectivity. The caller destroys.
- */
+ * light is that of the Sun alone, as on the map; rows of bands that reach beyond 2.5 um are left
+ * out. The grid takes the map's own error as 0.3 of each value, so that a glint beside its place
+ * weighs no more than a few faint rows; its local minima in phase at every axis and sense are
+ * gathered into solutions apart by more than steps of the grid, and the best of these are fitted.
+ * UM_ERR_INPUT: another law, no sigma, a search that is none, more than 1e9 laws, fewer than five
+ * rows. Others as um_model_reflectivity. The caller destroys. */
 enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_on_map *on_map,
                                      const struct um_model_map *map,

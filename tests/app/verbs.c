@@ -53,6 +53,8 @@ static void test_json(void **state)
       {{"schema", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
       {{"schema", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
+      {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
+       "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
       {{"exchange", "box.yaml", "--set", "parts.bus.inside_emittance=0.8", "--json"},
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
@@ -159,6 +161,32 @@ static void test_failures(void **state)
   free(after);
 }
 
+/* The files of a map, and an attitude sought in light that was made with it. The box is lit on
+ * three sides and more during its pass, so that a reduced chi-square near 1 is met; the attitude of
+ * a box with six equal sides is anybody's. */
+static void test_map_and_attitude(void **state)
+{
+  (void)state;
+  static const char *const files[] = {"m/map.csv",  "m/map.exr",     "m/map.png",
+                                      "m/pass.csv", "m/pass.png",    "m/measured.csv",
+                                      "m/map.gp",   "a/attitude.csv"};
+  command_copy_data("box.yaml");
+  char *text = command_edit(command_data("box.yaml"), "- lvlh: {}",
+                            "- spin: {axis_gcrs: [0, 0, 1], axis_body: [1, 0, 0], period_s: 400}");
+  command_write("spin.yaml", text);
+  free(text);
+  command_expect(0, "synth", "spin.yaml", "--set", "time.step_s=20", "--without", "earthshine",
+                 "--noise", "0.02", "--seed", "1", "-o", "m.csv", NULL);
+  command_expect(0, "map", "spin.yaml", "m.csv", "--step", "30", "--phase-angles", "0,90", "--out",
+                 "m", NULL);
+  command_expect(0, "attitude", "spin.yaml", "m.csv", "--set", "bands.vis.bins=2", "--step", "15",
+                 "--axis-step", "30", "--period", "395,405", "--solutions", "2", "--out", "a",
+                 NULL);
+  for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+    if (access(files[i], R_OK) != 0) fail_msg("%s is missing", files[i]);
+  command_expect(1, "attitude", "box.yaml", "m.csv", "--out", "b", NULL);
+}
+
 /* Standard output on a full device is a failure, not a silence. */
 static void test_full_standard_output(void **state)
 {
@@ -242,6 +270,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_map_and_attitude, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
