@@ -66,11 +66,16 @@ static void overlay(struct um_plot *plot, const struct um_output_map *of, size_t
                 ", 'pass.csv' every ::1 using ($4>=%g && $4<%g ? $3 : NaN):2 with points "
                 "pointtype 7 pointsize 0.22 linecolor rgb %s notitle",
                 range[0], range[1], "#7fd4ff");
-  if (of->measured)
+  if (!of->measured) return;
+  size_t value = UM_OUTPUT_MEASURED_FIRST + UM_OUTPUT_MEASURED_BAND * band + 1;
+  for (int filled = 0; filled < 2; filled++) { /* a disc in the map's colours on a white one */
     um_plot_add(plot,
                 ", 'measured.csv' every ::1 using ($7>=%g && $7<%g ? $6 : NaN):5:(bound($%zu)) "
-                "with points pointtype 7 pointsize 0.8 linecolor palette notitle",
-                range[0], range[1], UM_OUTPUT_MEASURED_FIRST + UM_OUTPUT_MEASURED_BAND * band + 1);
+                "with points pointtype 7 ",
+                range[0], range[1], value);
+    um_plot_add(plot, filled ? "pointsize 0.75 linecolor palette notitle"
+                             : "pointsize 1.0 linecolor '#ffffff' notitle");
+  }
 }
 
 static void panel(struct um_plot *plot, const struct um_output_map *of, size_t band, size_t column)
