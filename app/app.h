@@ -161,6 +161,7 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
 int um_app_filters(struct um_context *context, const struct um_app_options *options);
+int um_app_retrieve(struct um_context *context, const struct um_app_options *options);
 int um_app_sensors(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_fit(struct um_context *context, const struct um_app_options *options);

@@ -106,6 +106,14 @@ static const struct um_app_verb verbs[] = {
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
      .run = um_app_fit},
+    {"retrieve", "SCENARIO MEASURED",
+     "temperature and infrared cross-section of what was measured in three thermal bands or more",
+     .accepts = "out " CHANGES " force",
+     .about = "Of band_irradiance and radiant_intensity in bands of 3 to 40 um, time by time: one "
+              "grey body, and from five bands on two. Range and bands are the scenario's; what the "
+              "air takes is not put back.",
+     .examples = "umbra retrieve scenarios/envisat-graz-2016 measured.csv\n",
+     .run = um_app_retrieve},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file", .accepts = "temperatures temperature-sigma " CHANGES " force",
      .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,albedo_factor=1.2 "
