@@ -67,6 +67,14 @@ double um_instrument_saturated(const struct um_instrument_sensor *sensor, double
   return room / central * (1.0 + log(central * electrons / room));
 }
 
+double um_instrument_unsaturated(const struct um_instrument_sensor *sensor, double found,
+                                 double background)
+{
+  double room = sensor->saturation - background, central = central_pixel(sensor);
+  if (!(central * found > room) || !(room > 0.0)) return found;
+  return room / central * exp(central * found / room - 1.0);
+}
+
 struct um_instrument_exposure um_instrument_expose(const struct um_instrument_sensor *sensor,
                                                    const struct um_instrument_bins *bins,
                                                    double rate, double irradiance, double glow,

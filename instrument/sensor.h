@@ -59,6 +59,9 @@ double um_instrument_pixel_background(const struct um_instrument_sensor *sensor,
  * the integral of min(s(r), c) over the image. No charge flows over to neighbours. */
 double um_instrument_saturated(const struct um_instrument_sensor *sensor, double electrons,
                                double background);
+/* The image of which so many are found: the inverse. */
+double um_instrument_unsaturated(const struct um_instrument_sensor *sensor, double found,
+                                 double background);
 /* glow: electrons per second and pixel beside the stated sky; rate: counts per second of the whole
  * source; irradiance: through the filter [W/m^2]; time: length of the exposure [s]. SNR by the CCD
  * equation (Merline & Howell 1995, Exp. Astron. 6:163), S t / sqrt(S t + n (1 + n/n_a) (B t + D t +

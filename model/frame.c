@@ -4,8 +4,10 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "effects/effects.h"
 #include "environment/airmass.h"
 #include "model/counts.h"
+#include "model/effects_impl.h"
 #include "model/picture.h"
 
 #define ARCSEC (UM_DEG / 3600.0)
@@ -104,6 +106,22 @@ static enum um_status check(struct um_context *context, const struct um_model *m
   return UM_OK;
 }
 
+/* Electrons per second of the whole image as they come to the detector, whose pixels the frame
+ * fills itself: what the effect took of the run's count rate is put back. */
+static double arriving(const struct um_model *model, const struct um_model_result *result, size_t k,
+                       size_t s, double background)
+{
+  const struct um_model_sensor *sensor = &model->sensor[s];
+  const struct um_effect *saturation = um_effects_find("saturation");
+  double rate = result->count_rate[k * result->nsensor + s] * sensor->optics.gain;
+  struct um_effect_use use;
+  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+    if (use.effect == saturation)
+      return um_instrument_unsaturated(&sensor->optics, rate * sensor->exposure, background) /
+             sensor->exposure;
+  return rate;
+}
+
 enum um_status um_model_frame_create(struct um_context *context, const struct um_model *model,
                                      const struct um_model_precomputed *precomputed,
                                      const struct um_model_result *result, size_t k, size_t s,
@@ -116,16 +134,15 @@ enum um_status um_model_frame_create(struct um_context *context, const struct um
   const struct um_model_sensor *sensor = &model->sensor[s];
   const struct um_orbit_look *look = look_of(precomputed, k);
   struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
-  struct um_instrument_exposure exposure = um_model_expose(model, precomputed, result, k, s);
   struct um_instrument_psf psf = {0};
   struct um_optics_image *image = NULL;
-  double *rate = NULL, circle = sensor->optics.radius * sensor->optics.fwhm / sensor->optics.pixel;
+  double *rate = NULL;
+  out->background = um_model_pixel_background(model, precomputed, result, k, s);
   UM_CHECK(spread_create(context, options, &sensor->optics, mean_wavelength(&bins), look->elevation,
                          &psf));
   UM_CHECK(um_model_picture(context, model, precomputed, result, k, sensor->band, 1, options->width,
                             options->samples, &image));
-  UM_CHECK(electrons(context, image, &bins,
-                     result->count_rate[k * result->nsensor + s] * sensor->optics.gain, &rate));
+  UM_CHECK(electrons(context, image, &bins, arriving(model, result, k, s, out->background), &rate));
   const struct um_instrument_source source = {image->width, image->height,
                                               image->pixel_size / look->range / ARCSEC, rate};
   const struct um_instrument_frame_options on = {.pixel = sensor->optics.pixel,
@@ -134,7 +151,6 @@ enum um_status um_model_frame_create(struct um_context *context, const struct um
                                                  .trail_angle = options->motion_angle,
                                                  .border = 1};
   UM_CHECK(um_instrument_frame_create(context, &source, &psf, &on, &out->frame));
-  out->background = exposure.background / (UM_PI * circle * circle);
   if (psf.kind != UM_PSF_TABLE) out->fwhm = psf.fwhm;
 done:
   um_core_free(context, rate);

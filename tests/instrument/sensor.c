@@ -161,6 +161,7 @@ static void test_saturated(void **state)
     double found = um_instrument_saturated(&s, electrons[i], background);
     assert_close(found / sum, 1.0, 1e-6);
     if (i < 2) assert_true(found == electrons[i]);
+    assert_close(um_instrument_unsaturated(&s, found, background) / electrons[i], 1.0, 1e-12);
   }
   assert_true(um_instrument_saturated(&s, 1e3, 4000.0) == 0.0);
   e = um_instrument_expose(&s, &bins, 1e5, NAN, 0.0, 2.0);
