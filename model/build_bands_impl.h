@@ -21,7 +21,7 @@ enum um_status um_model_curve_read(struct um_context *context, struct um_model *
 enum um_status um_model_bins_ones(struct um_context *context, struct um_model *model, int n,
                                   double **out);
 /* The mean of a curve over each bin of a band, multiplied into to [bins]. Does not fail. */
-void um_model_bins_pass(const struct um_instrument_filter *curve,
-                        const struct um_optics_band *band, double *to);
+void um_model_bins_pass(const struct um_instrument_filter *curve, const struct um_optics_band *band,
+                        double *to);
 
 #endif

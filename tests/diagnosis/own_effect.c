@@ -80,8 +80,8 @@ static double measure(const char *path, const char *with, const struct um_compar
 static void own_effect_is_named(void **state)
 {
   (void)state;
-  static const char *const only[] = {"pileup", "zero_point",     "background", "roughness",
-                                     "exposure",     "specular_level", "time_tag"};
+  static const char *const only[] = {"pileup",   "zero_point",     "background", "roughness",
+                                     "exposure", "specular_level", "time_tag"};
   const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 7};
   const struct um_model_options changes = {.effect_files = files, .neffect_file = 1};
   const struct um_diagnosis_options options = {
