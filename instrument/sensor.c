@@ -58,10 +58,16 @@ double um_instrument_pixel_background(const struct um_instrument_sensor *sensor,
   return (sky + glow + sensor->dark) * time;
 }
 
+/* Electrons of the source that a pixel has room for. */
+static double room_of(const struct um_instrument_sensor *sensor, double background)
+{
+  return sensor->saturation - background;
+}
+
 double um_instrument_saturated(const struct um_instrument_sensor *sensor, double electrons,
                                double background)
 {
-  double room = sensor->saturation - background, central = central_pixel(sensor);
+  double room = room_of(sensor, background), central = central_pixel(sensor);
   if (!(central * electrons > room)) return electrons;
   if (!(room > 0.0)) return 0.0;
   return room / central * (1.0 + log(central * electrons / room));
@@ -70,7 +76,7 @@ double um_instrument_saturated(const struct um_instrument_sensor *sensor, double
 double um_instrument_unsaturated(const struct um_instrument_sensor *sensor, double found,
                                  double background)
 {
-  double room = sensor->saturation - background, central = central_pixel(sensor);
+  double room = room_of(sensor, background), central = central_pixel(sensor);
   if (!(central * found > room) || !(room > 0.0)) return found;
   return room / central * exp(central * found / room - 1.0);
 }
