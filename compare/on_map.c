@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "compare/figures.h"
 #include "compare/time_text.h"
 #include "core/constants.h"
 #include "core/csv.h"
@@ -160,14 +161,6 @@ void um_compare_on_map_destroy(struct um_context *context, struct um_compare_on_
 
 /* ---- measured.csv ---- */
 
-static void number(FILE *file, double value)
-{
-  if (isfinite(value))
-    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value);
-  else
-    fputc(',', file);
-}
-
 static void text(FILE *file, const char *value, const char *tail)
 {
   fputc(',', file);
@@ -198,19 +191,19 @@ enum um_status um_compare_on_map_write(struct um_context *context,
     fputs(time, file);
     text(file, um_compare_quantity_name(channel->quantity), "");
     text(file, channel->of, "");
-    number(file, from->value);
-    number(file, at->latitude / UM_DEG);
-    number(file, at->longitude / UM_DEG);
-    number(file, at->phase_angle / UM_DEG);
-    number(file, at->plane / UM_DEG);
+    um_compare_csv_number(file, from->value);
+    um_compare_csv_number(file, at->latitude / UM_DEG);
+    um_compare_csv_number(file, at->longitude / UM_DEG);
+    um_compare_csv_number(file, at->phase_angle / UM_DEG);
+    um_compare_csv_number(file, at->plane / UM_DEG);
     for (size_t b = 0; b < model->nband; b++) {
       if (b != row->band) {
         fputs(",,,", file);
         continue;
       }
-      number(file, row->value);
-      number(file, row->sigma);
-      number(file, pass->looked_up[row->observation * pass->nband + b]);
+      um_compare_csv_number(file, row->value);
+      um_compare_csv_number(file, row->sigma);
+      um_compare_csv_number(file, pass->looked_up[row->observation * pass->nband + b]);
     }
     fputc('\n', file);
   }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "compare/figures.h"
 #include "compare/spin_impl.h"
 #include "compare/time_text.h"
 #include "core/constants.h"
@@ -239,11 +240,7 @@ void um_compare_spins_write(const struct um_compare_spins *spins, FILE *file)
     const double sigma[] = {s->axis_sigma / UM_DEG, s->period_sigma, s->phase_sigma / UM_DEG};
     fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%s,%.9g,%.9g", s->axis.x, s->axis.y, s->axis.z,
             s->period, s->phase / UM_DEG, at, s->chi2, s->apart);
-    for (int k = 0; k < 3; k++)
-      if (isfinite(sigma[k]))
-        fprintf(file, ",%.9g", sigma[k]);
-      else
-        fputc(',', file);
+    for (int k = 0; k < 3; k++) um_compare_csv_number(file, sigma[k]);
     fputc('\n', file);
   }
 }

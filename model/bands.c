@@ -1,4 +1,4 @@
-/* Bands and sensors by name. */
+/* Bands and sensors by name, and the bins of a band. */
 #include "model/bands.h"
 
 #include <string.h>
@@ -45,4 +45,28 @@ enum um_status um_model_sensor_require(struct um_context *context, const struct 
                         name);
   return um_core_fail(context, UM_ERR_INPUT, "the scenario has no sensor '%s'%s; accepted: %s",
                       name, um_core_words_hint(&guess, hint), accepted);
+}
+
+enum um_status um_model_band_bins(struct um_context *context, const struct um_optics_band *band,
+                                  struct um_instrument_bins *out)
+{
+  double *wavelength, *width;
+  size_t n = (size_t)band->bins;
+  *out = (struct um_instrument_bins){.n = n, .transmission = band->transmission};
+  UM_TRY(um_core_allocate(context, 2 * n, sizeof *wavelength, &wavelength));
+  width = wavelength + n;
+  for (size_t i = 0; i < n; i++) {
+    double from = um_optics_band_edge(band, (int)i), to = um_optics_band_edge(band, (int)i + 1);
+    wavelength[i] = 0.5 * (from + to);
+    width[i] = to - from;
+  }
+  out->wavelength = wavelength;
+  out->width = width;
+  return UM_OK;
+}
+
+void um_model_band_bins_clear(struct um_context *context, struct um_instrument_bins *bins)
+{
+  um_core_free(context, (void *)(uintptr_t)bins->wavelength);
+  *bins = (struct um_instrument_bins){0};
 }

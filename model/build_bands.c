@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "instrument/filter.h"
+#include "model/bands.h"
 #include "model/words_impl.h"
 
 /* --- bands ----------------------------------------------------------------------------------- */
@@ -58,35 +59,16 @@ static enum um_status build_band(struct um_context *context, struct um_model *mo
   return UM_OK;
 }
 
-/* --- bins as photometry wants them ----------------------------------------------------------- */
-
-static enum um_status bins_of(struct um_context *context, const struct um_optics_band *band,
-                              const double *transmission, struct um_instrument_bins *out)
-{
-  double *wavelength, *width;
-  size_t n = (size_t)band->bins;
-  *out = (struct um_instrument_bins){.n = n, .transmission = transmission};
-  UM_TRY(um_core_allocate(context, 2 * n, sizeof *wavelength, &wavelength));
-  width = wavelength + n;
-  for (size_t i = 0; i < n; i++) {
-    double from = um_optics_band_edge(band, (int)i), to = um_optics_band_edge(band, (int)i + 1);
-    wavelength[i] = 0.5 * (from + to);
-    width[i] = to - from;
-  }
-  out->wavelength = wavelength;
-  out->width = width;
-  return UM_OK;
-}
+/* --- magnitudes ------------------------------------------------------------------------------ */
 
 static enum um_status build_vega(struct um_context *context, struct um_model *model, size_t b)
 {
-  const struct um_optics_band *band = &model->band[b];
   const struct um_scenario_band *from = model->scenario->bands.items;
   struct um_instrument_bins bins;
-  UM_TRY(bins_of(context, band, band->transmission, &bins));
+  UM_TRY(um_model_band_bins(context, &model->band[b], &bins));
   model->vega_ab[b] = um_instrument_vega_ab(&bins);
   if (model->scenario->bands.count > 0) model->vega_ab[b] -= from[b].vega_magnitude;
-  um_core_free(context, (void *)(uintptr_t)bins.wavelength);
+  um_model_band_bins_clear(context, &bins);
   return UM_OK;
 }
 

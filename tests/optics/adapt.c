@@ -22,35 +22,13 @@
 
 enum { SCENES = 3, INSTANTS = 10, SEEDS = 100, VALUES = 2 * INSTANTS, TRUTHS = 2 };
 
-static double uniform(uint64_t c, uint64_t k) { return um_core_hash_uniform(um_core_hash(c, k)); }
-
-static struct um_vec3 direction(uint64_t c, uint64_t k)
-{
-  double z = 2.0 * uniform(c, k) - 1.0, angle = 2.0 * UM_PI * uniform(c, k + 1);
-  double r = sqrt(1.0 - z * z);
-  return um_vec3(r * cos(angle), r * sin(angle), z);
-}
-
 static void configure(struct fixture *f, uint64_t c)
 {
-  static const struct um_geometry_skin bus = {NULL, "blanket", NULL}, wing = {NULL, "cell", "back"};
-  fixture_create(f);
-  fixture_material(f, "blanket", 0.3, 0.3, 0.2, 0.7);
-  fixture_material(f, "cell", 0.3, 0.1, 0.3, 0.85);
-  fixture_material(f, "back", 0.5, 0.1, 0.3, 0.8);
-  struct um_geometry_part_spec parts[2] = {fixture_part("bus", UM_SHAPE_BOX, &bus),
-                                           fixture_part("wing", UM_SHAPE_PLATE, &wing)};
-  for (size_t i = 0; i < 3; i++) parts[0].size[i] = 1.0 + uniform(c, i);
-  parts[0].facet_size = parts[1].facet_size = 0.6;
-  parts[1].size[0] = 1.0 + uniform(c, 5);
-  parts[1].size[1] = 1.0 + 2.0 * uniform(c, 6);
-  parts[1].position = um_vec3_scale(direction(c, 10), 1.5 + uniform(c, 7));
-  parts[1].rotation = um_quat_from_axis(direction(c, 20), UM_PI * uniform(c, 8));
-  fixture_scene(f, parts, 2, INSTANTS);
+  fixture_pair(f, c, 1.5, INSTANTS);
   for (uint64_t t = 0; t < INSTANTS; t++) {
     struct um_environment_sample *s = &f->samples[t];
-    s->sun = direction(c, 30 + 4 * t);
-    s->to_observer = um_vec3_unit(um_vec3_axpy(s->sun, 0.9, direction(c, 32 + 4 * t)));
+    s->sun = fixture_direction(c, 30 + 4 * t);
+    s->to_observer = um_vec3_unit(um_vec3_axpy(s->sun, 0.9, fixture_direction(c, 32 + 4 * t)));
   }
 }
 

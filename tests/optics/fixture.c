@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/constants.h"
+#include "core/sampling.h"
 #include "tests/support/temporary.h"
 
 const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20, NULL};
@@ -156,4 +157,31 @@ void fixture_close(const char *what, double value, double expected, double relat
   print_message("%-46s %.9g expected %.9g relative %.2g (accepted %.2g)\n", what, value, expected,
                 error, relative);
   if (!(error <= relative)) fail_msg("%s", what);
+}
+
+double fixture_uniform(uint64_t c, uint64_t k) { return um_core_hash_uniform(um_core_hash(c, k)); }
+
+struct um_vec3 fixture_direction(uint64_t c, uint64_t k)
+{
+  double z = 2.0 * fixture_uniform(c, k) - 1.0, angle = 2.0 * UM_PI * fixture_uniform(c, k + 1);
+  double r = sqrt(1.0 - z * z);
+  return um_vec3(r * cos(angle), r * sin(angle), z);
+}
+
+void fixture_pair(struct fixture *f, uint64_t c, double apart, size_t ntime)
+{
+  static const struct um_geometry_skin bus = {NULL, "blanket", NULL}, wing = {NULL, "cell", "back"};
+  fixture_create(f);
+  fixture_material(f, "blanket", 0.3, 0.3, 0.2, 0.7);
+  fixture_material(f, "cell", 0.3, 0.1, 0.3, 0.85);
+  fixture_material(f, "back", 0.5, 0.1, 0.3, 0.8);
+  struct um_geometry_part_spec parts[2] = {fixture_part("bus", UM_SHAPE_BOX, &bus),
+                                           fixture_part("wing", UM_SHAPE_PLATE, &wing)};
+  for (size_t i = 0; i < 3; i++) parts[0].size[i] = 1.0 + fixture_uniform(c, i);
+  parts[0].facet_size = parts[1].facet_size = 0.6;
+  parts[1].size[0] = 1.0 + fixture_uniform(c, 5);
+  parts[1].size[1] = 1.0 + 2.0 * fixture_uniform(c, 6);
+  parts[1].position = um_vec3_scale(fixture_direction(c, 10), apart + fixture_uniform(c, 7));
+  parts[1].rotation = um_quat_from_axis(fixture_direction(c, 20), UM_PI * fixture_uniform(c, 8));
+  fixture_scene(f, parts, 2, ntime);
 }

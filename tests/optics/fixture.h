@@ -50,6 +50,12 @@ struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_sha
  * toward +z, range 1000 km; all at 300 K without light from the Earth. */
 void fixture_scene(struct fixture *f, const struct um_geometry_part_spec *parts, size_t npart,
                    size_t ntime);
+/* Scene number c of many: a box and a plate of drawn sizes, the plate at least `apart` away [m] in
+ * a drawn direction and turned at random; materials with lobes. */
+void fixture_pair(struct fixture *f, uint64_t c, double apart, size_t ntime);
+/* Draw k of scene c: in [0, 1); a direction of two of them, k and k + 1. */
+double fixture_uniform(uint64_t c, uint64_t k);
+struct um_vec3 fixture_direction(uint64_t c, uint64_t k);
 /* Trace and compute, replacing earlier results. */
 void fixture_run(struct fixture *f, int nsample, const struct um_optics_band *bands, size_t nband);
 /* Band intensity of a mechanism summed over materials [W/sr]. */
