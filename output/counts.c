@@ -4,15 +4,15 @@
 #include "model/counts.h"
 #include "output/csv_impl.h"
 
-static const char *const columns[] = {"_count_rate_1_s",
-                                      "_count_rate_error_1_s",
-                                      "_signal_e",
-                                      "_background_e",
-                                      "_peak_e",
-                                      "_saturated",
-                                      "_snr",
-                                      "_scintillation",
-                                      "_limit_ab"};
+static const char *const columns[UM_OUTPUT_COUNTS_COLUMNS] = {"_count_rate_1_s",
+                                                              "_count_rate_error_1_s",
+                                                              "_signal_e",
+                                                              "_background_e",
+                                                              "_peak_e",
+                                                              "_saturated",
+                                                              "_snr",
+                                                              "_scintillation",
+                                                              "_limit_ab"};
 
 enum um_status um_output_write_counts(const struct um_output_run *run, FILE *file)
 {
@@ -20,7 +20,7 @@ enum um_status um_output_write_counts(const struct um_output_run *run, FILE *fil
   const struct um_model_result *r = run->result;
   fputs("time_utc", file);
   for (size_t s = 0; s < model->nsensor; s++)
-    for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++)
+    for (size_t c = 0; c < UM_OUTPUT_COUNTS_COLUMNS; c++)
       um_output_csv_text(file, model->sensor[s].name, columns[c]);
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {

@@ -9,6 +9,8 @@
 #include "orbit/time.h"
 #include "output/output.h"
 
+#define UM_OUTPUT_COUNTS_COLUMNS 9 /* of each sensor in counts.csv, behind the time */
+
 /* Rows look at the stop. */
 static inline enum um_status um_output_stop(const struct um_output_run *run)
 {

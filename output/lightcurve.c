@@ -5,32 +5,34 @@
 #include "core/constants.h"
 #include "environment/airmass.h"
 #include "output/csv_impl.h"
+#include "output/lightcurve_impl.h"
 #include "output/output.h"
 
 #define STANDARD_RANGE 1e6 /* that magnitudes of satellites are compared at [m] */
 
-static const char *const mechanism_names[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
-                                                                "interreflected", "other"};
+#define MECHANISM(m) [UM_LIGHTCURVE_MECHANISM + (m)]
+/* What stands behind the band's name. */
+static const char *const tails[UM_LIGHTCURVE_COLUMNS] = {
+    [UM_LIGHTCURVE_TOTAL] = "_intensity_W_sr",
+    MECHANISM(UM_MECHANISM_SUN) = "_sun_W_sr",
+    MECHANISM(UM_MECHANISM_EARTH) = "_earth_W_sr",
+    MECHANISM(UM_MECHANISM_EMITTED) = "_emitted_W_sr",
+    MECHANISM(UM_MECHANISM_INTERREFLECTED) = "_interreflected_W_sr",
+    MECHANISM(UM_MECHANISM_OTHER) = "_other_W_sr",
+    [UM_LIGHTCURVE_STDERR] = "_stderr_W_sr",
+    [UM_LIGHTCURVE_IRRADIANCE] = "_irradiance_W_m2",
+    [UM_LIGHTCURVE_MAG_AB] = "_mag_ab",
+    [UM_LIGHTCURVE_MAG_VEGA] = "_mag_vega",
+    [UM_LIGHTCURVE_MAG_1000_KM] = "_mag_ab_1000km"};
 
 static void write_header(const struct um_output_run *run, FILE *file)
 {
   fputs("time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"
         "sun_elevation_deg",
         file);
-  for (size_t b = 0; b < run->model->nband; b++) {
-    const char *name = run->model->band[b].name;
-    um_output_csv_text(file, name, "_intensity_W_sr");
-    for (int m = 0; m < UM_MECHANISM_COUNT; m++) {
-      char tail[40];
-      snprintf(tail, sizeof tail, "_%s_W_sr", mechanism_names[m]);
-      um_output_csv_text(file, name, tail);
-    }
-    um_output_csv_text(file, name, "_stderr_W_sr");
-    um_output_csv_text(file, name, "_irradiance_W_m2");
-    um_output_csv_text(file, name, "_mag_ab");
-    um_output_csv_text(file, name, "_mag_vega");
-    um_output_csv_text(file, name, "_mag_ab_1000km");
-  }
+  for (size_t b = 0; b < run->model->nband; b++)
+    for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++)
+      um_output_csv_text(file, run->model->band[b].name, tails[c]);
   fputc('\n', file);
 }
 
@@ -59,16 +61,17 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
     um_output_csv_number(file, look->sun_elevation / UM_DEG);
     double nearer = 5.0 * log10(look->range / STANDARD_RANGE); /* [mag] */
     for (size_t b = 0; b < r->nband; b++) {
-      double part[UM_MECHANISM_COUNT], total = 0.0;
+      double value[UM_LIGHTCURVE_COLUMNS] = {0.0};
+      size_t at = k * r->nband + b;
       for (int m = 0; m < UM_MECHANISM_COUNT; m++)
-        total += part[m] = um_model_result_intensity(r, k, b, m);
-      um_output_csv_number(file, total);
-      for (int m = 0; m < UM_MECHANISM_COUNT; m++) um_output_csv_number(file, part[m]);
-      um_output_csv_number(file, r->standard_error[k * r->nband + b]);
-      um_output_csv_number(file, r->irradiance[k * r->nband + b]);
-      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b]);
-      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b] - r->vega_ab[b]);
-      um_output_csv_number(file, r->magnitude_ab[k * r->nband + b] - nearer);
+        value[UM_LIGHTCURVE_TOTAL] += value[UM_LIGHTCURVE_MECHANISM + m] =
+            um_model_result_intensity(r, k, b, m);
+      value[UM_LIGHTCURVE_STDERR] = r->standard_error[at];
+      value[UM_LIGHTCURVE_IRRADIANCE] = r->irradiance[at];
+      value[UM_LIGHTCURVE_MAG_AB] = r->magnitude_ab[at];
+      value[UM_LIGHTCURVE_MAG_VEGA] = r->magnitude_ab[at] - r->vega_ab[b];
+      value[UM_LIGHTCURVE_MAG_1000_KM] = r->magnitude_ab[at] - nearer;
+      for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++) um_output_csv_number(file, value[c]);
     }
     fputc('\n', file);
   }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "output/lightcurve_impl.h"
 #include "output/plot_impl.h"
 
 #define MAGNITUDES 12.5   /* below the brightest: UM_PLOT_LOG_FLOOR */
@@ -17,30 +18,18 @@
 #define TEMPERATURES 380
 #define NAMES        760 /* right of it the names of the curves stand */
 
-/* Columns of lightcurve.csv: eight before the bands, then ten per band. */
-enum {
-  TOTAL,
-  SUN,
-  EARTH,
-  EMITTED,
-  INTERREFLECTED,
-  OTHER,
-  STDERR,
-  IRRADIANCE,
-  MAGNITUDE_AB,
-  MAGNITUDE_VEGA,
-  NCOLUMN
-};
-#define FIRST_COLUMN 9
-
-static size_t column_of(size_t band, size_t what) { return FIRST_COLUMN + NCOLUMN * band + what; }
+/* Column of lightcurve.csv as gnuplot counts them, from 1. */
+static size_t column_of(size_t band, size_t what)
+{
+  return 1 + UM_LIGHTCURVE_BEFORE + UM_LIGHTCURVE_COLUMNS * band + what;
+}
 
 /* ---- light ---- */
 
 struct extent {
-  double largest, mean_lit;   /* intensity [W/sr] */
-  double part[NCOLUMN];       /* largest of each mechanism [W/sr] */
-  double brightest, faintest; /* magnitudes; INFINITY and -INFINITY: none */
+  double largest, mean_lit;        /* intensity [W/sr] */
+  double part[UM_MECHANISM_COUNT]; /* largest of each mechanism [W/sr] */
+  double brightest, faintest;      /* magnitudes; INFINITY and -INFINITY: none */
 };
 
 static struct extent extent_of(const struct um_output_run *run, size_t band)
@@ -53,7 +42,7 @@ static struct extent extent_of(const struct um_output_run *run, size_t band)
     double magnitude = r->magnitude_ab[k * r->nband + band];
     e.largest = fmax(e.largest, total);
     for (int m = 0; m < UM_MECHANISM_COUNT; m++)
-      e.part[SUN + m] = fmax(e.part[SUN + m], um_model_result_intensity(r, k, band, m));
+      e.part[m] = fmax(e.part[m], um_model_result_intensity(r, k, band, m));
     if (isfinite(magnitude)) {
       e.brightest = fmin(e.brightest, magnitude);
       e.faintest = fmax(e.faintest, magnitude);
@@ -81,18 +70,18 @@ static void band_ordinate(struct um_plot *plot, const struct um_optics_band *ban
 
 static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
 {
-  static const char *const title[] = {[SUN] = "Sun",
-                                      [EARTH] = "Earth",
-                                      [EMITTED] = "emitted",
-                                      [INTERREFLECTED] = "interreflected",
-                                      [OTHER] = "other"};
-  static const char *const colour[] = {[SUN] = "#e69f00",
-                                       [EARTH] = "#009e73",
-                                       [EMITTED] = "#777777",
-                                       [INTERREFLECTED] = "#cc79a7",
-                                       [OTHER] = "#56b4e9"};
+  static const char *const title[] = {[UM_MECHANISM_SUN] = "Sun",
+                                      [UM_MECHANISM_EARTH] = "Earth",
+                                      [UM_MECHANISM_EMITTED] = "emitted",
+                                      [UM_MECHANISM_INTERREFLECTED] = "interreflected",
+                                      [UM_MECHANISM_OTHER] = "other"};
+  static const char *const colour[] = {[UM_MECHANISM_SUN] = "#e69f00",
+                                       [UM_MECHANISM_EARTH] = "#009e73",
+                                       [UM_MECHANISM_EMITTED] = "#777777",
+                                       [UM_MECHANISM_INTERREFLECTED] = "#cc79a7",
+                                       [UM_MECHANISM_OTHER] = "#56b4e9"};
   static const char *const total[] = {"#1f4e9c", "#b3261e", "#3a7d34", "#7b3fa0"};
-  size_t t = column_of(band, TOTAL), s = column_of(band, STDERR);
+  size_t t = column_of(band, UM_LIGHTCURVE_TOTAL), s = column_of(band, UM_LIGHTCURVE_STDERR);
   um_plot_add(
       plot,
       "plot 'lightcurve.csv' every ::1 using (x(1)):(up(v(%zu)-v(%zu))):(up(v(%zu)+v(%zu))) "
@@ -100,11 +89,11 @@ static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
       "'± 1σ', '' every ::1 using (x(1)):(v(%zu)) with lines linewidth 2 "
       "linecolor rgb %s title 'total'",
       t, s, t, s, total[band % 4], t, total[band % 4]);
-  for (size_t m = SUN; m <= OTHER; m++) {
-    if (m >= INTERREFLECTED && !(e->part[m] > SHARE * e->largest)) continue;
+  for (size_t m = 0; m < UM_MECHANISM_COUNT; m++) {
+    if (m >= UM_MECHANISM_INTERREFLECTED && !(e->part[m] > SHARE * e->largest)) continue;
     um_plot_add(plot, ", '' every ::1 using (x(1)):(v(%zu)) with lines linewidth 1.3 ",
-                column_of(band, m));
-    if (m == SUN) um_plot_add(plot, "dashtype (8,5) ");
+                column_of(band, UM_LIGHTCURVE_MECHANISM + m));
+    if (m == UM_MECHANISM_SUN) um_plot_add(plot, "dashtype (8,5) ");
     um_plot_add(plot, "linecolor rgb %s title %s", colour[m], title[m]);
   }
   um_plot_add(plot, "\n");
@@ -118,7 +107,7 @@ static void magnitudes(struct um_plot *plot, size_t band, const struct extent *e
   um_plot_add(plot,
               "unset logscale y\nset format y '%%g'\nset yrange [%.4f:%.4f]\nplot 'lightcurve.csv' "
               "every ::1 using (x(1)):%zu with lines linewidth 2 linecolor rgb '#333333' notitle\n",
-              faintest + margin, e->brightest - margin, column_of(band, MAGNITUDE_AB));
+              faintest + margin, e->brightest - margin, column_of(band, UM_LIGHTCURVE_MAG_AB));
 }
 
 static void lightcurve(struct um_plot *plot, const struct um_output_run *run)

@@ -4,14 +4,14 @@
 
 #include "core/constants.h"
 #include "orbit/time.h"
+#include "output/csv_impl.h"
 #include "output/plot_impl.h"
 
 #define PEAK_CONTRAST 5.0 /* highest over mean in sunlight that asks for a logarithmic axis */
 
-/* Columns of counts.csv: the time, then nine per sensor. */
-#define PER_SENSOR 9
-#define RATE       2
-#define SNR        8
+/* Columns of counts.csv as gnuplot counts them, of the first sensor. */
+#define RATE 2
+#define SNR  8
 
 struct um_plot_time um_output_plot_time(const struct um_output_run *run)
 {
@@ -50,7 +50,7 @@ static void panel(struct um_plot *plot, const struct um_output_run *run, size_t 
     sum += rate;
     lit += 1.0;
   }
-  size_t c = RATE + PER_SENSOR * s, snr = SNR + PER_SENSOR * s;
+  size_t c = RATE + UM_OUTPUT_COUNTS_COLUMNS * s, snr = SNR + UM_OUTPUT_COUNTS_COLUMNS * s;
   um_output_plot_ordinate(plot, run->model->sensor[s].name, "counts", "1/s", largest,
                           lit > 0.0 ? sum / lit : largest);
   um_plot_add(plot,

@@ -536,6 +536,24 @@ static void test_other_observers(void **state)
   assert_true(command_exists("alone/run.nc"));
 }
 
+/* A band's panel draws from the column that the table's header calls so; gnuplot counts from 1. */
+static void expect_drawn(const char *script, const char *band, const char *column)
+{
+  struct table t = table_read("drawn/lightcurve.csv");
+  char heading[32], wanted[32];
+  size_t c = 0;
+  while (c < t.ncolumn && strcmp(t.field[c], column) != 0) c++;
+  assert_true(c < t.ncolumn);
+  snprintf(heading, sizeof heading, "'%s ", band);
+  snprintf(wanted, sizeof wanted, "v(%zu)", c + 1);
+  const char *panel = strstr(script, heading);
+  if (panel == NULL) fail_msg("no %s in plots.gp", heading);
+  const char *plot = strstr(panel, "plot 'lightcurve.csv'"), *drawn = strstr(plot, wanted);
+  if (drawn == NULL || drawn > strchr(plot, '\n'))
+    fail_msg("%s: %s, %s, is not drawn", band, wanted, column);
+  table_release(&t);
+}
+
 /* With gnuplot three pictures, each of three kinds; without it a warning and everything else. */
 static void test_pictures(void **state)
 {
@@ -568,6 +586,10 @@ static void test_pictures(void **state)
   assert_null(strstr(first + 1, "'AB magnitude'"));
   assert_non_null(strstr(first, "using (x(1)):17 with lines"));
   assert_non_null(strstr(script, "vis 0.38–0.78 µm"));
+  expect_drawn(script, "vis", "vis_sun_W_sr");
+  expect_drawn(script, "lwir", "lwir_intensity_W_sr");
+  expect_drawn(script, "lwir", "lwir_stderr_W_sr");
+  expect_drawn(script, "lwir", "lwir_emitted_W_sr");
   free(script);
 }
 
