@@ -10,31 +10,11 @@
 #include <math.h>
 
 #include "geometry/scatter.h"
+#include "optics/coarse_impl.h"
 
-#define BINS_MOST 8    /* of a band: enough for weights of an error */
-#define SLACK     1.05 /* of what is asked: no further look */
-#define LOOKS     8
-#define STEP      1.03 /* between numbers that are tried */
-
-/* The bands in few bins, so that the cost does not depend on theirs. transmission:
- * [nband][BINS_MOST]
- */
-static void coarse_bands(const struct um_optics_band *bands, size_t nband,
-                         struct um_optics_band *coarse, double *transmission)
-{
-  for (size_t k = 0; k < nband; k++, transmission += BINS_MOST) {
-    coarse[k] = bands[k];
-    if (bands[k].bins <= BINS_MOST) continue;
-    coarse[k].bins = BINS_MOST;
-    if (bands[k].transmission == NULL) continue;
-    for (int i = 0; i < BINS_MOST; i++) {
-      int from = i * bands[k].bins / BINS_MOST, to = (i + 1) * bands[k].bins / BINS_MOST;
-      transmission[i] = 0.0;
-      for (int b = from; b < to; b++) transmission[i] += bands[k].transmission[b] / (to - from);
-    }
-    coarse[k].transmission = transmission;
-  }
-}
+#define SLACK 1.05 /* of what is asked: no further look */
+#define LOOKS 8
+#define STEP  1.03 /* between numbers that are tried */
 
 /* Largest error of a time over its intensity, of all bands [1]; 0 where there is no light. */
 static double relative(const struct um_optics_lightcurve *curve, size_t time)
@@ -94,9 +74,10 @@ enum um_status um_optics_adapt(struct um_context *context, const struct um_optic
   direct.view = view;
   direct.interreflection_samples = 0;
   UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
-  UM_CHECK(um_core_allocate(context, nband * BINS_MOST, sizeof *transmission, &transmission));
+  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
+                            &transmission));
   UM_CHECK(um_core_allocate(context, view->ntime, sizeof *number, &number));
-  coarse_bands(bands, nband, coarse, transmission);
+  um_optics_coarse_bands(bands, nband, coarse, transmission);
   for (int look = 0;; look++) {
     UM_CHECK(um_optics_lightcurve_compute(context, &direct, coarse, nband, &curve));
     size_t changed = next_numbers(curve, view, relative_error, number, out);

@@ -43,9 +43,11 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
       .albedo = (double)scene->albedo[at],
       .view_factor = (double)scene->view_factor[at],
       .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
+  struct um_optics_earth_shares shares;
   um_optics_sight_turn(p->spectra, scene, surface, work, &sight);
   um_optics_sum_clear(p->spectra, &work->single);
-  um_optics_sum_add(p->spectra, now, skin, &sight, work, &work->single);
+  um_optics_earth_shares(p->spectra, now, skin, &sight, &shares);
+  um_optics_sum_add(p->spectra, now, skin, &sight, 1, &shares, work, &work->single);
   um_optics_sum_spectrum(p->spectra, scene, now, skin, &work->single, work, work->spectral);
   for (size_t b = 0; b < n; b++) {
     const double *from = work->spectral + b * UM_MECHANISM_COUNT;

@@ -5,14 +5,31 @@
 #include <omp.h>
 #include <string.h>
 
+#include "optics/coarse_impl.h"
+#include "optics/facing_impl.h"
 #include "optics/interreflection_impl.h"
 #include "optics/stage_impl.h"
 
+/* Tables in some bins, and scratch for them. */
+struct resolution {
+  struct um_optics_spectra *spectra;
+  struct um_optics_spectra *aged; /* [nthread], NULL where surfaces do not age */
+  struct um_optics_work *work;    /* [nthread] */
+};
+
 struct job {
   const struct um_optics_scene *scene;
-  const struct um_optics_spectra *spectra;
   struct um_optics_lightcurve *curve;
-  struct um_optics_spectra *aged; /* [nthread], NULL where surfaces do not age */
+  struct resolution full, coarse;  /* that of the bands; for weights of errors */
+  struct um_optics_facing *facing; /* [nthread] */
+};
+
+/* One time of it, on one thread. */
+struct task {
+  const struct job *job;
+  struct um_optics_instant now;
+  const struct um_optics_spectra *spectra, *coarse;
+  struct um_optics_work *work, *coarse_work;
 };
 
 static enum um_status curve_create(struct um_context *context,
@@ -55,54 +72,42 @@ static void spectrum_keep(const struct job *job, size_t time, size_t material,
   }
 }
 
-static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size_t at, size_t s)
-{
-  const struct um_optics_view *view = scene->view;
-  return (struct um_optics_sight){
-      .area_seen = view->area[s] * (double)view->seen[at],
-      .area_lit = view->area[s] * (double)view->lit[at],
-      .cos_observer = (double)view->cos_observer[at],
-      .cos_sun = (double)view->cos_sun[at],
-      .cos_half = view->cos_half[at],
-      .cos_nadir = (double)view->cos_nadir[at],
-      .temperature = scene->temperature[at],
-      .albedo = (double)scene->albedo[at],
-      .view_factor = (double)scene->view_factor[at],
-      .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
-}
-
 /* Variance from the traced fractions: the intensity that a standard error of area would add. */
-static void error_add(const struct job *job, const struct um_optics_instant *now, size_t time,
-                      size_t s, const struct um_optics_sight *sight, struct um_optics_work *work)
+static void error_add(const struct task *task, size_t surface, const struct um_optics_sight *sight,
+                      const struct um_optics_earth_shares *shares)
 {
-  const struct um_optics_view *view = job->scene->view;
-  const struct um_optics_spectra *spectra = job->spectra;
-  size_t at = time * view->nsurface + s,
-         skin = um_optics_skin(spectra, um_geometry_mesh(job->scene->geometry), s);
+  const struct um_optics_scene *scene = task->job->scene;
+  const struct um_optics_view *view = scene->view;
+  const struct um_optics_spectra *spectra = task->coarse;
+  struct um_optics_work *work = task->coarse_work;
+  size_t time = task->now.time, at = time * view->nsurface + surface,
+         skin = um_optics_skin(spectra, um_geometry_mesh(scene->geometry), surface);
+  if (!(view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F)) return;
   struct um_optics_sight error = *sight;
-  error.area_seen = view->area[s] * (double)view->seen_error[at];
-  error.area_lit = view->area[s] * (double)view->lit_error[at];
+  error.area_seen = view->area[surface] * (double)view->seen_error[at];
+  error.area_lit = view->area[surface] * (double)view->lit_error[at];
   um_optics_sum_clear(spectra, &work->single);
-  um_optics_sum_add(spectra, now, skin, &error, work, &work->single);
-  um_optics_sum_spectrum(spectra, job->scene, now, skin, &work->single, work, work->spectral);
+  um_optics_sum_add(spectra, &task->now, skin, &error, 1, shares, work, &work->single);
+  um_optics_sum_spectrum(spectra, scene, &task->now, skin, &work->single, work, work->spectral);
   for (size_t k = 0; k < spectra->nband; k++) {
     double sum = 0.0;
     for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++)
       for (size_t m = 0; m < UM_MECHANISM_COUNT; m++)
         sum += work->spectral[b * UM_MECHANISM_COUNT + m] * spectra->transmission[b] *
                spectra->width[b];
-    job->curve->stderr_[time * spectra->nband + k] += sum * sum;
+    task->job->curve->stderr_[time * spectra->nband + k] += sum * sum;
   }
 }
 
-static void interreflection_add(const struct job *job, const struct um_optics_instant *now,
-                                const struct um_optics_set *set, size_t time, size_t s,
-                                struct um_optics_work *work)
+static void interreflection_add(const struct task *task, const struct um_optics_set *set, size_t s)
 {
+  const struct job *job = task->job;
   const struct um_optics_view *view = job->scene->view;
-  const struct um_optics_spectra *spectra = job->spectra;
-  size_t at = time * view->nsurface + s;
-  um_optics_interreflection(spectra, job->scene, now, set, time, s, (double)view->seen[at], work);
+  const struct um_optics_spectra *spectra = task->spectra;
+  struct um_optics_work *work = task->work;
+  size_t time = task->now.time, at = time * view->nsurface + s;
+  um_optics_interreflection(spectra, job->scene, &task->now, set, time, s, (double)view->seen[at],
+                            work);
   double projected = view->area[s] * (double)view->cos_observer[at];
   memset(work->spectral, 0, spectra->nbin * UM_MECHANISM_COUNT * sizeof *work->spectral);
   for (size_t b = 0; b < spectra->nbin; b++)
@@ -114,42 +119,65 @@ static void interreflection_add(const struct job *job, const struct um_optics_in
         projected * projected * work->band_variance[k];
 }
 
-/* The job with the materials as they are at a time, in the tables of this thread. */
-static struct job job_at(const struct um_context *context, const struct job *job, size_t time)
+/* The tables for a time, of this thread where materials age; what is the same for all surfaces into
+ * the scratch. */
+static const struct um_optics_spectra *spectra_at(const struct um_context *context,
+                                                  const struct job *job,
+                                                  const struct resolution *resolution,
+                                                  const struct um_optics_instant *now, int thread)
 {
-  struct job now = *job;
-  if (job->aged == NULL) return now;
-  struct um_optics_spectra *own = &job->aged[omp_get_thread_num()];
-  um_optics_spectra_materials(context, job->scene, time, own);
-  now.spectra = own;
-  return now;
+  struct um_optics_spectra *spectra = resolution->spectra;
+  struct um_optics_work *work = &resolution->work[thread];
+  if (resolution->aged != NULL) {
+    spectra = &resolution->aged[thread];
+    um_optics_spectra_materials(context, job->scene, now->time, spectra);
+  }
+  memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
+  um_optics_light(spectra, job->scene, now, work);
+  return spectra;
 }
 
-static void compute_time(const struct um_context *context, const struct job *all,
-                         const struct um_optics_set *set, size_t time, struct um_optics_work *work)
+static void surfaces_add(const struct um_context *context, const struct task *task,
+                         const struct um_optics_set *set, struct um_optics_facing *facing)
 {
-  const struct job now_job = job_at(context, all, time), *job = &now_job;
-  const struct um_optics_view *view = job->scene->view;
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(job->scene->geometry);
-  const struct um_optics_spectra *spectra = job->spectra;
-  struct um_optics_instant now = um_optics_instant(job->scene, time);
-  memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
-  um_optics_light(spectra, job->scene, &now, work);
-  um_optics_turn(spectra, job->scene, &now, work);
-  for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
-  for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
-    size_t at = time * view->nsurface + s, skin = um_optics_skin(spectra, mesh, s);
-    bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
-    if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
-    struct um_optics_sight sight = sight_of(job->scene, at, s);
-    um_optics_sight_turn(spectra, job->scene, s, work, &sight);
-    um_optics_sum_add(spectra, &now, skin, &sight, work, &work->sum[skin]);
-    if (uncertain) error_add(job, &now, time, s, &sight, work);
-    if (set != NULL && view->seen[at] > 0.0F && um_optics_exchange_has(set->exchange, s))
-      interreflection_add(job, &now, set, time, s, work);
+  const struct um_optics_scene *scene = task->job->scene;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
+  const float *seen = scene->view->seen + task->now.time * mesh->nsurface;
+  struct um_optics_earth_shares shares;
+  um_optics_facing_fill(task->spectra, scene, task->now.time, task->work, facing);
+  for (size_t g = 0; g < facing->ngroup && !um_core_stopped(context); g++) {
+    size_t first = facing->first[g], end = facing->first[g + 1];
+    size_t skin = um_optics_skin(task->spectra, mesh, facing->surface[first]);
+    um_optics_earth_shares(task->spectra, &task->now, skin, &facing->sight[first], &shares);
+    um_optics_sum_add(task->spectra, &task->now, skin, &facing->sight[first], end - first, &shares,
+                      task->work, &task->work->sum[skin]);
+    for (size_t i = first; i < end; i++)
+      error_add(task, facing->surface[i], &facing->sight[i], &shares);
   }
+  for (size_t i = 0; set != NULL && i < facing->count && !um_core_stopped(context); i++) {
+    size_t s = facing->surface[i];
+    if (seen[s] > 0.0F && um_optics_exchange_has(set->exchange, s))
+      interreflection_add(task, set, s);
+  }
+}
+
+static void compute_time(const struct um_context *context, const struct job *job,
+                         const struct um_optics_set *set, size_t time)
+{
+  int thread = omp_get_thread_num();
+  struct task task = {.job = job,
+                      .now = um_optics_instant(job->scene, time),
+                      .work = &job->full.work[thread],
+                      .coarse_work = &job->coarse.work[thread]};
+  task.spectra = spectra_at(context, job, &job->full, &task.now, thread);
+  task.coarse = spectra_at(context, job, &job->coarse, &task.now, thread);
+  const struct um_optics_spectra *spectra = task.spectra;
+  struct um_optics_work *work = task.work;
+  um_optics_turn(spectra, job->scene, &task.now, work);
+  for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
+  surfaces_add(context, &task, set, &job->facing[thread]);
   for (size_t m = 0; m < spectra->nskin; m++) {
-    um_optics_sum_spectrum(spectra, job->scene, &now, m, &work->sum[m], work, work->spectral);
+    um_optics_sum_spectrum(spectra, job->scene, &task.now, m, &work->sum[m], work, work->spectral);
     spectrum_keep(job, time, um_optics_material(spectra, m), work->spectral);
   }
   for (size_t k = 0; k < spectra->nband; k++) {
@@ -159,7 +187,7 @@ static void compute_time(const struct um_context *context, const struct job *all
 }
 
 static enum um_status compute_all(struct um_context *context, const struct job *job,
-                                  struct um_optics_stage *stage, struct um_optics_work *work)
+                                  struct um_optics_stage *stage)
 {
   const struct um_optics_scene *scene = job->scene;
   size_t ntime = scene->view->ntime;
@@ -171,12 +199,74 @@ static enum um_status compute_all(struct um_context *context, const struct job *
                                      stage));
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t i = 0; i < count; i++)
-      compute_time(context, job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i,
-                   &work[omp_get_thread_num()]);
+      compute_time(context, job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i);
     UM_TRY(um_core_progress_step(context, count));
     UM_TRY(um_core_stop_check(context, "light curves were computed"));
   }
   return UM_OK;
+}
+
+static enum um_status resolution_create(struct um_context *context,
+                                        const struct um_optics_scene *scene,
+                                        const struct um_optics_band *bands, size_t nband,
+                                        size_t nray, struct resolution *out)
+{
+  size_t nthread = (size_t)um_core_context_threads(context);
+  UM_TRY(
+      um_optics_spectra_create(context, scene, 0, scene->view->ntime, bands, nband, &out->spectra));
+  UM_TRY(um_optics_work_create(context, out->spectra, nray, nthread, &out->work));
+  if (!scene->ages) return UM_OK;
+  UM_TRY(um_core_allocate(context, nthread, sizeof *out->aged, &out->aged));
+  for (size_t k = 0; k < nthread; k++)
+    UM_TRY(um_optics_spectra_share(context, out->spectra, &out->aged[k]));
+  return UM_OK;
+}
+
+static void resolution_clear(struct um_context *context, struct resolution *resolution)
+{
+  size_t nthread = (size_t)um_core_context_threads(context);
+  um_optics_work_destroy(context, nthread, &resolution->work);
+  for (size_t k = 0; resolution->aged != NULL && k < nthread; k++)
+    um_optics_spectra_share_clear(context, &resolution->aged[k]);
+  um_core_free(context, resolution->aged);
+  um_optics_spectra_destroy(context, &resolution->spectra);
+}
+
+static enum um_status job_create(struct um_context *context, const struct um_optics_band *bands,
+                                 size_t nband, struct job *job)
+{
+  enum um_status status;
+  const struct um_optics_scene *scene = job->scene;
+  size_t nthread = (size_t)um_core_context_threads(context);
+  size_t nray = scene->interreflection_samples > 0 ? (size_t)scene->interreflection_samples : 0;
+  struct um_optics_band *coarse = NULL;
+  double *transmission = NULL;
+  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
+  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
+                            &transmission));
+  UM_CHECK(resolution_create(context, scene, bands, nband, nray, &job->full));
+  um_optics_coarse_bands(bands, nband, coarse, transmission);
+  UM_CHECK(resolution_create(context, scene, coarse, nband, 0, &job->coarse));
+  UM_CHECK(um_core_allocate(context, nthread, sizeof *job->facing, &job->facing));
+  for (size_t k = 0; k < nthread; k++)
+    UM_CHECK(um_optics_facing_create(context, scene->view->nsurface, &job->facing[k]));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
+  UM_CHECK(curve_create(context, job->full.spectra, scene->view->ntime, job->curve));
+done:
+  um_core_free(context, coarse);
+  um_core_free(context, transmission);
+  return status;
+}
+
+static void job_clear(struct um_context *context, struct job *job)
+{
+  size_t nthread = (size_t)um_core_context_threads(context);
+  resolution_clear(context, &job->full);
+  resolution_clear(context, &job->coarse);
+  for (size_t k = 0; job->facing != NULL && k < nthread; k++)
+    um_optics_facing_clear(context, &job->facing[k]);
+  um_core_free(context, job->facing);
+  um_optics_lightcurve_destroy(context, &job->curve);
 }
 
 enum um_status um_optics_lightcurve_compute(struct um_context *context,
@@ -184,47 +274,27 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
                                             const struct um_optics_band *bands, size_t nband,
                                             struct um_optics_lightcurve **out)
 {
-  enum um_status status = UM_OK;
-  struct um_optics_spectra *spectra = NULL;
-  struct um_optics_lightcurve *curve = NULL;
+  enum um_status status;
   struct um_optics_stage *stage = NULL;
-  struct um_optics_work *work = NULL;
-  struct um_optics_spectra *aged = NULL;
-  size_t nthread = (size_t)um_core_context_threads(context), ntime = scene->view->ntime;
-  size_t nray = scene->interreflection_samples > 0 ? (size_t)scene->interreflection_samples : 0;
-  size_t nsurface = um_geometry_mesh(scene->geometry)->nsurface;
+  struct job job = {.scene = scene};
+  size_t ntime = scene->view->ntime, nsurface = um_geometry_mesh(scene->geometry)->nsurface;
   *out = NULL;
   if (scene->view->nsurface != nsurface)
     return um_core_fail(context, UM_ERR_INPUT, "view of %zu surfaces for a geometry of %zu",
                         scene->view->nsurface, nsurface);
-  UM_CHECK(um_optics_spectra_create(context, scene, 0, ntime, bands, nband, &spectra));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *curve, &curve));
-  UM_CHECK(curve_create(context, spectra, ntime, curve));
+  UM_CHECK(job_create(context, bands, nband, &job));
   UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
-  UM_CHECK(um_optics_work_create(context, spectra, nray, nthread, &work));
-  struct job job = {.scene = scene, .spectra = spectra, .curve = curve};
-  if (scene->ages) {
-    UM_CHECK(um_core_allocate(context, nthread, sizeof *aged, &aged));
-    for (size_t k = 0; k < nthread; k++)
-      UM_CHECK(um_optics_spectra_share(context, spectra, &aged[k]));
-    job.aged = aged;
-  }
   um_core_progress_begin(context, "computing light curves", ntime);
-  status = compute_all(context, &job, stage, work);
+  status = compute_all(context, &job, stage);
   um_core_progress_end(context);
   if (status == UM_OK) {
-    *out = curve;
-    curve = NULL;
+    *out = job.curve;
+    job.curve = NULL;
   }
 done:
-  um_optics_work_destroy(context, nthread, &work);
   if (stage != NULL) um_optics_stage_clear(context, stage);
   um_core_free(context, stage);
-  for (size_t k = 0; aged != NULL && k < nthread; k++)
-    um_optics_spectra_share_clear(context, &aged[k]);
-  um_core_free(context, aged);
-  um_optics_spectra_destroy(context, &spectra);
-  um_optics_lightcurve_destroy(context, &curve);
+  job_clear(context, &job);
   return status;
 }
 

@@ -52,6 +52,10 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_sun));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_observer));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth_clear));
+  UM_TRY(um_optics_planck_sum_create(context, spectra, &work->bodies));
+  UM_TRY(um_optics_planck_sum_create(context, spectra, &work->far));
+  UM_TRY(um_optics_planck_sum_create(context, spectra, &work->clear));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->sunlight));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_all));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_earth));
@@ -99,8 +103,11 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
         w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
         w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
         w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
-        w->lobe_all, w->lobe_earth, w->angle,     w->rotation};
+        w->lobe_all, w->lobe_earth, w->angle,     w->rotation,   w->earth_clear};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
+    um_optics_planck_sum_clear(context, &w->bodies);
+    um_optics_planck_sum_clear(context, &w->far);
+    um_optics_planck_sum_clear(context, &w->clear);
   }
   um_core_free(context, *work);
   *work = NULL;
@@ -160,139 +167,4 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
   if (sight->patches.n > 0 || um_materials_lobe_is_anisotropic(&spectra->lobe[skin]))
     um_geometry_surface_grain(scene->geometry, work->rotation, surface, &sight->grain,
                               &sight->across);
-}
-
-void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum)
-{
-  sum->lambert = sum->lobe = sum->albedo = sum->view_factor = 0.0;
-  memset(sum->emitted, 0, spectra->nbin * sizeof *sum->emitted);
-  memset(sum->planet, 0, spectra->nbin * sizeof *sum->planet);
-  memset(sum->masked, 0, spectra->nbin * sizeof *sum->masked);
-  memset(sum->earthlit, 0, spectra->nbin * sizeof *sum->earthlit);
-}
-
-/* M(i) M(o) of a sunlit surface. */
-static void add_masked(const struct um_optics_spectra *spectra, size_t skin,
-                       const struct um_optics_sight *sight, double projected,
-                       struct um_optics_work *work, struct um_optics_sum *sum)
-{
-  const double *toward = work->masked_observer, *from = work->masked_sun;
-  um_optics_spectra_masked(spectra, skin, sight->cos_sun, work->masked_sun);
-  um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
-  for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
-}
-
-static struct um_materials_pair pair_of(const struct um_optics_instant *instant,
-                                        const struct um_materials_lobe *lobe,
-                                        const struct um_optics_sight *sight)
-{
-  struct um_materials_pair pair = {
-      sight->cos_sun, sight->cos_observer, sight->cos_half, instant->cos_half_phase, 0.0, 0.0, 0.0};
-  if (!um_materials_lobe_is_anisotropic(lobe) && sight->patches.n == 0) return pair;
-  pair.along_i = um_vec3_dot(sight->grain, instant->sun_body);
-  pair.along_o = um_vec3_dot(sight->grain, instant->observer_body);
-  pair.along_h = um_vec3_dot(sight->grain, instant->half_body);
-  return pair;
-}
-
-void um_optics_sum_add(const struct um_optics_spectra *spectra,
-                       const struct um_optics_instant *instant, size_t skin,
-                       const struct um_optics_sight *sight, struct um_optics_work *work,
-                       struct um_optics_sum *sum)
-{
-  double cos_o = sight->cos_observer, cos_i = sight->cos_sun;
-  if (!(cos_o > 0.0)) return;
-  if (instant->sun > 0.0 && sight->area_lit > 0.0 && cos_i > 0.0) {
-    double projected = sight->area_lit * cos_o * cos_i;
-    sum->lambert += projected;
-    if (spectra->masks[skin]) add_masked(spectra, skin, sight, projected, work, sum);
-    const struct um_materials_lobe *lobe = &spectra->lobe[skin];
-    if (lobe->kind != NULL) {
-      struct um_materials_pair pair = pair_of(instant, lobe, sight);
-      sum->lobe += projected *
-                   (sight->patches.n > 0
-                        ? um_materials_lobe_patches(&spectra->flat[skin], lobe, &pair,
-                                                    um_vec3_dot(sight->across, instant->half_body),
-                                                    instant->sun_radius, &sight->patches)
-                        : lobe->kind->sunlit(lobe, &pair, instant->sun_radius));
-    }
-  }
-  double seen = sight->area_seen * cos_o;
-  if (!(seen > 0.0) || instant->sunlight_only) return;
-  sum->albedo += seen * sight->albedo;
-  um_optics_spectra_planck(spectra, sight->temperature, work->planck);
-  size_t n = spectra->nbin;
-  const double *planck = work->planck;
-  double *emitted = sum->emitted, *planet = sum->planet;
-  if (instant->earth_varies) um_optics_spectra_planck(spectra, sight->brightness, work->earth);
-  if (instant->earth_lobe && spectra->lobe[skin].kind != NULL)
-    um_optics_add_earth_lobe(spectra, instant, skin, sight, seen, work, sum);
-  if (spectra->diffuse_emitter[skin]) {
-    const double *row = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
-    for (size_t b = 0; b < n && instant->earth_varies; b++)
-      planet[b] += seen * sight->view_factor * (1.0 - row[b]) * work->earth[b];
-    sum->view_factor += seen * sight->view_factor;
-    for (size_t b = 0; b < n; b++) emitted[b] += seen * planck[b];
-    return;
-  }
-  const double *emissivity = um_optics_spectra_emissivity(spectra, skin, cos_o, work->emissivity);
-  for (size_t b = 0; b < n; b++) emitted[b] += seen * emissivity[b] * planck[b];
-  um_optics_add_planet(spectra, instant, skin, sight, seen, emissivity, work, sum);
-}
-
-const double *um_optics_specular(const struct um_optics_spectra *spectra,
-                                 const struct um_optics_scene *scene,
-                                 const struct um_optics_instant *instant, size_t skin,
-                                 struct um_optics_work *work)
-{
-  double *row = work->specular + skin * spectra->nbin;
-  if (work->specular_known[skin]) return row;
-  size_t material = um_optics_material(spectra, skin);
-  const struct um_materials_adjustment *adjustment =
-      um_optics_adjustment(scene, instant->time, material);
-  for (size_t b = 0; b < spectra->nbin; b++)
-    row[b] = um_materials_specular_reflectance(scene->material[material], adjustment,
-                                               spectra->wavelength[b], instant->cos_half_phase);
-  work->specular_known[skin] = true;
-  return row;
-}
-
-void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
-                            const struct um_optics_scene *scene,
-                            const struct um_optics_instant *instant, size_t skin,
-                            const struct um_optics_sum *sum, struct um_optics_work *work,
-                            double *spectral)
-{
-  size_t n = spectra->nbin;
-  memset(spectral, 0, n * UM_MECHANISM_COUNT * sizeof *spectral);
-  const double *diffuse = spectra->diffuse + skin * n;
-  const double *emissivity = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
-  bool diffuse_emitter = spectra->diffuse_emitter[skin];
-  if (instant->sun > 0.0 && sum->lambert > 0.0) {
-    const double *mean = spectra->masked_mean + skin * n;
-    for (size_t b = 0; b < n; b++) {
-      double scattered = (diffuse[b] - mean[b]) * sum->lambert;
-      if (mean[b] > 0.0) scattered += sum->masked[b] / mean[b];
-      spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] = work->sunlight[b] * scattered / UM_PI;
-    }
-    if (sum->lobe > 0.0) {
-      const double *specular = um_optics_specular(spectra, scene, instant, skin, work);
-      for (size_t b = 0; b < n; b++)
-        spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] +=
-            work->sunlight[b] * specular[b] * sum->lobe;
-    }
-  }
-  double albedo = instant->earthshine * sum->albedo / UM_PI;
-  double lobe = instant->earthshine * instant->earth_radiance;
-  for (size_t b = 0; b < n; b++) {
-    double planet = diffuse_emitter && !instant->earth_varies
-                        ? (1.0 - emissivity[b]) * sum->view_factor
-                        : sum->planet[b];
-    planet *= instant->earth_reflection;
-    double earth = instant->earth_varies ? 1.0 : spectra->earth[b];
-    double *to = spectral + b * UM_MECHANISM_COUNT;
-    to[UM_MECHANISM_EARTH] =
-        spectra->share[b] * (diffuse[b] * albedo + lobe * sum->earthlit[b]) + planet * earth;
-    to[UM_MECHANISM_EMITTED] = (diffuse_emitter ? emissivity[b] : 1.0) * sum->emitted[b];
-  }
 }

@@ -56,11 +56,19 @@ static struct um_vec3 toward(const struct um_optics_sight *sight, struct um_vec3
                  cosine);
 }
 
-void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
-                              const struct um_optics_instant *instant, size_t skin,
-                              const struct um_optics_sight *sight, double seen,
-                              struct um_optics_work *work, struct um_optics_sum *sum)
+static bool mirrors_earth(const struct um_optics_spectra *spectra,
+                          const struct um_optics_instant *instant, size_t skin)
 {
+  return instant->earth_lobe && spectra->lobe[skin].kind != NULL;
+}
+
+void um_optics_earth_shares(const struct um_optics_spectra *spectra,
+                            const struct um_optics_instant *instant, size_t skin,
+                            const struct um_optics_sight *sight,
+                            struct um_optics_earth_shares *shares)
+{
+  shares->whole = 0.0;
+  if (!mirrors_earth(spectra, instant, skin)) return;
   bool turned = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
   struct um_optics_frame grain;
   if (turned)
@@ -70,45 +78,85 @@ void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
   const struct um_optics_earth_before before = {
       sight->cos_observer,   sight->cos_nadir,   sight->cos_sun,   instant->observer_nadir,
       instant->observer_sun, instant->nadir_sun, instant->h_ratio, turned ? &grain : NULL};
-  struct um_optics_earth_lobe lobe;
-  size_t n = spectra->nbin;
-  double whole = um_environment_plate_view_factor(instant->h_ratio,
-                                                  acos(fmin(fmax(sight->cos_nadir, -1.0), 1.0)));
-  double clear = whole > 0.0 ? fmin(1.0, sight->view_factor / whole) : 0.0;
-  um_optics_earth_lobe(&before, &spectra->facets[skin], &lobe);
-  if (instant->earthshine > 0.0 && sight->albedo > 0.0) {
-    weigh(spectra, skin, lobe.lit, work->lobe_earth);
-    for (size_t b = 0; b < n; b++) sum->earthlit[b] += seen * clear * work->lobe_earth[b];
-  }
-  if (spectra->diffuse_emitter[skin]) return;
-  weigh(spectra, skin, lobe.all, work->lobe_all);
-  /* before the whole of what the surface sees the edge of the Earth is its own horizon */
-  weigh(spectra, skin, whole < ALL_OF_IT ? lobe.earth : lobe.all, work->lobe_earth);
-  for (size_t b = 0; b < n; b++)
-    work->lobe_earth[b] =
-        work->lobe_all[b] > 0.0 ? clear * work->lobe_earth[b] / work->lobe_all[b] : 0.0;
+  shares->whole = um_environment_plate_view_factor(instant->h_ratio,
+                                                   acos(fmin(fmax(sight->cos_nadir, -1.0), 1.0)));
+  um_optics_earth_lobe(&before, &spectra->facets[skin], &shares->lobe);
 }
 
-void um_optics_add_planet(const struct um_optics_spectra *spectra,
-                          const struct um_optics_instant *instant, size_t skin,
-                          const struct um_optics_sight *sight, double seen,
-                          const double *emissivity, struct um_optics_work *work,
-                          struct um_optics_sum *sum)
+void um_optics_earth_seen_add(const struct um_optics_spectra *spectra,
+                              const struct um_optics_instant *instant,
+                              const struct um_optics_earth_shares *shares,
+                              const struct um_optics_sight *sight, double area,
+                              struct um_optics_work *work, struct um_optics_earth_seen *earth)
+{
+  double clear = shares->whole > 0.0 ? area * fmin(1.0, sight->view_factor / shares->whole) : 0.0;
+  earth->view_factor += area * sight->view_factor;
+  earth->clear += clear;
+  if (sight->albedo > 0.0) earth->clear_lit += clear;
+  if (!instant->earth_varies) return;
+  um_optics_planck_sum_add(spectra, sight->brightness, area * sight->view_factor, &work->far);
+  if (clear > 0.0) um_optics_planck_sum_add(spectra, sight->brightness, clear, &work->clear);
+}
+
+/* What a directional emitter reflects of the Earth's radiation, per bin: the diffuse parts by view
+ * factor and the lobe as far as the Earth fills it. */
+static void add_planet(const struct um_optics_spectra *spectra,
+                       const struct um_optics_instant *instant, size_t skin,
+                       const struct um_optics_sight *sight,
+                       const struct um_optics_earth_shares *shares,
+                       const struct um_optics_earth_seen *earth, const double *emissivity,
+                       struct um_optics_work *work, double *planet)
 {
   size_t n = spectra->nbin;
+  bool varies = instant->earth_varies;
+  if (!mirrors_earth(spectra, instant, skin)) {
+    for (size_t b = 0; b < n; b++)
+      planet[b] += (varies ? work->earth[b] : earth->view_factor) * (1.0 - emissivity[b]);
+    return;
+  }
   const double *diffuse = spectra->diffuse + skin * n;
   const double *mean = spectra->masked_mean + skin * n;
-  bool lobe = instant->earth_lobe && spectra->lobe[skin].kind != NULL;
-  if (lobe && spectra->masks[skin])
-    um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
+  const double *all = work->lobe_all, *part = work->lobe_earth, *masked = work->masked_observer;
+  bool masks = spectra->masks[skin];
+  if (masks) um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
+  weigh(spectra, skin, shares->lobe.all, work->lobe_all);
+  /* before the whole of what the surface sees the edge of the Earth is its own horizon */
+  weigh(spectra, skin, shares->whole < ALL_OF_IT ? shares->lobe.earth : shares->lobe.all,
+        work->lobe_earth);
   for (size_t b = 0; b < n; b++) {
-    double back = sight->view_factor * (1.0 - emissivity[b]);
-    if (lobe) {
-      double flat = diffuse[b] - mean[b];
-      if (spectra->masks[skin]) flat += work->masked_observer[b];
-      flat = fmin(flat, 1.0 - emissivity[b]);
-      back = sight->view_factor * flat + work->lobe_earth[b] * (1.0 - emissivity[b] - flat);
-    }
-    sum->planet[b] += seen * back * (instant->earth_varies ? work->earth[b] : 1.0);
+    double flat = diffuse[b] - mean[b];
+    if (masks) flat += masked[b];
+    flat = fmin(flat, 1.0 - emissivity[b]);
+    double filled = all[b] > 0.0 ? part[b] / all[b] : 0.0;
+    planet[b] +=
+        (varies ? work->earth[b] : earth->view_factor) * flat +
+        (varies ? work->earth_clear[b] : earth->clear) * filled * (1.0 - emissivity[b] - flat);
   }
+}
+
+void um_optics_add_earth(const struct um_optics_spectra *spectra,
+                         const struct um_optics_instant *instant, size_t skin,
+                         const struct um_optics_sight *sight,
+                         const struct um_optics_earth_shares *shares,
+                         const struct um_optics_earth_seen *earth, const double *emissivity,
+                         struct um_optics_work *work, struct um_optics_sum *sum)
+{
+  size_t n = spectra->nbin;
+  if (instant->earth_varies) {
+    um_optics_planck_sum_end(spectra, &work->far, work->earth);
+    um_optics_planck_sum_end(spectra, &work->clear, work->earth_clear);
+  }
+  if (mirrors_earth(spectra, instant, skin) && instant->earthshine > 0.0 &&
+      earth->clear_lit > 0.0) {
+    weigh(spectra, skin, shares->lobe.lit, work->lobe_earth);
+    for (size_t b = 0; b < n; b++) sum->earthlit[b] += earth->clear_lit * work->lobe_earth[b];
+  }
+  if (emissivity != NULL) {
+    add_planet(spectra, instant, skin, sight, shares, earth, emissivity, work, sum->planet);
+    return;
+  }
+  sum->view_factor += earth->view_factor;
+  const double *row = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
+  for (size_t b = 0; b < n && instant->earth_varies; b++)
+    sum->planet[b] += (1.0 - row[b]) * work->earth[b];
 }

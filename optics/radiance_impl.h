@@ -3,7 +3,7 @@
 #ifndef UMBRA_OPTICS_RADIANCE_IMPL_H
 #define UMBRA_OPTICS_RADIANCE_IMPL_H
 
-#include "optics/spectra_impl.h"
+#include "optics/planck_impl.h"
 
 /* What is the same for all surfaces at one time. */
 struct um_optics_instant {
@@ -55,20 +55,22 @@ struct um_optics_sum {
 struct um_optics_work {
   double *planck, *emissivity;          /* [nbin] */
   double *masked_sun, *masked_observer; /* [nbin] M toward both */
-  double *earth;                        /* [nbin] the Earth before one surface, where it varies */
-  double *lobe_all, *lobe_earth;        /* [nbin] a lobe, and what of it the Earth fills */
-  double *sunlight;                     /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
-  double *spectral;                     /* [nbin][UM_MECHANISM_COUNT] */
-  double *specular;                     /* [nskin][nbin] F of the current instant, where known */
-  bool *specular_known;                 /* [nskin] */
-  double *bins;                         /* [4 nskin + 4][nbin] behind the sums */
-  struct um_optics_sum *sum;            /* [nskin] */
-  struct um_optics_sum single;          /* for one surface */
-  double *incoming;                     /* [nbin] inter-reflection */
-  double *reflected;                    /* [nbin] inter-reflection */
-  double *band, *band_variance;         /* [nband] */
-  struct um_geometry_ray *ray;          /* [nray] */
-  uint8_t *occluded, *hidden;           /* [nray] */
+  double *earth, *earth_clear;          /* [nbin] the Earth before surfaces, where it varies */
+  struct um_optics_planck_sum bodies, far, clear; /* surfaces; the Earth before them, by view
+                                                     factor and where it is not hidden */
+  double *lobe_all, *lobe_earth; /* [nbin] a lobe, and what of it the Earth fills */
+  double *sunlight;              /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
+  double *spectral;              /* [nbin][UM_MECHANISM_COUNT] */
+  double *specular;              /* [nskin][nbin] F of the current instant, where known */
+  bool *specular_known;          /* [nskin] */
+  double *bins;                  /* [4 nskin + 4][nbin] behind the sums */
+  struct um_optics_sum *sum;     /* [nskin] */
+  struct um_optics_sum single;   /* for one surface */
+  double *incoming;              /* [nbin] inter-reflection */
+  double *reflected;             /* [nbin] inter-reflection */
+  double *band, *band_variance;  /* [nband] */
+  struct um_geometry_ray *ray;   /* [nray] */
+  uint8_t *occluded, *hidden;    /* [nray] */
   double *angle;            /* [njoint] of the current instant, where a lobe has a grain [rad] */
   struct um_quat *rotation; /* [npart] body to part, likewise */
 };
@@ -96,26 +98,46 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
 void um_optics_instant_earth(const struct um_environment *environment,
                              const struct um_environment_sample *sample,
                              struct um_optics_instant *now);
-/* The Earth in the lobe of a surface that sees a share of it (earth_lobe_impl.h): earthshine into
- * the sum, and for directional emitters the share of the lobe that the Earth fills into
- * work->lobe_earth. seen: area_seen cos_o [m^2]. */
-void um_optics_add_earth_lobe(const struct um_optics_spectra *spectra,
-                              const struct um_optics_instant *instant, size_t skin,
-                              const struct um_optics_sight *sight, double seen,
-                              struct um_optics_work *work, struct um_optics_sum *sum);
-/* The Earth's own radiation reflected by a directional emitter: the lobe is what 1 - eps leaves
- * beside the diffuse parts, so that an Earth all round gives 1 - eps to the last digit. Behind
- * um_optics_add_earth_lobe. */
-void um_optics_add_planet(const struct um_optics_spectra *spectra,
-                          const struct um_optics_instant *instant, size_t skin,
-                          const struct um_optics_sight *sight, double seen,
-                          const double *emissivity, struct um_optics_work *work,
-                          struct um_optics_sum *sum);
+/* What the lobe of surfaces that face one way sees of the Earth. */
+struct um_optics_earth_shares {
+  struct um_optics_earth_lobe lobe;
+  double whole; /* view factor of a plate that nothing hides the Earth from [1] */
+};
+/* Of a surface; nothing is done where no lobe mirrors the Earth. */
+void um_optics_earth_shares(const struct um_optics_spectra *spectra,
+                            const struct um_optics_instant *instant, size_t skin,
+                            const struct um_optics_sight *sight,
+                            struct um_optics_earth_shares *shares);
+/* Sums over surfaces that face one way: projected area times what each sees of the Earth. */
+struct um_optics_earth_seen {
+  double view_factor;      /* [m^2] */
+  double clear, clear_lit; /* times the share of the Earth before the plate that is not hidden; of
+                              surfaces that are lit by it [m^2] */
+};
+/* Where the Earth varies the first two of them go times B(T_b) into the sums of the work. area:
+ * area_seen cos_o [m^2]. */
+void um_optics_earth_seen_add(const struct um_optics_spectra *spectra,
+                              const struct um_optics_instant *instant,
+                              const struct um_optics_earth_shares *shares,
+                              const struct um_optics_sight *sight, double area,
+                              struct um_optics_work *work, struct um_optics_earth_seen *earth);
+/* Earthshine in the lobe into the sum, and the Earth's own radiation reflected. emissivity: [nbin]
+ * toward the observer, NULL for diffuse emitters. Of directional emitters the lobe is what 1 - eps
+ * leaves beside the diffuse parts, so that an Earth all round gives 1 - eps to the last digit. */
+void um_optics_add_earth(const struct um_optics_spectra *spectra,
+                         const struct um_optics_instant *instant, size_t skin,
+                         const struct um_optics_sight *sight,
+                         const struct um_optics_earth_shares *shares,
+                         const struct um_optics_earth_seen *earth, const double *emissivity,
+                         struct um_optics_work *work, struct um_optics_sum *sum);
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum);
+/* Add surfaces of one skin that face the same way, sight[count]: cosines, grain and patches are
+ * those of the first. shares: of all of them (um_optics_earth_shares). */
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
                        const struct um_optics_instant *instant, size_t skin,
-                       const struct um_optics_sight *sight, struct um_optics_work *work,
+                       const struct um_optics_sight *sight, size_t count,
+                       const struct um_optics_earth_shares *shares, struct um_optics_work *work,
                        struct um_optics_sum *sum);
 /* F per bin of a material's lobe at this instant; kept in the work until the next instant. */
 const double *um_optics_specular(const struct um_optics_spectra *spectra,

@@ -1,66 +1,13 @@
-/* Wavelength bins and the tables on them.
- *
- * Black bodies: B_lambda(T) is nearly exponential in x = 1/T, d ln B/dx = -C2/lambda, so four-point
- * Lagrange interpolation on a grid of step h in x has the relative error (3/128) (h C2/lambda)^4;
- * h C2/lambda_min = 0.02 makes it 3.7e-9. Where lambda T is large B goes like T instead, with the
- * error (9/16) (h/x)^4; h/x <= 0.008 makes it 2.3e-9. Entries are exact means over the bin.
- * Emissivities: the same interpolation in u = sqrt(cos), which is dense where metals peak. */
+/* Wavelength bins and the tables of sources and materials on them; black bodies: planck.c.
+ * Emissivities are interpolated in u = sqrt(cos), which is dense where metals peak. */
 #include "optics/spectra_impl.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "optics/lagrange_impl.h"
+#include "optics/planck_impl.h"
 
-#define PLANCK_STEP  0.02  /* h C2 / lambda_min [1] */
-#define PLANCK_RATIO 0.008 /* h / x at the hottest [1] */
-#define PLANCK_LIMIT 700.0 /* C2 / (lambda T) beyond which exp underflows [1] */
-#define PLANCK_NODES 131072.0
-#define BINS_MAX     100000
-
-/* Weights of the nodes at -1, 0, 1, 2 for the place f in [0, 1]. */
-static void lagrange_weights(double f, double w[4])
-{
-  w[0] = -f * (f - 1.0) * (f - 2.0) / 6.0;
-  w[1] = (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0;
-  w[2] = -(f + 1.0) * f * (f - 2.0) / 2.0;
-  w[3] = (f + 1.0) * f * (f - 1.0) / 6.0;
-}
-
-/* row[i] = sum_k w[k] table[k * stride + i], i < n */
-static void lagrange_rows(const double w[4], const double *table, size_t stride, size_t n,
-                          double *row)
-{
-  const double *a = table, *b = a + stride, *c = b + stride, *d = c + stride;
-  for (size_t i = 0; i < n; i++) row[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
-}
-
-static double planck_mean(const struct um_optics_spectra *spectra, size_t bin, double temperature)
-{
-  return um_core_planck_band(spectra->from[bin], spectra->to[bin], temperature) /
-         spectra->width[bin];
-}
-
-void um_optics_spectra_planck(const struct um_optics_spectra *spectra, double temperature,
-                              double *row)
-{
-  double x = 1.0 / temperature;
-  for (size_t k = 0; k < spectra->nband; k++) {
-    const struct um_optics_planck *table = &spectra->planck[k];
-    size_t first = spectra->first[k], n = spectra->first[k + 1] - first;
-    double place = table->nnode == 0 ? -1.0 : (x - table->x_from) / table->step;
-    if (!(place >= 0.0 && place <= (double)(table->nnode - 1))) {
-      for (size_t i = 0; i < n; i++) row[first + i] = planck_mean(spectra, first + i, temperature);
-      continue;
-    }
-    size_t node = (size_t)place;
-    if (node < 1) node = 1;
-    if (node > table->nnode - 3) node = table->nnode - 3;
-    double w[4];
-    lagrange_weights(place - (double)node, w);
-    lagrange_rows(w, table->radiance + (node - 1) * n, n, n, row + first);
-  }
-}
+#define BINS_MAX 100000
 
 /* Table [UM_OPTICS_ANGLE_NODES][n] at a cosine. */
 static void at_cosine(const double *table, size_t n, double cosine, double *row)
@@ -70,8 +17,8 @@ static void at_cosine(const double *table, size_t n, double cosine, double *row)
   if (node < 1) node = 1;
   if (node > UM_OPTICS_ANGLE_NODES - 3) node = UM_OPTICS_ANGLE_NODES - 3;
   double w[4];
-  lagrange_weights(place - (double)node, w);
-  lagrange_rows(w, table + (node - 1) * n, n, n, row);
+  um_optics_lagrange_weights(place - (double)node, w);
+  um_optics_lagrange_rows(w, table + (node - 1) * n, n, n, row);
 }
 
 void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t skin, double cosine,
@@ -172,7 +119,7 @@ static enum um_status sources_create(struct um_context *context,
     s->sun[b] = um_environment_solar_band(environment, s->from[b], s->to[b]) / s->width[b];
     s->share[b] =
         environment->solar_irradiance > 0.0 ? s->sun[b] / environment->solar_irradiance : 0.0;
-    s->earth[b] = planck_mean(s, b, environment->brightness_temperature);
+    s->earth[b] = um_optics_planck_mean(s, b, environment->brightness_temperature);
   }
   return UM_OK;
 }
@@ -296,32 +243,6 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
-static enum um_status planck_create(struct um_context *context, double low, double high,
-                                    struct um_optics_spectra *s)
-{
-  UM_TRY(um_core_allocate(context, s->nband, sizeof *s->planck, &s->planck));
-  for (size_t k = 0; k < s->nband; k++) {
-    struct um_optics_planck *table = &s->planck[k];
-    size_t first = s->first[k], n = s->first[k + 1] - first;
-    double scale = s->from[first] / UM_RADIATION_C2; /* [1/K] per unit of C2/(lambda T) */
-    double x_low = 1.0 / high, x_high = fmin(1.0 / low, PLANCK_LIMIT * scale);
-    if (!(x_low < PLANCK_LIMIT * scale)) continue;
-    table->step = fmin(PLANCK_STEP * scale, PLANCK_RATIO * x_low);
-    table->x_from = x_low - table->step;
-    double nodes = ceil((x_high - x_low) / table->step) + 4.0;
-    if (!(nodes <= PLANCK_NODES)) continue; /* an absurd range: evaluate directly */
-    table->nnode = (size_t)nodes;
-    UM_TRY(um_core_allocate(context, table->nnode * n, sizeof *table->radiance, &table->radiance));
-#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
-    for (size_t i = 0; i < table->nnode; i++) {
-      double temperature = 1.0 / (table->x_from + (double)i * table->step);
-      for (size_t b = 0; b < n; b++)
-        table->radiance[i * n + b] = planck_mean(s, first + b, temperature);
-    }
-  }
-  return UM_OK;
-}
-
 enum um_status um_optics_spectra_create(struct um_context *context,
                                         const struct um_optics_scene *scene, size_t first,
                                         size_t count, const struct um_optics_band *bands,
@@ -345,7 +266,7 @@ enum um_status um_optics_spectra_create(struct um_context *context,
   UM_CHECK(materials_check(context, scene));
   UM_CHECK(materials_allocate(context, s));
   um_optics_spectra_materials(context, scene, first, s);
-  UM_CHECK(planck_create(context, low, high, s));
+  UM_CHECK(um_optics_planck_create(context, low, high, s));
   *out = s;
   s = NULL;
 done:

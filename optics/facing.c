@@ -1,0 +1,118 @@
+/* Surfaces by how they face. */
+#include "optics/facing_impl.h"
+
+#include <math.h>
+
+#define LOOK_BACK                                                                                  \
+  64 /* groups: walls stand together in a mesh, and a dish has no two facets alike */
+#define SAME       3e-7F /* difference of cosines, of what a float tells apart */
+#define SAME_GRAIN 1e-9
+#define SAME_HALF  1e-12 /* narrow lobes depend on 1 - cos */
+
+enum um_status um_optics_facing_create(struct um_context *context, size_t nsurface,
+                                       struct um_optics_facing *facing)
+{
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->sight, &facing->sight));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->surface, &facing->surface));
+  UM_TRY(um_core_allocate(context, nsurface + 1, sizeof *facing->first, &facing->first));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->of, &facing->of));
+  return um_core_allocate(context, nsurface, sizeof *facing->seen, &facing->seen);
+}
+
+void um_optics_facing_clear(struct um_context *context, struct um_optics_facing *facing)
+{
+  um_core_free(context, facing->sight);
+  um_core_free(context, facing->surface);
+  um_core_free(context, facing->first);
+  um_core_free(context, facing->of);
+  um_core_free(context, facing->seen);
+}
+
+static bool alone(const struct um_optics_spectra *spectra, size_t surface)
+{
+  const struct um_optics_creases *c = spectra->creases;
+  return c != NULL && c->patches->first[surface + 1] > c->patches->first[surface];
+}
+
+static bool same(const struct um_optics_view *view, size_t a, size_t b)
+{
+  return fabsf(view->cos_observer[a] - view->cos_observer[b]) <= SAME &&
+         fabsf(view->cos_sun[a] - view->cos_sun[b]) <= SAME &&
+         fabsf(view->cos_nadir[a] - view->cos_nadir[b]) <= SAME &&
+         fabs(view->cos_half[a] - view->cos_half[b]) <= SAME_HALF;
+}
+
+/* Of surfaces of an anisotropic lobe. */
+static bool same_grain(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                       size_t a, size_t b, const struct um_optics_work *work)
+{
+  struct um_optics_sight of[2] = {0};
+  um_optics_sight_turn(spectra, scene, a, work, &of[0]);
+  um_optics_sight_turn(spectra, scene, b, work, &of[1]);
+  return um_vec3_norm(um_vec3_sub(of[0].grain, of[1].grain)) <= SAME_GRAIN &&
+         um_vec3_norm(um_vec3_sub(of[0].across, of[1].across)) <= SAME_GRAIN;
+}
+
+static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size_t at, size_t s)
+{
+  const struct um_optics_view *view = scene->view;
+  return (struct um_optics_sight){
+      .area_seen = view->area[s] * (double)view->seen[at],
+      .area_lit = view->area[s] * (double)view->lit[at],
+      .cos_observer = (double)view->cos_observer[at],
+      .cos_sun = (double)view->cos_sun[at],
+      .cos_half = view->cos_half[at],
+      .cos_nadir = (double)view->cos_nadir[at],
+      .temperature = scene->temperature[at],
+      .albedo = (double)scene->albedo[at],
+      .view_factor = (double)scene->view_factor[at],
+      .brightness = scene->brightness != NULL ? (double)scene->brightness[at] : 0.0};
+}
+
+/* The group of a surface among the last of them, each known by its first member. */
+static size_t group_of(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
+                       size_t time, size_t surface, const struct um_optics_work *work,
+                       struct um_optics_facing *f)
+{
+  const struct um_optics_view *view = scene->view;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
+  size_t row = time * view->nsurface, skin = um_optics_skin(spectra, mesh, surface);
+  size_t down_to = f->ngroup > LOOK_BACK ? f->ngroup - LOOK_BACK : 0;
+  bool single = alone(spectra, surface);
+  bool grain = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
+  for (size_t g = f->ngroup; !single && g-- > down_to;) {
+    size_t other = f->first[g]; /* a surface, until all groups are known */
+    if (um_optics_skin(spectra, mesh, other) == skin && !alone(spectra, other) &&
+        same(view, row + surface, row + other) &&
+        (!grain || same_grain(spectra, scene, surface, other, work)))
+      return g;
+  }
+  f->first[f->ngroup] = surface;
+  return f->ngroup++;
+}
+
+void um_optics_facing_fill(const struct um_optics_spectra *spectra,
+                           const struct um_optics_scene *scene, size_t time,
+                           const struct um_optics_work *work, struct um_optics_facing *f)
+{
+  const struct um_optics_view *view = scene->view;
+  f->count = f->ngroup = 0;
+  for (size_t s = 0; s < view->nsurface; s++) {
+    size_t at = time * view->nsurface + s;
+    bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
+    if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
+    f->of[f->count] = (uint32_t)group_of(spectra, scene, time, s, work, f);
+    f->seen[f->count++] = (uint32_t)s;
+  }
+  for (size_t g = 0; g <= f->ngroup; g++) f->first[g] = 0;
+  for (size_t i = 0; i < f->count; i++) f->first[f->of[i] + 1]++;
+  for (size_t g = 0; g < f->ngroup; g++) f->first[g + 1] += f->first[g];
+  for (size_t i = 0; i < f->count; i++) {
+    size_t s = f->seen[i], place = f->first[f->of[i]]++; /* moves to where the next group begins */
+    f->surface[place] = (uint32_t)s;
+    f->sight[place] = sight_of(scene, time * view->nsurface + s, s);
+    um_optics_sight_turn(spectra, scene, s, work, &f->sight[place]);
+  }
+  for (size_t g = f->ngroup; g > 0; g--) f->first[g] = f->first[g - 1];
+  f->first[0] = 0;
+}
