@@ -1,8 +1,10 @@
-/* Reflection models: Lambert and Cook-Torrance with Beckmann facets; Fresnel; roughness. */
+/* Reflection models: Fresnel of interfaces and layers; Beckmann's facets; roughness. */
 #ifndef UMBRA_MATERIALS_BSDF_H
 #define UMBRA_MATERIALS_BSDF_H
 
 #include <complex.h>
+#include <stdbool.h>
+#include <stddef.h>
 
 /* Unpolarised Fresnel reflectance of an interface from vacuum to index n + i k. */
 double um_materials_fresnel(double n, double k, double cos_theta);
@@ -13,6 +15,27 @@ double um_materials_fresnel_sheet(double n, double k, double thickness, double n
 /* The same of a film that light is coherent through: amplitudes add, colours of thin films. */
 double um_materials_fresnel_film(double n, double k, double thickness, double ns, double ks,
                                  double wavelength, double cos_theta);
+#define UM_MATERIALS_LAYERS 16 /* on a substrate, at most */
+/* A layer of index n + i k. */
+struct um_materials_layer {
+  double n, k;      /* [1] */
+  double thickness; /* [m] */
+  bool coherent;    /* so thin that light interferes in it */
+};
+/* The first n layers of that list, outermost first, on a substrate ns + i ks, unpolarised: what
+ * returns and what reaches the substrate [1]; the rest stays in the layers. Coherent layers that
+ * lie on each other interfere (characteristic matrices), passes between thick ones add as
+ * intensities. Exact for coherent layers; between thick ones that absorb good to second order in
+ * k/n. wavelength [m]. Test: materials/stack. */
+struct um_materials_passed {
+  double reflected, transmitted;
+};
+struct um_materials_passed um_materials_stack_passes(const struct um_materials_layer *layer,
+                                                     size_t n, double ns, double ks,
+                                                     double wavelength, double cos_theta);
+/* Its reflectance; no layer: um_materials_fresnel, one: the sheet or the film above. */
+double um_materials_fresnel_stack(const struct um_materials_layer *layer, size_t n, double ns,
+                                  double ks, double wavelength, double cos_theta);
 /* D(h) [1/sr], cosine from the normal; int D cos = 1. Beckmann & Spizzichino 1963. */
 double um_materials_beckmann_distribution(double alpha, double cos_h);
 /* Smith G1 for Beckmann, exact (erf) form. */

@@ -1,5 +1,5 @@
-/* The optical description of a spectral record: its tables, checked, as a law that the spectral
- * grid is filled from. */
+/* Reflectance tables of a spectral record, checked, as a law that the spectral grid is filled from;
+ * checks that they share with optical constants (layers.c). */
 #include <math.h>
 
 #include "core/interpolation.h"
@@ -7,15 +7,10 @@
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 
-/* Range of the grid of constants that hold beyond their table [m]. */
-static const double first_wavelength = 0.2e-6, last_wavelength = 100e-6;
-/* Films in which light may be coherent: thickness, and optical thickness that is resolved [m]. */
-static const double thickest_film = 5e-6, most_fringes = 25e-6;
-
 static const double *numbers(const struct um_schema_list *list) { return list->items; }
 
-static enum um_status check_wavelengths(struct um_context *context, const struct um_mark *at,
-                                        const struct um_schema_list *wavelength)
+enum um_status um_materials_check_wavelengths(struct um_context *context, const struct um_mark *at,
+                                              const struct um_schema_list *wavelength)
 {
   const double *x = numbers(wavelength);
   if (wavelength->count < 2)
@@ -30,9 +25,9 @@ static enum um_status check_wavelengths(struct um_context *context, const struct
   return UM_OK;
 }
 
-static enum um_status check_length(struct um_context *context, const struct um_mark *at,
-                                   const char *key, const struct um_schema_list *values,
-                                   const struct um_schema_list *wavelength)
+enum um_status um_materials_check_length(struct um_context *context, const struct um_mark *at,
+                                         const char *key, const struct um_schema_list *values,
+                                         const struct um_schema_list *wavelength)
 {
   if (values->count == wavelength->count) return UM_OK;
   return um_document_mark_fail(context, at,
@@ -40,21 +35,13 @@ static enum um_status check_length(struct um_context *context, const struct um_m
                                values->count, wavelength->count);
 }
 
-static enum um_status check_constants(struct um_context *context,
-                                      const struct um_materials_constants_input *c)
-{
-  UM_TRY(check_wavelengths(context, &c->at, &c->wavelength_um));
-  UM_TRY(check_length(context, &c->at, "n", &c->n, &c->wavelength_um));
-  return check_length(context, &c->at, "k", &c->k, &c->wavelength_um);
-}
-
 static enum um_status check_reflectance(struct um_context *context,
                                         const struct um_materials_reflectance_input *r)
 {
-  UM_TRY(check_wavelengths(context, &r->at, &r->wavelength_um));
-  UM_TRY(check_length(context, &r->at, "diffuse", &r->diffuse, &r->wavelength_um));
+  UM_TRY(um_materials_check_wavelengths(context, &r->at, &r->wavelength_um));
+  UM_TRY(um_materials_check_length(context, &r->at, "diffuse", &r->diffuse, &r->wavelength_um));
   if (r->specular.count == 0) return UM_OK;
-  UM_TRY(check_length(context, &r->at, "specular", &r->specular, &r->wavelength_um));
+  UM_TRY(um_materials_check_length(context, &r->at, "specular", &r->specular, &r->wavelength_um));
   for (size_t i = 0; i < r->diffuse.count; i++) {
     double sum = numbers(&r->diffuse)[i] + numbers(&r->specular)[i];
     if (!(sum <= 1.0 + 1e-12))
@@ -65,9 +52,9 @@ static enum um_status check_reflectance(struct um_context *context,
   return UM_OK;
 }
 
-/* Lobe of a spectral record; `needed` when it has a specular part. */
-static enum um_status read_lobe(struct um_context *context, const struct um_materials_input *in,
-                                bool needed, struct um_materials_record *record)
+enum um_status um_materials_spectral_lobe_read(struct um_context *context,
+                                               const struct um_materials_input *in, bool needed,
+                                               struct um_materials_record *record)
 {
   const struct um_materials_surface_input *s = in->surface;
   double alpha = NAN;
@@ -102,66 +89,6 @@ static double table_reflectance(void *self, double wavelength, double cos_theta,
   return um_core_interpolate(law->wavelength, numbers(&law->in->specular), n, wavelength);
 }
 
-struct interface_law {
-  const struct um_materials_constants_input *substrate, *sheet; /* sheet may be NULL */
-  double wavelength;                                            /* [m] of the constants below */
-  double n, k, ns, ks;
-};
-
-static double constant_at(const struct um_materials_constants_input *in, double wavelength,
-                          double *k)
-{
-  const double *x = numbers(&in->wavelength_um);
-  size_t count = in->wavelength_um.count;
-  *k = um_core_interpolate_log(x, numbers(&in->k), count, wavelength * 1e6);
-  return um_core_interpolate(x, numbers(&in->n), count, wavelength * 1e6);
-}
-
-static double interface_reflectance(void *self, double wavelength, double cos_theta,
-                                    double *diffuse)
-{
-  struct interface_law *law = self;
-  (void)diffuse;
-  if (wavelength != law->wavelength) {
-    law->wavelength = wavelength;
-    law->ns = constant_at(law->substrate, wavelength, &law->ks);
-    if (law->sheet != NULL) law->n = constant_at(law->sheet, wavelength, &law->k);
-  }
-  if (law->sheet == NULL) return um_materials_fresnel(law->ns, law->ks, cos_theta);
-  double thickness = law->sheet->thickness_um * 1e-6;
-  return (law->sheet->coherent ? um_materials_fresnel_film : um_materials_fresnel_sheet)(
-      law->n, law->k, thickness, law->ns, law->ks, wavelength, cos_theta);
-}
-
-/* n d of a film that interferes [m]; 0 for a sheet, or none. */
-static enum um_status film_fringes(struct um_context *context,
-                                   const struct um_materials_constants_input *sheet, double *out)
-{
-  *out = 0.0;
-  if (sheet == NULL || !sheet->coherent) return UM_OK;
-  if (!(sheet->thickness_um <= thickest_film * 1e6))
-    return um_document_mark_fail(context, &sheet->at,
-                                 "a coherent film of thickness_um %g has more fringes than are "
-                                 "resolved; accepted: at most %g, or coherent: false",
-                                 sheet->thickness_um, thickest_film * 1e6);
-  for (size_t i = 0; i < sheet->n.count; i++)
-    *out = fmax(*out, numbers(&sheet->n)[i] * sheet->thickness_um * 1e-6);
-  *out = fmin(*out, most_fringes);
-  return UM_OK;
-}
-
-/* Ascending union of two wavelength lists [um], in metres. */
-static size_t merge(const struct um_schema_list *a, const struct um_schema_list *b, double *out)
-{
-  size_t i = 0, j = 0, n = 0, nb = b != NULL ? b->count : 0;
-  while (i < a->count || j < nb) {
-    bool from_a = j >= nb || (i < a->count && numbers(a)[i] <= numbers(b)[j]);
-    double next = (from_a ? numbers(a)[i++] : numbers(b)[j++]) * 1e-6;
-    if (n == 0 || next > out[n - 1] * (1.0 + 1e-9)) out[n++] = next;
-  }
-  return n;
-}
-
 enum um_status um_materials_reflectance_read(struct um_context *context,
                                              const struct um_materials_input *in,
                                              struct um_materials_record *record)
@@ -176,7 +103,7 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
         "accepted beside a reflectance table: beckmann_alpha, or rq_um and tau_um");
   bool lobe = false;
   for (size_t i = 0; i < r->specular.count; i++) lobe = lobe || numbers(&r->specular)[i] > 0.0;
-  UM_TRY(read_lobe(context, in, lobe, record));
+  UM_TRY(um_materials_spectral_lobe_read(context, in, lobe, record));
 
   double *nodes;
   UM_TRY(um_core_allocate(context, r->wavelength_um.count, sizeof *nodes, &nodes));
@@ -189,42 +116,6 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
                                  .last = nodes[n - 1],
                                  .self = &self,
                                  .reflectance = table_reflectance};
-  enum um_status status = um_materials_spectrum_build(context, record, &law);
-  um_core_free(context, nodes);
-  return status;
-}
-
-enum um_status um_materials_substrate_read(struct um_context *context,
-                                           const struct um_materials_input *in,
-                                           struct um_materials_record *record)
-{
-  const struct um_materials_constants_input *base = in->substrate, *sheet = in->sheet;
-  UM_TRY(check_constants(context, base));
-  if (sheet != NULL) UM_TRY(check_constants(context, sheet));
-  double fraction = 0.0, factor = 1.0;
-  if (in->surface != NULL && !isnan(in->surface->diffuse_fraction))
-    fraction = in->surface->diffuse_fraction;
-  if (in->surface != NULL && !isnan(in->surface->absorption_factor))
-    factor = in->surface->absorption_factor;
-  UM_TRY(read_lobe(context, in, fraction < 1.0, record));
-  double fringes;
-  UM_TRY(film_fringes(context, sheet, &fringes));
-
-  double *nodes;
-  size_t room = base->wavelength_um.count + (sheet != NULL ? sheet->wavelength_um.count : 0);
-  UM_TRY(um_core_allocate(context, room, sizeof *nodes, &nodes));
-  struct interface_law self = {.substrate = base, .sheet = sheet, .wavelength = -1.0};
-  struct um_materials_law law = {
-      .nodes = nodes,
-      .nnode = merge(&base->wavelength_um, sheet != NULL ? &sheet->wavelength_um : NULL, nodes),
-      .first = first_wavelength,
-      .last = last_wavelength,
-      .fringes = fringes,
-      .angular = true,
-      .diffuse_fraction = fraction,
-      .absorption_factor = factor,
-      .self = &self,
-      .reflectance = interface_reflectance};
   enum um_status status = um_materials_spectrum_build(context, record, &law);
   um_core_free(context, nodes);
   return status;

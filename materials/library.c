@@ -94,6 +94,14 @@ enum um_status um_materials_library_folder(struct um_context *context, char **ou
   return um_core_data_folder(context, "materials", out);
 }
 
+enum um_status um_materials_library_thickened(struct um_context *context,
+                                              const struct um_materials_library *library,
+                                              const struct um_materials_record *record,
+                                              double factor, struct um_materials_record **out)
+{
+  return um_materials_record_thickened(context, &library->sun, record, factor, out);
+}
+
 size_t um_materials_library_count(const struct um_materials_library *library)
 {
   return library->count;

@@ -38,6 +38,8 @@ struct um_materials_adjustment {
                              hemispherical value eps_h stays; 1 turns a diffuse emitter into a
                              dielectric after Schlick, below 0 it rises to grazing; null 0 */
   struct um_materials_lobe_adjustment lobe;
+  double thickness_scale; /* of the layers on a record's substrate, 0 takes them off; null 1. It
+                             acts through um_materials_library_thickened, no look-up reads it */
 };
 extern const struct um_materials_adjustment um_materials_no_adjustment;
 
@@ -80,6 +82,18 @@ um_materials_library_find(const struct um_materials_library *library, const char
 /* One line naming the nearest names, for messages; writes into out. */
 void um_materials_library_suggest(const struct um_materials_library *library, const char *name,
                                   char *out, size_t size);
+
+/* Has it layers on a substrate (keys sheet, layers)? */
+bool um_materials_has_layers(const struct um_materials_record *record);
+/* A record of the library as it is with its layers `factor` times as thick, 0: bare. It borrows
+ * from the record and must go before it, by um_materials_record_destroy, as no record of a library
+ * is destroyed. The record must have layers. UM_ERR_MEMORY. */
+enum um_status um_materials_library_thickened(struct um_context *context,
+                                              const struct um_materials_library *library,
+                                              const struct um_materials_record *record,
+                                              double factor, struct um_materials_record **out);
+/* NULL and a pointer to it are accepted. */
+void um_materials_record_destroy(struct um_materials_record **record);
 
 const char *um_materials_name(const struct um_materials_record *record);
 const char *um_materials_summary(const struct um_materials_record *record);

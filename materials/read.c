@@ -151,6 +151,9 @@ static enum um_status read_input(struct um_context *context, const struct um_mat
   if (in->sheet != NULL && in->substrate == NULL)
     return um_document_mark_fail(context, &in->sheet->at,
                                  "a sheet lies on a substrate; accepted: beside the key substrate");
+  if (in->layers.count > 0 && in->substrate == NULL)
+    return um_document_mark_fail(context, &in->at,
+                                 "layers lie on a substrate; accepted: beside the key substrate");
   if (in->grey != NULL && in->surface != NULL)
     return um_document_mark_fail(
         context, &in->surface->at,
@@ -196,6 +199,12 @@ void um_materials_record_destroy(struct um_materials_record **record)
   struct um_materials_record *r = *record;
   struct um_context *context = r->context;
   um_materials_spectrum_free(context, &r->spectrum);
+  if (r->borrows) {
+    um_core_free(context, r);
+    *record = NULL;
+    return;
+  }
+  um_materials_layers_free(context, &r->layers);
   um_materials_bulk_free(r);
   um_core_free(context, r->albedo);
   um_core_free(context, r->explicit_values.bands);

@@ -27,6 +27,7 @@ const struct um_materials_adjustment um_materials_no_adjustment = {
     .diffuse_scale = 1.0,
     .emissivity_tilt = 0.0,
     .lobe = {0.0, 0.0},
+    .thickness_scale = 1.0,
 };
 
 /* A scale of 0 leaves a lobe this narrow, not none. */

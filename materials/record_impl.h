@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/context.h"
+#include "materials/bsdf.h"
 #include "materials/lobe.h"
 #include "materials/materials.h"
 
@@ -51,8 +52,24 @@ struct um_materials_table {
   size_t n;
 };
 
+/* Optical constants as the file has them, and of layers their thickness. */
+struct um_materials_constants {
+  double *wavelength_um, *n, *k; /* [count] [um], [1], [1] */
+  size_t count;
+  double thickness; /* [m] */
+  bool coherent;    /* light interferes in it */
+};
+
+/* What a spectral record of optical constants is made of. */
+struct um_materials_layers {
+  struct um_materials_constants substrate, layer[UM_MATERIALS_LAYERS]; /* outermost first */
+  size_t count;
+  double diffuse_fraction, absorption_factor; /* [1] */
+};
+
 struct um_materials_record {
   struct um_context *context;
+  bool borrows; /* all but the spectrum and the struct itself is another record's */
   char *name, *summary, *citation, *source;
   bool grey;
   struct um_materials_lobe lobe; /* kind NULL: none */
@@ -63,6 +80,7 @@ struct um_materials_record {
   struct um_materials_table specific_heat, conductivity;            /* [J/kg/K], [W/m/K] */
   struct um_materials_grey explicit_values;                         /* of a grey record */
   struct um_materials_spectrum spectrum;                            /* of the others */
+  struct um_materials_layers *layers;                               /* NULL: no constants */
   double solar_absorptance;                                         /* normal incidence */
   double absorptance[UM_MATERIALS_INCIDENCES], diffuse_absorptance; /* by angle; from all sides */
   double emittance[UM_MATERIALS_TEMPERATURES], normal_emittance[UM_MATERIALS_TEMPERATURES];
@@ -99,6 +117,8 @@ size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum
 double um_materials_spectrum_angular(const struct um_materials_spectrum *spectrum,
                                      const double *table, size_t i, double t, double cosine);
 
+void um_materials_layers_free(struct um_context *context, struct um_materials_layers **layers);
+
 /* Fill record->albedo, where its lobe needs it. UM_ERR_MEMORY. */
 enum um_status um_materials_albedo_build(struct um_context *context,
                                          struct um_materials_record *record);
@@ -114,11 +134,16 @@ void um_materials_integrals_build(const struct um_materials_sun *sun,
 void um_materials_mirror_build(const struct um_materials_sun *sun,
                                struct um_materials_record *record);
 
-/* Read one file into a new record; the caller destroys. */
+/* Read one file into a new record; the caller destroys (um_materials_record_destroy). */
 enum um_status um_materials_record_read(struct um_context *context,
                                         const struct um_materials_sun *sun, const char *path,
                                         const char *const *overrides, size_t noverride,
                                         struct um_materials_record **out);
-void um_materials_record_destroy(struct um_materials_record **record);
+
+/* The record with its layers `factor` times as thick, 0: without them; all else is borrowed. */
+enum um_status um_materials_record_thickened(struct um_context *context,
+                                             const struct um_materials_sun *sun,
+                                             const struct um_materials_record *record,
+                                             double factor, struct um_materials_record **out);
 
 #endif

@@ -101,6 +101,24 @@ static const struct um_schema_object sheet_object = {
     .fields = sheet_fields,
     .nfield = UM_FIELD_COUNT(sheet_fields)};
 
+static const char *const layer_passes[] = {"incoherent", "coherent", NULL};
+static const struct um_schema_field layer_fields[] = {
+    CONSTANTS(struct um_materials_constants_input),
+    UM_FIELD(struct um_materials_constants_input, thickness_um, "thickness_um", UM_SCHEMA_NUMBER,
+             .required = true, .minimum = 0.0, .maximum = 1e5, .open_minimum = true,
+             .help = "Thickness."),
+    UM_FIELD(struct um_materials_constants_input, passes, "passes", UM_SCHEMA_CHOICE,
+             .choices = layer_passes, .default_value = NAN,
+             .help = "Do passes interfere or add as intensities? Default coherent to 5 um, above "
+                     "incoherent; films that lie on each other interfere together, to 5 um."),
+};
+static const struct um_schema_object layer_object = {
+    .name = "layer",
+    .help = "One of several films and covers on the substrate.",
+    .size = sizeof(struct um_materials_constants_input),
+    .fields = layer_fields,
+    .nfield = UM_FIELD_COUNT(layer_fields)};
+
 static const struct um_schema_field surface_fields[] = {
     UM_FIELD(struct um_materials_surface_input, diffuse_fraction, "diffuse_fraction",
              UM_SCHEMA_NUMBER, RATIO, .default_value = NAN,
@@ -244,6 +262,8 @@ static const struct um_schema_field record_fields[] = {
     PART(reflectance, "reflectance", reflectance_object, "Reflectance table.", .alternative = 1),
     PART(substrate, "substrate", substrate_object, "Optical constants.", .alternative = 1),
     PART(sheet, "sheet", sheet_object, "Film or cover on the substrate.", .alternative = 0),
+    UM_FIELD(struct um_materials_input, layers, "layers", UM_SCHEMA_LIST, .object = &layer_object,
+             .help = "Films and covers on the substrate, outermost first, in place of sheet."),
     PART(surface, "surface", surface_object, "Roughness and scattering.", .alternative = 0),
     PART(lobe, "lobe", lobe_object, "Spread of the specular part.", .alternative = 0),
     PART(thermal, "thermal", thermal_object, "Bulk properties.", .alternative = 0),

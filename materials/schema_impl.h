@@ -22,12 +22,13 @@ struct um_materials_reflectance_input {
   struct um_schema_list wavelength_um, diffuse, specular; /* of double: [um], [1], [1] */
 };
 
-/* Substrate and sheet. */
+/* Substrate, sheet and layers. */
 struct um_materials_constants_input {
   struct um_mark at;
   struct um_schema_list wavelength_um, n, k; /* of double: [um], [1], [1] */
-  double thickness_um;                       /* [um] sheet only */
-  bool coherent;                             /* sheet only: a film that interferes */
+  double thickness_um;                       /* [um] of sheet and layers */
+  bool coherent;                             /* of a sheet: light interferes in it */
+  int passes;                                /* of a layer: 1 interfere, 0 not, -1 by thickness */
 };
 
 struct um_materials_surface_input {
@@ -73,6 +74,7 @@ struct um_materials_input {
   struct um_materials_grey_input *grey;
   struct um_materials_reflectance_input *reflectance;
   struct um_materials_constants_input *substrate, *sheet;
+  struct um_schema_list layers; /* of struct um_materials_constants_input, outermost first */
   struct um_materials_surface_input *surface;
   struct um_materials_lobe_input *lobe;
   struct um_materials_thermal_input *thermal;
@@ -88,6 +90,17 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
 enum um_status um_materials_substrate_read(struct um_context *context,
                                            const struct um_materials_input *in,
                                            struct um_materials_record *record);
+
+/* What both have in common: ascending wavelengths, one value for each, and the lobe of a spectral
+ * record, `needed` when it has a specular part. UM_ERR_INPUT as above. */
+enum um_status um_materials_check_wavelengths(struct um_context *context, const struct um_mark *at,
+                                              const struct um_schema_list *wavelength);
+enum um_status um_materials_check_length(struct um_context *context, const struct um_mark *at,
+                                         const char *key, const struct um_schema_list *values,
+                                         const struct um_schema_list *wavelength);
+enum um_status um_materials_spectral_lobe_read(struct um_context *context,
+                                               const struct um_materials_input *in, bool needed,
+                                               struct um_materials_record *record);
 
 /* lobe_read.c: the record's lobe, of a record with a specular part; stated: the roughness that keys
  * outside `lobe` give, NaN for none. UM_ERR_INPUT as above; UM_ERR_MEMORY. */

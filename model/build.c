@@ -101,6 +101,10 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   if (model == NULL || *model == NULL) return;
   struct um_model *m = *model;
   um_thermal_body_destroy(context, &m->body);
+  if (m->thickened != NULL) /* before the library that they borrow from */
+    for (size_t i = 0; i < um_geometry_material_count(m->geometry); i++)
+      um_materials_record_destroy(&m->thickened[i]);
+  um_core_free(context, m->thickened);
   um_geometry_destroy(&m->geometry);
   if (m->origin == NULL || m->library != m->origin->library)
     um_materials_library_destroy(&m->library);

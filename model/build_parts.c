@@ -226,7 +226,16 @@ static enum um_status build_records(struct um_context *context, struct um_model 
     model->material[i] =
         um_materials_library_find(model->library, um_geometry_material_name(model->geometry, i));
   UM_TRY(um_core_allocate(context, n, sizeof *model->adjustment, &model->adjustment));
-  return um_model_materials_at(context, model, model->scenario->time->start, model->adjustment);
+  UM_TRY(um_model_materials_at(context, model, model->scenario->time->start, model->adjustment));
+  UM_TRY(um_core_allocate(context, n, sizeof *model->thickened, &model->thickened));
+  for (size_t i = 0; i < n; i++) { /* layers are as thick as at the start, all the time */
+    double factor = model->adjustment[i].thickness_scale;
+    if (factor == 1.0 || !um_materials_has_layers(model->material[i])) continue;
+    UM_TRY(um_materials_library_thickened(context, model->library, model->material[i], factor,
+                                          &model->thickened[i]));
+    model->material[i] = model->thickened[i];
+  }
+  return UM_OK;
 }
 
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model)

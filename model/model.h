@@ -97,8 +97,10 @@ struct um_model {
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment
       *adjustment; /* [material of the geometry] by effects, at time.start_utc */
-  struct um_geometry_creasing *creasing; /* [group of the geometry] */
-  struct um_optics_creases *creases;     /* NULL: every surface is flat */
+  struct um_materials_record **thickened; /* [material of the geometry] what `material` points to
+                                             where effects change its layers; NULL: the library's */
+  struct um_geometry_creasing *creasing;  /* [group of the geometry] */
+  struct um_optics_creases *creases;      /* NULL: every surface is flat */
   const struct um_thermal_surface_law *
       *surface_law;                           /* [material of the geometry]; NULL: constant */
   const struct um_thermal_ratio **bulk_ratio; /* [2 per record of the library] made so far, or NULL

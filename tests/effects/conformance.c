@@ -72,6 +72,7 @@ static const struct entry cases[] = {
     {"directional_emissivity", "grey_panel", 0.3, "vis", NULL},
     {"roughness", "grey_panel", 0.1, "vis", NULL},
     {"anisotropy", "grey_panel", 0.1, "vis", NULL},
+    {"thin_film", "mli_kapton", 0.2, "vis", NULL},
     {"specular_level", "grey_panel", 0.1, "vis", NULL},
     {"diffuse_level", "grey_panel", 0.1, "vis", NULL},
     {"area", "panel", 0.1, "vis", NULL},

@@ -196,6 +196,47 @@ static void anisotropy_goes_across_the_grain(void **state)
   case_release(&c);
 }
 
+/* The library's Kapton, twice as thick, written to a file. */
+static void write_thicker(const char *file_name)
+{
+  static char text[20000];
+  FILE *file = fopen(UMBRA_SOURCE_DIR "/materials/library/mli_kapton.yaml", "r");
+  assert_non_null(file);
+  text[fread(text, 1, sizeof text - 1, file)] = '\0';
+  fclose(file);
+  char *thickness = strstr(text, "thickness_um: 25.4\n");
+  assert_non_null(thickness);
+  memcpy(thickness, "thickness_um: 50.8", 18);
+  case_write(file_name, text);
+}
+
+/* Heat and light of a film made twice as thick by the effect are those of a record that says so,
+ * bit for bit, and other than before. */
+static void thin_film_is_a_thicker_record(void **state)
+{
+  (void)state;
+  static const char *const thick[] = {"thin_film:mli_kapton,thickness_factor=2", NULL},
+                           *const same[] = {"thin_film:mli_kapton,thickness_factor=1", NULL},
+                           *const front[] = {"parts.0.front=mli_kapton", NULL},
+                           *const own[] = {"parts.0.front=mli_kapton",
+                                           "material_files=[thicker.yaml]", NULL};
+  write_thicker("thicker.yaml");
+  struct case_run a = case_compute(case_plate, NULL, NULL, front);
+  struct case_run b = case_compute(case_plate, thick, NULL, front);
+  struct case_run c = case_compute(case_plate, NULL, NULL, own);
+  struct case_run d = case_compute(case_plate, same, NULL, front);
+  remove("thicker.yaml");
+  assert_true(case_same(&b, &c));
+  assert_true(case_same(&a, &d));
+  assert_false(case_same_temperatures(&a, &b));
+  double thin = case_intensity(&a, 1, "lwir", "mli_kapton", UM_MECHANISM_EMITTED);
+  assert_true(case_intensity(&b, 1, "lwir", "mli_kapton", UM_MECHANISM_EMITTED) > 1.1 * thin);
+  case_release(&a);
+  case_release(&b);
+  case_release(&c);
+  case_release(&d);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -204,6 +245,7 @@ int main(void)
       cmocka_unit_test(levels_are_linear),
       cmocka_unit_test(roughness_widens_the_lobe),
       cmocka_unit_test(anisotropy_goes_across_the_grain),
+      cmocka_unit_test(thin_film_is_a_thicker_record),
   };
   return cmocka_run_group_tests(tests, case_begin, case_end);
 }

@@ -110,6 +110,10 @@ static const struct lab_world worlds[] = {
      PLACES,
      .set = {"parts.bus.creases={tilt_rms_deg: 3, patch_m: 0.1}"}},
 
+    /* Films are parts of records with optical constants. */
+    {.name = "dusk-films", DUSK, SPECTRA},
+    {.name = "dawn-films", DAWN, PLACES, SPECTRA},
+
     /* A thermostat is seen by its switching: temperatures as often as light. */
     {.name = "dusk-dense", DUSK, .kelvin = 0.3, .place = {"bus.interior", "bus.-x"}},
     {.name = "dawn-dense",

@@ -438,6 +438,7 @@ static void product_folder(void **state)
                                          "mli_kapton_ito",
                                          "cell_triple_junction",
                                          "cell_silicon",
+                                         "cell_silicon_layers",
                                          "cfrp",
                                          "osr",
                                          "aluminium_bare",
