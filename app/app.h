@@ -49,6 +49,7 @@ struct um_app_options {
   double level;                                      /* 0: not said */
   int steps;                                         /* 0: not said */
   const char *from_brdf, *half_angle, *from_profile; /* of materials */
+  const char *from_reflectance, *reference, *angle;
   /* of map and attitude: --step, --phase-angles, --planes */
   const char *step, *phase_angles;
   int planes;
@@ -164,6 +165,7 @@ int um_app_filters(struct um_context *context, const struct um_app_options *opti
 int um_app_retrieve(struct um_context *context, const struct um_app_options *options);
 int um_app_sensors(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
+int um_app_materials_reflectance(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_fit(struct um_context *context, const struct um_app_options *options);
 int um_app_materials(struct um_context *context, const struct um_app_options *options);
 int um_app_effects(struct um_context *context, const struct um_app_options *options);

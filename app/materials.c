@@ -117,6 +117,7 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
   struct um_materials_library *library = NULL;
   struct um_environment environment;
   struct um_materials_sun sun;
+  if (options->from_reflectance != NULL) return um_app_materials_reflectance(context, options);
   if (options->from_profile != NULL) return um_app_materials_profile(context, options);
   if (options->from_brdf != NULL) return um_app_materials_fit(context, options);
   um_environment_defaults(&environment);

@@ -134,6 +134,16 @@ static const struct um_app_option table[] = {
      .help =
          "Rq, tau and alpha of measured heights: CSV x_um,height_um, or a map x_um,y_um,height_um "
          "in even steps."},
+    {"from-reflectance", "from-reflectance", "FILE", .takes = UM_APP_TEXT, AT(from_reflectance),
+     .offers = UM_APP_FILES, .example = "--from-reflectance ratio.csv --reference gold",
+     .help = "A record of specular reflectance that was measured against a reference mirror: CSV "
+             "wavelength_um,ratio. Beside it --from-profile gives the roughness."},
+    {"reference", "reference", "MATERIAL", .takes = UM_APP_TEXT, AT(reference),
+     .default_value = "gold", .example = "--reference aluminium_bare",
+     .help = "What --from-reflectance was measured against: a record with optical constants, of "
+             "which Fresnel's reflectance counts, not its finish."},
+    {"angle", "angle", "DEG", .takes = UM_APP_TEXT, AT(angle), .default_value = "30",
+     .example = "--angle 10", .help = "Angle of incidence of --from-reflectance."},
     {"json", "json", .takes = UM_APP_FLAG, AT(json),
      .help = "Print JSON, for another program to read."},
     {"thermal", "thermal", .takes = UM_APP_FLAG, AT(thermal), .help = "Only the cases of heat."},

@@ -127,10 +127,13 @@ static const struct um_app_verb verbs[] = {
      .accepts = "track-noise force",
      .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import},
     {"materials", "[MATERIAL]", "materials with their integrated properties",
-     .accepts = "from-brdf half-angle from-profile json",
-     .about = "With --from-brdf a fit of measured BRDFs, by kind of lobe, with its error.",
+     .accepts = "from-brdf half-angle from-profile from-reflectance reference angle json",
+     .about = "With --from-brdf a fit of measured BRDFs, by kind of lobe, with its error; with "
+              "--from-reflectance a new record, called MATERIAL, to be written to a file.",
      .examples = "umbra materials mli_kapton\n"
-                 "umbra materials --from-brdf scenarios/starlink-v15/brdf.csv --half-angle 10\n",
+                 "umbra materials --from-brdf scenarios/starlink-v15/brdf.csv --half-angle 10\n"
+                 "umbra materials panel --from-reflectance ratio.csv --reference gold "
+                 "--from-profile heights.csv > panel.yaml\n",
      .run = um_app_materials},
     {"filters", "", "filters that come with the program, the Sun and Vega in them",
      .accepts = "json", .examples = "umbra filters\n", .run = um_app_filters},

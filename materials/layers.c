@@ -219,6 +219,28 @@ enum um_status um_materials_substrate_read(struct um_context *context,
   return fill(context, 1.0, record);
 }
 
+double um_materials_interface_reflectance(const struct um_materials_record *record,
+                                          double wavelength, double cosine)
+{
+  double none = 0.0;
+  struct layers_law law = {.layers = record->layers, .factor = 1.0, .wavelength = -1.0};
+  if (record->layers == NULL) return NAN;
+  law.count = record->layers->count;
+  return layers_reflectance(&law, wavelength, cosine, &none);
+}
+
+void um_materials_constants_range(const struct um_materials_record *record, double *from,
+                                  double *to)
+{
+  const struct um_materials_layers *layers = record->layers;
+  *from = *to = NAN;
+  for (size_t i = 0; layers != NULL && i <= layers->count; i++) {
+    const struct um_materials_constants *c = i == 0 ? &layers->substrate : &layers->layer[i - 1];
+    *from = fmax(*from, c->wavelength_um[0] * 1e-6); /* of NaN and a number the number */
+    *to = fmin(*to, c->wavelength_um[c->count - 1] * 1e-6);
+  }
+}
+
 /* --- with other layers ----------------------------------------------------------------------- */
 
 bool um_materials_has_layers(const struct um_materials_record *record)

@@ -83,6 +83,13 @@ um_materials_library_find(const struct um_materials_library *library, const char
 void um_materials_library_suggest(const struct um_materials_library *library, const char *name,
                                   char *out, size_t size);
 
+/* Unpolarised reflectance by its optical constants alone, at a cosine, without what it scatters and
+ * without its absorption_factor; NaN for a record without constants. */
+double um_materials_interface_reflectance(const struct um_materials_record *record,
+                                          double wavelength, double cosine);
+/* Wavelengths that its tables of constants cover together [m]; NaN for a record without any. */
+void um_materials_constants_range(const struct um_materials_record *record, double *from,
+                                  double *to);
 /* Has it layers on a substrate (keys sheet, layers)? */
 bool um_materials_has_layers(const struct um_materials_record *record);
 /* A record of the library as it is with its layers `factor` times as thick, 0: bare. It borrows

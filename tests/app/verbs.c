@@ -47,6 +47,7 @@ static void test_json(void **state)
       {{"passes", "box.yaml", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
       {{"materials", "--json"}, "\"name\": \"grey_white\""},
       {{"materials", "grey_white", "--json"}, "\"solar_absorptance\": 0.2,"},
+      {{"materials", "--from-reflectance", "ratio.csv", "--json"}, "\"above_one\": 1,"},
       {{"effects", "--json"}, "\"name\": \"albedo\", \"on_by_default\": true"},
       {{"effects", "albedo", "--json"}, "\"parameters\": ["},
       {{"schema", "--json"}, "\"start_utc\""},
@@ -60,8 +61,34 @@ static void test_json(void **state)
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
   };
   command_copy_data("box.yaml");
+  command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n1.1,1.2\n");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
     expect_json(cases[i].argument, cases[i].holds);
+}
+
+/* What --from-reflectance prints is a record: the program reads it and sees what was measured, half
+ * of gold at 0.55 um (Olmon et al. 2012, between two nodes). */
+static void test_laboratory(void **state)
+{
+  (void)state;
+  command_copy_data("box.yaml");
+  command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n0.6,0.5\n1.1,0.5\n");
+  struct command c = command_run("materials", "mine", "--from-reflectance", "ratio.csv", NULL);
+  assert_int_equal(c.code, 0);
+  command_write("mine.yaml", c.out);
+  command_release(&c);
+  command_expect(0, "check", "box.yaml", "--set", "material_files=[mine.yaml]", "--set",
+                 "parts.bus.outside=mine", NULL);
+  c = command_run("materials", "a b", "--from-reflectance", "ratio.csv", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "'a b' is no name of a record"));
+  command_release(&c);
+  c = command_run("materials", "--from-reflectance", "ratio.csv", "--reference", "golf", NULL);
+  assert_non_null(strstr(c.err, "did you mean gold?"));
+  command_release(&c);
+  c = command_run("materials", "--from-reflectance", "ratio.csv", "--angle", "90", NULL);
+  assert_non_null(strstr(c.err, "--angle: '90'; accepted: 0 to below 90"));
+  command_release(&c);
 }
 
 /* Names with quotes and backslashes must not break it. */
@@ -267,6 +294,7 @@ int main(void)
       cmocka_unit_test(test_json_checker),
       cmocka_unit_test_setup_teardown(test_json, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_json_escapes, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_laboratory, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
