@@ -56,7 +56,8 @@ struct um_app_options {
   const char *period, *axis_step; /* of attitude: --period, --axis-step */
   int solutions;                  /* --solutions */
   bool force, json, thermal, optics, no_plots, allow_effects;
-  char *command; /* the command as typed */
+  bool grey_body; /* of synth: --grey-body */
+  char *command;  /* the command as typed */
 };
 
 /* What an option takes and where it goes. */

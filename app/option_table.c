@@ -97,6 +97,8 @@ static const struct um_app_option table[] = {
     {"temperatures", "temperatures", "PLACE,...", .takes = UM_APP_TEXT, AT(temperatures),
      .default_value = "none", .example = "--temperatures bus.+x,array.front",
      .help = "Places whose temperatures are measured too, as temperatures.csv calls them."},
+    {"grey-body", "grey-body", .takes = UM_APP_FLAG, AT(grey_body),
+     .help = "Characteristic temperature and infrared cross-section of the thermal bands too."},
     {"temperature-sigma", "temperature-sigma", "K", .takes = UM_APP_TEXT, AT(temperature_sigma),
      .default_value = TEXT(UM_APP_TEMPERATURE_SIGMA), .example = "--temperature-sigma 0.2",
      .help = "Noise of temperatures [K]."},

@@ -97,6 +97,7 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
     UM_CHECK(split_places(context, list, &place, &o.nplace));
     o.place = place;
   }
+  o.grey_body = options->grey_body;
   UM_CHECK(make(context, options, &o, &made));
   UM_CHECK(um_compare_measurements_write(context, made, options->out));
   um_app_terminal_clear();

@@ -115,7 +115,8 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra retrieve scenarios/envisat-graz-2016 measured.csv\n",
      .run = um_app_retrieve},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
-     .needs = "noise seed file", .accepts = "temperatures temperature-sigma " CHANGES " force",
+     .needs = "noise seed file",
+     .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",
      .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,albedo_factor=1.2 "
                  "--noise 0.02 --seed 1 -o measured.csv\n",
      .run = um_app_synth},

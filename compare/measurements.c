@@ -127,7 +127,7 @@ static enum um_status read_quantity(const struct reader *r, size_t row,
 {
   const char *text = field(r, row, QUANTITY);
   struct um_core_words_guess guess = {.written = text};
-  char accepted[192] = "", hint[UM_CORE_WORDS_HINT];
+  char accepted[256] = "", hint[UM_CORE_WORDS_HINT];
   *quantity = UM_QUANTITY_TEMPERATURE;
   if (strcmp(text, CELSIUS) == 0 || strcmp(text, KELVIN) == 0) return UM_OK;
   for (int q = 0; q < UM_QUANTITY_COUNT; q++) {
@@ -200,6 +200,10 @@ static enum um_status read_value(const struct reader *r, size_t row,
 {
   UM_TRY(um_core_csv_number(r->context, r->csv, row, r->at[VALUE], &m->value));
   if (quantity == UM_QUANTITY_TEMPERATURE) UM_TRY(read_temperature(r, row, &m->value));
+  if (um_compare_is_grey_body(quantity) && !(m->value > 0.0))
+    return um_core_csv_fail(r->context, r->csv, row, r->at[VALUE], "%s %s %s; accepted: above 0",
+                            um_compare_quantity_name(quantity), field(r, row, VALUE),
+                            um_compare_quantity_unit(quantity));
   bool magnitude = quantity == UM_QUANTITY_MAGNITUDE_AB || quantity == UM_QUANTITY_MAGNITUDE_VEGA;
   if (magnitude && !(fabs(m->value) <= MAGNITUDE_MAX))
     return um_core_csv_fail(r->context, r->csv, row, r->at[VALUE],

@@ -156,7 +156,9 @@ static struct um_compare_metrics measure(enum um_compare_quantity quantity,
   out.count = data->n;
   if (data->n == 0) return out;
   set_moments(data, &out);
-  if (quantity != UM_QUANTITY_TEMPERATURE) set_ratios(data, &out);
+  bool heat =
+      quantity == UM_QUANTITY_TEMPERATURE || quantity == UM_QUANTITY_CHARACTERISTIC_TEMPERATURE;
+  if (!heat) set_ratios(data, &out);
   if (um_compare_is_magnitude(quantity)) set_magnitudes(data, &out);
   set_statistics(data, share, &out);
   return out;

@@ -10,6 +10,10 @@
 
 static const double LN10 = 2.30258509299404568402;
 
+_Static_assert((int)UM_SCENARIO_BAND_IRRADIANCE == (int)UM_QUANTITY_BAND_IRRADIANCE &&
+                   (int)UM_SCENARIO_RADIANT_INTENSITY == (int)UM_QUANTITY_RADIANT_INTENSITY,
+               "what the model knows of quantities");
+
 double um_compare_noise_sigma(enum um_compare_quantity quantity,
                               const struct um_compare_noise *noise, double value)
 {

@@ -106,7 +106,9 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
     enum um_compare_quantity quantity = set->channel[from->channel].quantity;
     size_t k = m->plan->observation[i];
     double flux, sigma;
-    if (k == UM_COMPARE_NOWHERE || quantity == UM_QUANTITY_TEMPERATURE) continue;
+    if (k == UM_COMPARE_NOWHERE || quantity == UM_QUANTITY_TEMPERATURE ||
+        um_compare_is_grey_body(quantity))
+      continue;
     if (!(m->sample[k].sunlit_fraction > 0.0)) {
       m->dark++;
       continue;

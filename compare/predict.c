@@ -252,6 +252,23 @@ static enum um_status refuse_hidden(struct um_context *context,
                       m->path, m->row[row].line, m->time_column, lowest / UM_DEG);
 }
 
+/* Temperature or area of all thermal bands together. */
+static enum um_status predict_grey_body(struct um_context *context,
+                                        const struct um_compare_measurements *m, size_t row,
+                                        const struct um_model_result *result, size_t k,
+                                        double *value)
+{
+  enum um_compare_quantity quantity = m->channel[m->row[row].channel].quantity;
+  const struct um_instrument_grey_body *one = &result->grey_body[k].one;
+  *value = quantity == UM_QUANTITY_INFRARED_CROSS_SECTION ? one->area[0] : one->temperature[0];
+  if (one->n > 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s:%d: column 'quantity': %s: no grey body fits the model's light of this "
+                      "time; accepted: light above 0 in the thermal bands, or a flag that leaves "
+                      "the row out",
+                      m->path, m->row[row].line, um_compare_quantity_name(quantity));
+}
+
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
                                   const struct um_model_precomputed *precomputed,
                                   const struct um_model_result *result, double *value)
@@ -264,6 +281,8 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
     enum um_compare_quantity quantity = m->channel[channel].quantity;
     if (quantity == UM_QUANTITY_TEMPERATURE) {
       value[i] = result->place[s].mean[k];
+    } else if (um_compare_is_grey_body(quantity)) {
+      UM_TRY(predict_grey_body(context, m, i, result, k, &value[i]));
     } else if (quantity == UM_QUANTITY_RADIANT_INTENSITY) {
       value[i] = result->measured_intensity[k * result->nband + s]; /* the satellite's own */
     } else if (precomputed->hidden[k]) {
@@ -298,6 +317,12 @@ void um_compare_predict_error(const struct um_compare_plan *plan,
       break;
     case UM_QUANTITY_BAND_IRRADIANCE:
       model_sigma[i] = result->irradiance_error[at];
+      break;
+    case UM_QUANTITY_CHARACTERISTIC_TEMPERATURE:
+      model_sigma[i] = result->grey_body[k].temperature_error;
+      break;
+    case UM_QUANTITY_INFRARED_CROSS_SECTION:
+      model_sigma[i] = result->grey_body[k].area_error;
       break;
     case UM_QUANTITY_COUNT_RATE:
       model_sigma[i] = result->count_rate_error[k * result->nsensor + s];

@@ -53,7 +53,7 @@ enum um_status um_compare_plan_trace(struct um_context *context, const struct um
 /* Model value of every row in the unit of its quantity, from a run on a geometry precomputation of
  * the plan; value: shape [count of the set]; NaN for rows that are left out, +infinity for a
  * magnitude of no light. UM_ERR_INPUT with file and line: a row of irradiance or magnitude while
- * the satellite is below the horizon. */
+ * the satellite is below the horizon; a row of a grey body where none fits the light. */
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
                                   const struct um_model_precomputed *precomputed,
                                   const struct um_model_result *result, double *value);
@@ -66,7 +66,8 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
 void um_compare_predict_error(const struct um_compare_plan *plan,
                               const struct um_model_result *result, double *model_sigma);
 
-/* Band whose light a channel that is not of temperatures holds: its own, or its sensor's. */
+/* Band whose light a channel that is not of temperatures holds: its own, or its sensor's; of all
+ * thermal bands together the first. */
 size_t um_compare_band(const struct um_compare_plan *plan, const struct um_model *model,
                        size_t channel);
 

@@ -26,11 +26,6 @@ struct work {
   struct spectrum spectrum;
 };
 
-static bool is_thermal(const struct um_optics_band *band)
-{
-  return band->from >= UM_INSTRUMENT_THERMAL_FROM && band->to <= UM_INSTRUMENT_THERMAL_TO;
-}
-
 static bool is_wanted(const struct work *w, size_t row)
 {
   const struct um_compare_measurements *m = w->plan->measurements;
@@ -38,7 +33,7 @@ static bool is_wanted(const struct work *w, size_t row)
   enum um_compare_quantity quantity = m->channel[channel].quantity;
   return w->plan->observation[row] != UM_COMPARE_NOWHERE &&
          (quantity == UM_QUANTITY_BAND_IRRADIANCE || quantity == UM_QUANTITY_RADIANT_INTENSITY) &&
-         is_thermal(&w->model->band[w->plan->source[channel]]);
+         um_model_band_is_thermal(&w->model->band[w->plan->source[channel]]);
 }
 
 /* Rows by their time, counted first. */
@@ -84,17 +79,10 @@ static enum um_status take(struct um_context *context, struct work *w, size_t k)
   return UM_OK;
 }
 
-/* A spectrum that no grey body fits leaves it empty. */
 static enum um_status fit(struct um_context *context, const struct spectrum *s, size_t n,
                           struct um_instrument_grey_body *out)
 {
-  if (s->nband < 2 * n + 1) return UM_OK;
-  enum um_status status =
-      um_instrument_grey_body_fit(context, s->bins, s->intensity, s->sigma, s->nband, n, out);
-  if (status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
-  um_core_message_clear(context);
-  *out = (struct um_instrument_grey_body){0};
-  return UM_OK;
+  return um_instrument_grey_body_try(context, s->bins, s->intensity, s->sigma, s->nband, n, out);
 }
 
 static enum um_status fill(struct um_context *context, struct work *w,
@@ -170,7 +158,7 @@ void um_compare_retrieved_destroy(struct um_context *context,
 
 bool um_compare_retrieved_prefers_two(const struct um_compare_retrieved_row *row)
 {
-  return row->one.n > 0 && row->two.n > 0 && row->two.bic < row->one.bic;
+  return um_instrument_grey_body_prefers_two(&row->one, &row->two);
 }
 
 /* ---- retrieved.csv ---- */

@@ -8,6 +8,8 @@
 #include "compare/places_impl.h"
 #include "compare/set_impl.h"
 #include "core/sampling.h"
+#include "model/bands.h"
+#include "model/grey_body.h"
 
 /* A channel in the making. */
 struct source {
@@ -59,6 +61,13 @@ static enum um_status make_sources(struct um_context *context, const struct um_m
     UM_TRY(um_compare_set_channel(context, set, s->quantity, model->sensor[i].name, &s->channel));
     UM_TRY(seed_source(context, o->seed, model->sensor[i].name, s));
   }
+  for (int q = 0; o->grey_body && q < 2; q++) {
+    struct source *s = &source[(*count)++];
+    *s = (struct source){.quantity = q == 0 ? UM_QUANTITY_CHARACTERISTIC_TEMPERATURE
+                                            : UM_QUANTITY_INFRARED_CROSS_SECTION};
+    UM_TRY(um_compare_set_channel(context, set, s->quantity, UM_COMPARE_THERMAL, &s->channel));
+    UM_TRY(seed_source(context, o->seed, UM_COMPARE_THERMAL, s));
+  }
   for (size_t p = 0; p < o->nplace; p++) {
     struct source *s = &source[(*count)++];
     *s = (struct source){.quantity = UM_QUANTITY_TEMPERATURE, .sigma = o->temperature_sigma};
@@ -73,26 +82,68 @@ static enum um_status make_sources(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
+/* Temperature or area of all thermal bands together, and what the bands' noise makes of it. */
+static enum um_status grey_body(struct um_context *context, const struct um_model *model,
+                                const struct um_model_precomputed *precomputed,
+                                const struct um_model_result *r, const struct um_compare_synth *o,
+                                const struct source *s, size_t k, double *truth, double *sigma)
+{
+  double *noise, temperature, area;
+  bool first = s->quantity == UM_QUANTITY_CHARACTERISTIC_TEMPERATURE;
+  const struct um_instrument_grey_body *one = &r->grey_body[k].one;
+  *truth = *sigma = NAN;
+  if (precomputed->hidden[k] || one->n == 0) return UM_OK;
+  double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
+  UM_TRY(um_core_allocate(context, r->nband, sizeof *noise, &noise));
+  for (size_t b = 0; b < r->nband; b++)
+    noise[b] = hypot(o->relative * r->measured_intensity[k * r->nband + b],
+                     o->floor * peak(r->irradiance, r->nobs, r->nband, b) * range * range);
+  enum um_status status =
+      um_model_grey_body_error(context, model, precomputed, r, k, noise, &temperature, &area);
+  um_core_free(context, noise);
+  *truth = first ? one->temperature[0] : one->area[0];
+  *sigma = first ? temperature : area;
+  return status;
+}
+
+/* What a source says at observation k, NaN: nothing, and its noise. */
+static enum um_status look(struct um_context *context, const struct um_model *model,
+                           const struct um_model_precomputed *precomputed,
+                           const struct um_model_result *r, const struct um_compare_synth *o,
+                           const struct source *s, size_t k, double *truth, double *sigma)
+{
+  switch (s->quantity) {
+  case UM_QUANTITY_TEMPERATURE:
+    *truth = r->place[s->index].mean[k];
+    *sigma = s->sigma;
+    return UM_OK;
+  case UM_QUANTITY_CHARACTERISTIC_TEMPERATURE:
+  case UM_QUANTITY_INFRARED_CROSS_SECTION:
+    return grey_body(context, model, precomputed, r, o, s, k, truth, sigma);
+  case UM_QUANTITY_COUNT_RATE:
+    *truth = r->count_rate[k * r->nsensor + s->index];
+    break;
+  default:
+    *truth = r->irradiance[k * r->nband + s->index];
+  }
+  *sigma = hypot(o->relative * *truth, s->sigma);
+  return UM_OK;
+}
+
 /* The row of a source at observation k, unless the observer cannot see the satellite there. */
 static enum um_status add_row(struct um_context *context, const struct um_model *model,
                               const struct um_model_precomputed *precomputed,
                               const struct um_model_result *r, const struct um_compare_synth *o,
                               const struct source *s, size_t k, struct um_compare_set *set)
 {
-  bool heat = s->quantity == UM_QUANTITY_TEMPERATURE,
-       counts = s->quantity == UM_QUANTITY_COUNT_RATE;
-  double truth = heat     ? r->place[s->index].mean[k]
-                 : counts ? r->count_rate[k * r->nsensor + s->index]
-                          : r->irradiance[k * r->nband + s->index];
-  double exposure = model->scenario->time->exposure_s;
+  double truth, sigma, exposure = model->scenario->time->exposure_s;
+  UM_TRY(look(context, model, precomputed, r, o, s, k, &truth, &sigma));
   if (isnan(truth)) return UM_OK;
-  double sigma = heat ? s->sigma : hypot(o->relative * truth, s->sigma);
   if (!(sigma > 0.0))
     return um_core_fail(context, UM_ERR_INPUT,
                         "noise of %s '%s' of %g %s is %g; accepted: a floor above 0",
-                        um_compare_quantity_name(s->quantity),
-                        counts ? model->sensor[s->index].name : model->band[s->index].name, truth,
-                        counts ? "1/s" : "W/m^2", sigma);
+                        um_compare_quantity_name(s->quantity), set->channels.text[s->channel],
+                        truth, um_compare_quantity_unit(s->quantity), sigma);
   struct um_compare_measurement row = {.t_tai = precomputed->t_obs[k],
                                        .channel = s->channel,
                                        .value = truth + gsl_ran_gaussian_ziggurat(s->random, sigma),
@@ -122,6 +173,12 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
                         o->temperature_sigma);
   for (size_t p = 0; p < o->nplace; p++)
     UM_TRY(um_compare_place_find(context, model, o->place[p], &place));
+  if (o->grey_body && (!model->has_observer || um_model_thermal_bands(model) < 3))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: --grey-body wants an observer and light in three bands of %g to %g um "
+                        "or more, the scenario has %zu such bands",
+                        model->scenario->at.file, UM_INSTRUMENT_THERMAL_FROM * 1e6,
+                        UM_INSTRUMENT_THERMAL_TO * 1e6, um_model_thermal_bands(model));
   if (model->has_observer || o->nplace > 0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s: the scenario has no observer; accepted: places whose temperatures are "
@@ -167,8 +224,8 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
   enum um_status status;
   *out = NULL;
   UM_TRY(um_compare_synth_check(context, model, options));
-  UM_TRY(um_core_allocate(context, model->nband + model->nsensor + options->nplace, sizeof *source,
-                          &source));
+  UM_TRY(um_core_allocate(context, model->nband + model->nsensor + options->nplace + 2,
+                          sizeof *source, &source));
   UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
   UM_CHECK(make_sources(context, model, result, options, &set, source, &count));
   for (size_t k = 0; k < precomputed->nobs; k++)

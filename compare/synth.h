@@ -14,6 +14,7 @@ struct um_compare_synth {
   const char *const *place; /* [nplace] whose temperatures are measured too; names as in
                                um_compare_plan_create; NULL when nplace is 0 */
   size_t nplace;
+  bool grey_body; /* characteristic temperature and infrared cross-section are measured too */
   double temperature_sigma; /* [K] > 0 when nplace > 0 */
 };
 
@@ -24,14 +25,16 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
 /* At every observation of the geometry precomputation, for every band above the horizon,
  *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
  * the count rate of every sensor likewise, and the temperature of every place with
- * temperature_sigma. Sigma is of the truth, as the noise is. Each channel draws from a generator of
- * its own (Mersenne twister, Matsumoto & Nishimura 1998; ziggurat, Marsaglia & Tsang 2000) that
- * depends on the seed and the channel alone: the same seed gives the same noise whatever else is
- * measured. exposure_s is written where the scenario has one.
+ * temperature_sigma; with grey_body characteristic temperature and infrared cross-section, with the
+ * sigma that bands with that noise give them (um_model_grey_body_error), drawn apart though those
+ * of one fit are correlated. Sigma is of the truth, as the noise is. Each channel draws from a
+ * generator of its own (Mersenne twister, Matsumoto & Nishimura 1998; ziggurat, Marsaglia & Tsang
+ * 2000) that depends on the seed and the channel alone: the same seed gives the same noise whatever
+ * else is measured. exposure_s is written where the scenario has one.
  *
  * path: what the set is called in messages. UM_ERR_INPUT: noise out of range, a sigma of 0, an
- * unknown place, or nothing to measure (no observer or never above the horizon, and no places).
- * UM_ERR_MEMORY. The caller destroys. */
+ * unknown place, grey_body with fewer than three thermal bands, or nothing to measure (no observer
+ * or never above the horizon, and no places). UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
                                        const struct um_model_precomputed *precomputed,
                                        const struct um_model_result *result,

@@ -16,16 +16,33 @@
 #define RATIO   1.5  /* ln of the hotter temperature by the colder one, at most */
 #define LOGIT   2.0  /* prior width: a share of 2 to 98 % */
 
+#define TOUCH 1e-6 /* of a bin's width: edges nearer than this are one */
+
+/* int T f d lambda over a band; bins that touch and let through the same are one. f: of an interval
+ * of wavelengths [m] and a temperature. */
+static double over_band(const struct um_instrument_bins *band, double temperature,
+                        double (*f)(double from, double to, double temperature))
+{
+  double sum = 0.0;
+  for (size_t i = 0, end; i < band->n; i = end) {
+    double passed = band->transmission != NULL ? band->transmission[i] : 1.0;
+    double from = band->wavelength[i] - 0.5 * band->width[i];
+    double to = band->wavelength[i] + 0.5 * band->width[i];
+    for (end = i + 1; end < band->n; end++) {
+      double next = band->wavelength[end] - 0.5 * band->width[end];
+      if (!(fabs(next - to) < TOUCH * band->width[i])) break;
+      if (band->transmission != NULL && band->transmission[end] != passed) break;
+      to = band->wavelength[end] + 0.5 * band->width[end];
+    }
+    if (passed != 0.0) sum += passed * f(from, to, temperature);
+  }
+  return sum;
+}
+
 /* int T B_lambda(T) d lambda over a band [W/m^2/sr] */
 static double radiance(const struct um_instrument_bins *band, double temperature)
 {
-  double sum = 0.0;
-  for (size_t i = 0; i < band->n; i++) {
-    double half = 0.5 * band->width[i];
-    sum += (band->transmission != NULL ? band->transmission[i] : 1.0) *
-           um_core_planck_band(band->wavelength[i] - half, band->wavelength[i] + half, temperature);
-  }
-  return sum;
+  return over_band(band, temperature, um_core_planck_band);
 }
 
 double um_instrument_grey_body_intensity(const struct um_instrument_grey_body *body,
@@ -44,6 +61,39 @@ double um_instrument_grey_body_effective(const struct um_instrument_grey_body *b
     area += body->area[j];
   }
   return sum / area;
+}
+
+/* With x = (ln T, ln A), J_b = I_b (d ln L_b/d ln T, 1) and weights 1/sigma^2,
+ *   dx = (J^T W J)^-1 J^T W dI,  to first order in dI. */
+void um_instrument_grey_body_error(const struct um_instrument_grey_body *body,
+                                   const struct um_instrument_bins *band, const double *sigma,
+                                   const double *error, size_t nband, double *temperature,
+                                   double *area)
+{
+  double m00 = 0.0, m01 = 0.0, m11 = 0.0, t2 = 0.0, a2 = 0.0;
+  double t = body->temperature[0], a = body->area[0];
+  for (int pass = 0; pass < 2; pass++)
+    for (size_t b = 0; b < nband; b++) {
+      double j0 = a * t * over_band(&band[b], t, um_core_planck_band_slope) / sigma[b];
+      double j1 = a * radiance(&band[b], t) / sigma[b], e = error[b] / sigma[b];
+      double determinant = m00 * m11 - m01 * m01;
+      if (pass == 0) {
+        m00 += j0 * j0;
+        m01 += j0 * j1;
+        m11 += j1 * j1;
+        continue;
+      }
+      t2 += pow((m11 * j0 - m01 * j1) / determinant * e, 2);
+      a2 += pow((m00 * j1 - m01 * j0) / determinant * e, 2);
+    }
+  *temperature = t * sqrt(t2);
+  *area = a * sqrt(a2);
+}
+
+bool um_instrument_grey_body_prefers_two(const struct um_instrument_grey_body *one,
+                                         const struct um_instrument_grey_body *two)
+{
+  return one->n > 0 && two->n > 0 && two->bic < one->bic;
 }
 
 struct problem {
@@ -226,5 +276,21 @@ enum um_status um_instrument_grey_body_fit(struct um_context *context,
   UM_TRY(um_inference_fit_create(context, &fitted, &fit));
   take(fit, out);
   um_inference_fit_destroy(context, &fit);
+  return UM_OK;
+}
+
+enum um_status um_instrument_grey_body_try(struct um_context *context,
+                                           const struct um_instrument_bins *band,
+                                           const double *intensity, const double *sigma,
+                                           size_t nband, size_t n,
+                                           struct um_instrument_grey_body *out)
+{
+  *out = (struct um_instrument_grey_body){0};
+  if (nband < 2 * n + 1) return UM_OK;
+  enum um_status status =
+      um_instrument_grey_body_fit(context, band, intensity, sigma, nband, n, out);
+  if (status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
+  um_core_message_clear(context);
+  *out = (struct um_instrument_grey_body){0};
   return UM_OK;
 }

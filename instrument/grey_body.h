@@ -3,6 +3,8 @@
 #ifndef UMBRA_INSTRUMENT_GREY_BODY_H
 #define UMBRA_INSTRUMENT_GREY_BODY_H
 
+#include <stdbool.h>
+
 #include "core/context.h"
 #include "instrument/photometry.h"
 
@@ -32,6 +34,27 @@ enum um_status um_instrument_grey_body_fit(struct um_context *context,
                                            const double *intensity, const double *sigma,
                                            size_t nband, size_t n,
                                            struct um_instrument_grey_body *out);
+
+/* The same; n 0 in `out` and no error where the bands are too few or no grey body fits.
+ * UM_ERR_MEMORY, UM_ERR_LIBRARY. */
+enum um_status um_instrument_grey_body_try(struct um_context *context,
+                                           const struct um_instrument_bins *band,
+                                           const double *intensity, const double *sigma,
+                                           size_t nband, size_t n,
+                                           struct um_instrument_grey_body *out);
+
+/* Standard errors of temperature [K] and area of one grey body that was fitted with `sigma`, where
+ * the intensities have the errors `error` [nband], independent of each other; to first order, so
+ * that error = sigma gives what the fit states (tests/instrument/grey_body.c). Does not fail. */
+void um_instrument_grey_body_error(const struct um_instrument_grey_body *body,
+                                   const struct um_instrument_bins *band, const double *sigma,
+                                   const double *error, size_t nband, double *temperature,
+                                   double *area);
+
+/* Are two grey bodies a better explanation than one, each parameter paid for (BIC)? false where one
+ * of them has n 0. */
+bool um_instrument_grey_body_prefers_two(const struct um_instrument_grey_body *one,
+                                         const struct um_instrument_grey_body *two);
 
 /* Mean of the temperatures, weighted by area: the effective temperature of the same paper [K]. */
 double um_instrument_grey_body_effective(const struct um_instrument_grey_body *body);

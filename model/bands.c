@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/words.h"
+#include "instrument/grey_body.h"
 
 size_t um_model_band_find(const struct um_model *model, const char *name)
 {
@@ -45,6 +46,18 @@ enum um_status um_model_sensor_require(struct um_context *context, const struct 
                         name);
   return um_core_fail(context, UM_ERR_INPUT, "the scenario has no sensor '%s'%s; accepted: %s",
                       name, um_core_words_hint(&guess, hint), accepted);
+}
+
+bool um_model_band_is_thermal(const struct um_optics_band *band)
+{
+  return band->from >= UM_INSTRUMENT_THERMAL_FROM && band->to <= UM_INSTRUMENT_THERMAL_TO;
+}
+
+size_t um_model_thermal_bands(const struct um_model *model)
+{
+  size_t n = 0;
+  for (size_t b = 0; b < model->nband; b++) n += um_model_band_is_thermal(&model->band[b]);
+  return n;
 }
 
 enum um_status um_model_band_bins(struct um_context *context, const struct um_optics_band *band,

@@ -15,6 +15,10 @@ enum um_status um_model_band_require(struct um_context *context, const struct um
 enum um_status um_model_sensor_require(struct um_context *context, const struct um_model *model,
                                        const char *name, size_t *out);
 
+/* Does the band lie where objects shine by their own heat, UM_INSTRUMENT_THERMAL_FROM to _TO? */
+bool um_model_band_is_thermal(const struct um_optics_band *band);
+size_t um_model_thermal_bands(const struct um_model *model); /* their number */
+
 /* Bins of a band as photometry wants them, with what its filter lets through, which stays the
  * band's. UM_ERR_MEMORY; _clear frees. */
 enum um_status um_model_band_bins(struct um_context *context, const struct um_optics_band *band,

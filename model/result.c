@@ -36,6 +36,7 @@ void um_model_result_destroy(struct um_context *context, struct um_model_result 
   um_core_free(context, r->magnitude_error);
   um_core_free(context, r->vega_ab);
   um_core_free(context, r->count_rate);
+  um_core_free(context, r->grey_body);
   um_core_free(context, r->count_rate_error);
   um_core_free(context, r->spectral);
   um_core_free(context, r->wavelength);

@@ -3,6 +3,7 @@
 #define UMBRA_MODEL_RESULT_H
 
 #include "core/context.h"
+#include "instrument/grey_body.h"
 #include "thermal/solve.h"
 
 /* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */
@@ -10,6 +11,14 @@ struct um_model_place_history {
   char *name;
   double *mean, *minimum, *maximum; /* [nobs] area-weighted (capacity-weighted inside) */
   double drift; /* change of the mean over the last orbit before the window [K] */
+};
+
+/* What an infrared observer concludes from the thermal bands of an observation (model/grey_body.h).
+ */
+struct um_model_grey_body {
+  struct um_instrument_grey_body one, two; /* n 0: none */
+  double temperature_error;                /* of `one`, by the standard errors of the bands [K] */
+  double area_error;                       /* [m^2] */
 };
 
 struct um_model_result {
@@ -29,7 +38,8 @@ struct um_model_result {
   double *vega_ab;          /* [nband] magnitude_vega is magnitude_ab less this */
   double *count_rate;       /* [nobs][nsensor] after effects [1/s]; NaN where hidden */
   double *count_rate_error; /* [nobs][nsensor] standard error of it by ray tracing [1/s] */
-  double *spectral;         /* [nobs][nbin][UM_MECHANISM_COUNT] before any filter [W/sr/m] */
+  struct um_model_grey_body *grey_body; /* [nobs]; NULL: fewer than three thermal bands */
+  double *spectral; /* [nobs][nbin][UM_MECHANISM_COUNT] before any filter [W/sr/m] */
   size_t nbin;
   double *wavelength, *bin_width;       /* [nbin] [m] */
   double *transmission;                 /* [nbin] of the band's filter [1] */

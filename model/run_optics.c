@@ -7,6 +7,7 @@
 #include "model/aging_impl.h"
 #include "model/counts.h"
 #include "model/effects_impl.h"
+#include "model/grey_body.h"
 #include "model/run_optics_impl.h"
 
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
@@ -351,6 +352,7 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.at_aperture));
   UM_CHECK(average(context, model, precomputed, curve, result, &light));
   UM_CHECK(observe_all(context, model, precomputed, result, light.exo_atmospheric));
+  UM_CHECK(um_model_run_grey_bodies(context, model, precomputed, result));
 done:
   um_core_free(context, light.exo_atmospheric);
   um_core_free(context, light.at_aperture);

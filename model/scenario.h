@@ -363,6 +363,8 @@ struct um_scenario_effect {
   struct um_schema_list parameters; /* of struct um_schema_number */
 };
 
+/* The first of enum um_compare_quantity, which the model knows nothing else of. */
+enum { UM_SCENARIO_BAND_IRRADIANCE, UM_SCENARIO_RADIANT_INTENSITY };
 /* Sigma of measurements that state none. */
 struct um_scenario_noise {
   struct um_mark at;

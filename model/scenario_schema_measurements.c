@@ -7,6 +7,8 @@ static const char *const quantity_choices[] = {"band_irradiance",
                                                "magnitude_vega",
                                                "count_rate",
                                                "temperature",
+                                               "characteristic_temperature",
+                                               "infrared_cross_section",
                                                NULL};
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_noise, member, key, type, __VA_ARGS__)
 static const struct um_schema_field noise_fields[] = {

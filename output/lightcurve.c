@@ -4,6 +4,7 @@
 
 #include "core/constants.h"
 #include "environment/airmass.h"
+#include "model/bands.h"
 #include "output/csv_impl.h"
 #include "output/lightcurve_impl.h"
 #include "output/output.h"
@@ -25,6 +26,40 @@ static const char *const tails[UM_LIGHTCURVE_COLUMNS] = {
     [UM_LIGHTCURVE_MAG_VEGA] = "_mag_vega",
     [UM_LIGHTCURVE_MAG_1000_KM] = "_mag_ab_1000km"};
 
+/* Behind the bands where three of them are thermal: one grey body, and from five on two. */
+static const char *const grey_columns[UM_LIGHTCURVE_GREY] = {",characteristic_temperature_K",
+                                                             ",characteristic_temperature_error_K",
+                                                             ",infrared_cross_section_m2",
+                                                             ",infrared_cross_section_error_m2",
+                                                             ",grey_body_chi2",
+                                                             ",cold_temperature_K",
+                                                             ",cold_cross_section_m2",
+                                                             ",hot_temperature_K",
+                                                             ",hot_cross_section_m2"};
+
+size_t um_output_grey_columns(const struct um_model *model)
+{
+  size_t n = um_model_thermal_bands(model);
+  return n >= 5 ? UM_LIGHTCURVE_GREY : n >= 3 ? UM_LIGHTCURVE_GREY_ONE : 0;
+}
+
+void um_output_grey_values(const struct um_model_grey_body *grey, double out[UM_LIGHTCURVE_GREY])
+{
+  bool two = um_instrument_grey_body_prefers_two(&grey->one, &grey->two);
+  for (size_t i = 0; i < UM_LIGHTCURVE_GREY; i++) out[i] = NAN;
+  if (grey->one.n > 0) {
+    out[0] = grey->one.temperature[0];
+    out[1] = grey->temperature_error;
+    out[2] = grey->one.area[0];
+    out[3] = grey->area_error;
+    out[4] = grey->one.chi2;
+  }
+  for (size_t j = 0; two && j < 2; j++) {
+    out[5 + 2 * j] = grey->two.temperature[j];
+    out[6 + 2 * j] = grey->two.area[j];
+  }
+}
+
 static void write_header(const struct um_output_run *run, FILE *file)
 {
   fputs("time_utc,azimuth_deg,elevation_deg,range_km,airmass,phase_angle_deg,sunlit_fraction,"
@@ -33,6 +68,7 @@ static void write_header(const struct um_output_run *run, FILE *file)
   for (size_t b = 0; b < run->model->nband; b++)
     for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++)
       um_output_csv_text(file, run->model->band[b].name, tails[c]);
+  for (size_t c = 0; c < um_output_grey_columns(run->model); c++) fputs(grey_columns[c], file);
   fputc('\n', file);
 }
 
@@ -73,6 +109,10 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
       value[UM_LIGHTCURVE_MAG_1000_KM] = r->magnitude_ab[at] - nearer;
       for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++) um_output_csv_number(file, value[c]);
     }
+    double grey[UM_LIGHTCURVE_GREY];
+    if (r->grey_body != NULL) um_output_grey_values(&r->grey_body[k], grey);
+    for (size_t c = 0; r->grey_body != NULL && c < um_output_grey_columns(run->model); c++)
+      um_output_csv_number(file, grey[c]);
     fputc('\n', file);
   }
   return UM_OK;

@@ -3,6 +3,8 @@
 #ifndef UMBRA_OUTPUT_LIGHTCURVE_IMPL_H
 #define UMBRA_OUTPUT_LIGHTCURVE_IMPL_H
 
+#include "model/model.h"
+#include "model/result.h"
 #include "optics/optics.h"
 
 #define UM_LIGHTCURVE_BEFORE 8 /* columns before those of the first band */
@@ -18,5 +20,14 @@ enum um_lightcurve_column {
   UM_LIGHTCURVE_MAG_1000_KM,
   UM_LIGHTCURVE_COLUMNS
 };
+
+/* Columns of grey bodies, behind those of the bands. */
+#define UM_LIGHTCURVE_GREY_ONE 5
+#define UM_LIGHTCURVE_GREY     9
+
+/* How many of them a run has: 0 with fewer than three thermal bands, _ONE with fewer than five. */
+size_t um_output_grey_columns(const struct um_model *model);
+/* Their values; NaN where there are none, two components only where they explain more (BIC). */
+void um_output_grey_values(const struct um_model_grey_body *grey, double out[UM_LIGHTCURVE_GREY]);
 
 #endif

@@ -1,6 +1,7 @@
 /* run.nc: light toward the observer, by band and by wavelength, material and mechanism. */
 #include <math.h>
 
+#include "output/lightcurve_impl.h"
 #include "output/netcdf_groups_impl.h"
 
 static enum um_status put_bands(const struct um_output_netcdf *w)
@@ -72,6 +73,39 @@ static enum um_status put_counts(const struct um_output_netcdf *w)
                                  "Monte-Carlo error of the counts", r->count_rate_error);
 }
 
+/* What an infrared observer concludes from the thermal bands, as lightcurve.csv has it. */
+static enum um_status put_grey_bodies(const struct um_output_netcdf *w)
+{
+  static const struct {
+    const char *name, *unit, *meaning;
+  } variable[UM_LIGHTCURVE_GREY] = {
+      {"characteristic_temperature", "K", "of one grey body through the thermal bands"},
+      {"characteristic_temperature_error", "K", "of it by the Monte-Carlo error of the bands"},
+      {"infrared_cross_section", "m2", "emissivity times area seen of that grey body"},
+      {"infrared_cross_section_error", "m2", "of it by the Monte-Carlo error of the bands"},
+      {"grey_body_chi2", "1", "chi-square of that grey body"},
+      {"cold_temperature", "K", "of the colder of two grey bodies, NaN: one explains as much"},
+      {"cold_cross_section", "m2", "emissivity times area seen of the colder one"},
+      {"hot_temperature", "K", "of the hotter of two grey bodies, NaN: one explains as much"},
+      {"hot_cross_section", "m2", "emissivity times area seen of the hotter one"}};
+  const enum um_output_dimension time = UM_NC_TIME;
+  const struct um_model_result *r = w->run->result;
+  double *v = NULL, value[UM_LIGHTCURVE_GREY];
+  enum um_status status = UM_OK;
+  if (r->grey_body == NULL) return UM_OK;
+  UM_TRY(um_core_allocate(w->context, r->nobs, sizeof *v, &v));
+  for (size_t c = 0; c < um_output_grey_columns(w->run->model) && status == UM_OK; c++) {
+    for (size_t k = 0; k < r->nobs; k++) {
+      um_output_grey_values(&r->grey_body[k], value);
+      v[k] = value[c];
+    }
+    status = um_output_netcdf_double(w, variable[c].name, &time, 1, variable[c].unit,
+                                     variable[c].meaning, v);
+  }
+  um_core_free(w->context, v);
+  return status;
+}
+
 enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
 {
   const struct um_model_result *r = w->run->result;
@@ -88,6 +122,7 @@ enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
   UM_TRY(put_magnitude(w, "magnitude_vega",
                        "magnitude relative to Vega without an atmosphere, NaN: none", true));
   UM_TRY(put_counts(w));
+  UM_TRY(put_grey_bodies(w));
   UM_TRY(um_output_netcdf_double(w, "standard_error", tb, 2, "W sr-1",
                                  "Monte-Carlo error of the intensity", r->standard_error));
   UM_TRY(um_output_netcdf_double(w, "intensity", tbmk, 4, "W sr-1",

@@ -197,6 +197,7 @@ enum um_status um_output_plot_run(struct um_context *context, const char *folder
   UM_TRY(um_plot_create(context, folder, "plots.gp", &plot));
   if (run->model->has_observer) lightcurve(plot, run);
   if (run->model->has_observer && run->model->nsensor > 0) um_output_plot_counts(plot, run);
+  if (run->model->has_observer) um_output_plot_grey_body(plot, run);
   temperatures(plot, run);
   return um_plot_draw(context, &plot);
 }

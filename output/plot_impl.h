@@ -27,4 +27,7 @@ void um_output_plot_ordinate(struct um_plot *plot, const char *name, const char 
 /* counts: what every sensor counts, and the band of its noise. */
 void um_output_plot_counts(struct um_plot *plot, const struct um_output_run *run);
 
+/* grey_body: temperature and cross-section of the thermal bands together, where there are three. */
+void um_output_plot_grey_body(struct um_plot *plot, const struct um_output_run *run);
+
 #endif

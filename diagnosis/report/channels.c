@@ -65,7 +65,7 @@ enum um_status um_diagnosis_report_channel_metrics(struct um_context *context,
     model_sigma[i] = f->observations.model_sigma[row[i]];
   }
   /* observations are linear already: magnitudes pass as a flux */
-  if (quantity != UM_QUANTITY_TEMPERATURE) quantity = UM_QUANTITY_RADIANT_INTENSITY;
+  if (um_compare_is_magnitude(quantity)) quantity = UM_QUANTITY_RADIANT_INTENSITY;
   double fitted = ((double)f->observations.count - dof) * (double)n / (double)f->observations.count;
   UM_CHECK(um_compare_metrics_compute(context, quantity, n, measured, model, sigma, model_sigma,
                                       NULL, 0, fmax(fitted, 0.0), NULL, out));

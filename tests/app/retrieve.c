@@ -54,6 +54,34 @@ static void test_sphere(void **state)
   table_release(&t);
 }
 
+/* The run says the same of its own light: columns, netCDF, picture. One temperature: no two. */
+static void test_columns(void **state)
+{
+  (void)state;
+  command_write("ball.yaml", scenario);
+  command_expect(0, "run", "ball.yaml", "--out", "out", NULL);
+  struct table t = table_read("out/lightcurve.csv");
+  assert_int_equal(t.nrow, 5);
+  assert_non_null(strstr(t.header, ",e_mag_ab_1000km,characteristic_temperature_K,"
+                                   "characteristic_temperature_error_K,infrared_cross_section_m2,"
+                                   "infrared_cross_section_error_m2,grey_body_chi2,"
+                                   "cold_temperature_K,cold_cross_section_m2,hot_temperature_K,"
+                                   "hot_cross_section_m2"));
+  for (size_t k = 0; k < t.nrow; k++) {
+    assert_true(fabs(table_number(&t, k, "characteristic_temperature_K") - 271.5) < 1e-3);
+    assert_true(fabs(table_number(&t, k, "infrared_cross_section_m2") / UM_PI - 1.0) < 3e-3);
+    assert_true(table_number(&t, k, "characteristic_temperature_error_K") >= 0.0);
+    assert_true(table_number(&t, k, "grey_body_chi2") < 1e-6);
+    assert_string_equal(table_text(&t, k, "hot_temperature_K"), "");
+  }
+  table_release(&t);
+  assert_true(command_exists("out/grey_body.png"));
+  command_expect(0, "synth", "ball.yaml", "--noise", "0.01,0.0001", "--seed", "3", "--grey-body",
+                 "-o", "m.csv", NULL);
+  command_expect(0, "compare", "ball.yaml", "m.csv", "--out", "compared", NULL);
+  assert_true(command_exists("compared/characteristic_temperature_thermal.png"));
+}
+
 static void test_refused(void **state)
 {
   (void)state;
@@ -81,6 +109,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_sphere, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_columns, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -310,11 +310,13 @@ static const struct refusal refusals[] = {
     {HEAD T0 ",irradiance,vis,1,1\n",
      "m.csv:2: column 'quantity': unknown quantity 'irradiance'; did you mean "
      "'band_irradiance'?; accepted: band_irradiance, radiant_intensity, magnitude_ab, "
-     "magnitude_vega, count_rate, temperature, temperature_C, temperature_K"},
+     "magnitude_vega, count_rate, temperature, characteristic_temperature, "
+     "infrared_cross_section, temperature_C, temperature_K"},
     {HEAD T0 ",temperature_c,bus,1,1\n",
      "m.csv:2: column 'quantity': unknown quantity 'temperature_c'; did you mean 'temperature_C'?; "
      "accepted: band_irradiance, radiant_intensity, magnitude_ab, magnitude_vega, count_rate, "
-     "temperature, temperature_C, temperature_K"},
+     "temperature, characteristic_temperature, infrared_cross_section, temperature_C, "
+     "temperature_K"},
     {HEAD T0 ",count_rate,,1,1\n",
      "m.csv:2: column 'of': empty; accepted: the name of a band, part, side, node, filter or "
      "sensor"},

@@ -172,7 +172,7 @@ static void row_refusals(void **state)
       model, HEAD "\n" TIME ",temperature,plate,280,1,550,0,60\n",
       "m.csv:2: column 'quantity': temperature wants heat that is followed along an orbit, "
       "orbit.points has none; accepted: band_irradiance, radiant_intensity, magnitude_ab, "
-      "magnitude_vega, count_rate");
+      "magnitude_vega, count_rate, characteristic_temperature, infrared_cross_section");
   refused_rows(model, HEAD "\n" TIME ",magnitude_ab,v,6,0.1,0.05,0,60\n",
                "m.csv:2: satellite height 0.05 km; accepted: above the station at 0.1 km");
   refused_rows(model, HEAD "\n2022-03-22T00:00:00Z,magnitude_ab,v,6,0.1,550,0,60\n",

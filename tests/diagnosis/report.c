@@ -152,7 +152,12 @@ static void measure(void)
                                          .without = without,
                                          .nwithout = 1};
   static const char *const place[] = {"bus.interior", "panel.front"};
-  const struct um_compare_synth noise = {0.01, 0.002, 5, place, 2, 0.3};
+  const struct um_compare_synth noise = {.relative = 0.01,
+                                         .floor = 0.002,
+                                         .seed = 5,
+                                         .place = place,
+                                         .nplace = 2,
+                                         .temperature_sigma = 0.3};
   struct um_model *model;
   struct um_model_precomputed *precomputed;
   struct um_model_result *result;

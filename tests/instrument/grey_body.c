@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "core/planck.h"
 #include "core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
@@ -147,6 +148,52 @@ static void test_two_components(void **state)
   assert_true(10 * near >= 9 * all);
 }
 
+/* With the errors that it was weighed by, what the errors of the bands make of temperature and area
+ * is what the fit states; with others, here of one band that is twice as bad as it was weighed,
+ * what repeated draws scatter by. */
+static void test_error(void **state)
+{
+  (void)state;
+  static struct bands s;
+  double value[BANDS], sigma[BANDS], error[BANDS], t, a, square = 0.0, area = 0.0;
+  struct um_instrument_grey_body one = {.n = 1, .temperature = {265.0}, .area = {3.0}}, found;
+  enum { DRAWS = 300 };
+  bands_make(&s);
+  observe(&s, &one, 200.0, 0, value, sigma);
+  fit(&s, value, sigma, BANDS, 1, &found);
+  um_instrument_grey_body_error(&found, s.bins, sigma, sigma, BANDS, &t, &a);
+  /* the slopes of the fit are differences over 1e-4 of ln T: z/2 1e-4, z = 20 at 4 um */
+  assert_close(t / found.temperature_sigma[0], 1.0, 3e-3);
+  assert_close(a / found.area_sigma[0], 1.0, 3e-3);
+  for (int b = 0; b < BANDS; b++) error[b] = (b == 3 ? 3.0 : 0.2) * sigma[b];
+  um_instrument_grey_body_error(&found, s.bins, sigma, error, BANDS, &t, &a);
+  for (uint64_t draw = 1; draw <= DRAWS; draw++) {
+    double drawn[BANDS];
+    for (int b = 0; b < BANDS; b++) drawn[b] = value[b] + error[b] * gaussian(draw, (uint64_t)b);
+    fit(&s, drawn, sigma, BANDS, 1, &found);
+    square += pow((found.temperature[0] - 265.0) / t, 2) / DRAWS;
+    area += pow((found.area[0] - 3.0) / a, 2) / DRAWS;
+  }
+  print_message("mean square deviation in stated errors: T %.3f, A %.3f\n", square, area);
+  assert_close(square, 1.0, 0.33); /* four standard deviations of the mean of 300 squares */
+  assert_close(area, 1.0, 0.33);
+}
+
+/* Bins that touch and let through the same are one; a gap or another transmission parts them. */
+static void test_bins(void **state)
+{
+  (void)state;
+  const double wavelength[] = {8.5e-6, 9.5e-6, 11.5e-6, 12.5e-6},
+               width[] = {1e-6, 1e-6, 1e-6, 1e-6};
+  const double passed[] = {1.0, 1.0, 1.0, 0.25};
+  const struct um_instrument_bins band = {4, wavelength, width, passed};
+  const struct um_instrument_grey_body one = {.n = 1, .temperature = {300.0}, .area = {2.0}};
+  double by_hand = um_core_planck_band(8e-6, 10e-6, 300.0) +
+                   um_core_planck_band(11e-6, 12e-6, 300.0) +
+                   0.25 * um_core_planck_band(12e-6, 13e-6, 300.0);
+  assert_close(um_instrument_grey_body_intensity(&one, &band) / (2.0 * by_hand), 1.0, 1e-12);
+}
+
 static void test_refused(void **state)
 {
   (void)state;
@@ -181,10 +228,9 @@ static void test_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_what_is_put_in),
-      cmocka_unit_test(test_sigma_is_the_scatter),
-      cmocka_unit_test(test_two_components),
-      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_what_is_put_in), cmocka_unit_test(test_sigma_is_the_scatter),
+      cmocka_unit_test(test_two_components), cmocka_unit_test(test_error),
+      cmocka_unit_test(test_bins),           cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
