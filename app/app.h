@@ -39,7 +39,14 @@ struct um_app_options {
   int width, samples;                /* --width, --samples */
   const char *wavelengths, *tile;    /* --wavelengths, --tile */
   const char *sensor, *psf, *motion; /* of frame: --sensor, --psf, --motion */
-  const char **picture;              /* --picture */
+  const char **star;                 /* of frame and photometry: --star */
+  size_t nstar;
+  int border;                      /* of frame, 0: not said */
+  const char *aperture, *at, *sky; /* of photometry */
+  const char *extinction;          /* of calibrate */
+  const char **more;               /* arguments behind positional, where the last may be many */
+  size_t nmore;
+  const char **picture; /* --picture */
   size_t npicture;
   /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
   const char *noise, *seed, *temperatures, *temperature_sigma;
@@ -107,7 +114,7 @@ const struct um_app_option *um_app_option_next(const char **list);
 
 struct um_app_verb {
   const char *name;
-  const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out */
+  const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
   const char *summary;
   const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
   const char *about;           /* what help adds; NULL: nothing */
@@ -164,6 +171,10 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
 int um_app_filters(struct um_context *context, const struct um_app_options *options);
 int um_app_retrieve(struct um_context *context, const struct um_app_options *options);
+int um_app_photometry(struct um_context *context, const struct um_app_options *options);
+int um_app_calibrate(struct um_context *context, const struct um_app_options *options);
+/* "MAG,X,Y"; false: it is something else. */
+bool um_app_star_parse(const char *text, double out[3]);
 int um_app_sensors(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
 int um_app_materials_reflectance(struct um_context *context, const struct um_app_options *options);

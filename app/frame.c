@@ -2,167 +2,243 @@
 #include "model/frame.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/app.h"
+#include "app/frame_options.h"
 #include "app/picture.h"
-#include "core/constants.h"
-#include "core/number.h"
-#include "core/words.h"
+#include "environment/airmass.h"
+#include "model/bands.h"
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
-#include "orbit/time.h"
+#include "model/star.h"
 #include "output/fits.h"
+#include "output/frame_plot.h"
 
-#define FRAME_WIDTH   256 /* pixels of the picture that is put on the detector */
-#define FRAME_SAMPLES 8
-#define SPREADS       "gaussian, moffat:BETA, airy, seeing:R0_M or a file in .csv"
+/* A star of --star where it stands, and its pixel as FITS counts them. */
+struct star {
+  double asked[3]; /* AB magnitude, right and up of the middle [arcsec] */
+  struct um_instrument_frame_star light;
+  char key[3][9]; /* of its cards */
+};
+/* What is drawn. */
+struct scene {
+  const struct um_model *model;
+  const struct um_model_precomputed *precomputed;
+  size_t sensor;
+  struct um_model_frame frame;
+  struct star *star; /* [nstar] */
+  struct um_output_frame_star *marked;
+  size_t nstar;
+  double airmass; /* NAN: none */
+  float *counts;
+  size_t saturated;
+};
 
-/* "name:number" */
-static bool parameter(const char *text, const char *name, double *out)
+/* Middle of the image in pixels, plus arcsec to the right or up. */
+static double at_pixel(int side, double arcsec, double pixel)
 {
-  size_t n = strlen(name);
-  return strncmp(text, name, n) == 0 && text[n] == ':' && um_core_number_parse(text + n + 1, out);
+  return 0.5 * (side + 1) + arcsec / pixel;
 }
 
-static enum um_status parse_spread(struct um_context *context, const char *text,
-                                   struct um_model_frame_options *o)
+/* What stars count through the scenario's telescope. */
+static enum um_status make_stars(struct um_context *context, const struct um_app_options *options,
+                                 struct scene *scene, struct um_instrument_frame_star *light)
 {
-  size_t n = text == NULL ? 0 : strlen(text);
-  if (text == NULL || strcmp(text, "gaussian") == 0) return UM_OK;
-  if (strcmp(text, "airy") == 0) {
-    o->spread = UM_SPREAD_AIRY;
-    return UM_OK;
+  const struct um_model_precomputed *t = scene->precomputed;
+  const struct um_instrument_sensor *optics = &scene->model->sensor[scene->sensor].optics;
+  scene->airmass = um_environment_airmass(t->look[t->nsub / 2].elevation);
+  for (size_t i = 0; i < scene->nstar; i++) {
+    struct star *s = &scene->star[i];
+    double rate;
+    if (!um_app_star_parse(options->star[i], s->asked))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "--star %s; accepted: MAG,RIGHT,UP, AB magnitude and arcsec",
+                          options->star[i]);
+    UM_TRY(um_model_star_rate(context, scene->model, scene->sensor, s->asked[0], scene->airmass,
+                              t->t_obs[0], &rate));
+    s->light = (struct um_instrument_frame_star){s->asked[1], s->asked[2], rate * optics->gain};
+    light[i] = s->light;
   }
-  if (parameter(text, "moffat", &o->beta) && o->beta > 1.0 && o->beta <= 100.0) {
-    o->spread = UM_SPREAD_MOFFAT;
-    return UM_OK;
-  }
-  if (parameter(text, "seeing", &o->r0) && o->r0 > 0.0 && o->r0 <= 10.0) {
-    o->spread = UM_SPREAD_SEEING;
-    return UM_OK;
-  }
-  if (n > 4 && strcmp(text + n - 4, ".csv") == 0) {
-    o->spread = UM_SPREAD_FILE;
-    o->path = text;
-    return UM_OK;
-  }
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "--psf %s; accepted: " SPREADS ", BETA above 1 up to 100, R0_M above 0 up to "
-                      "10",
-                      text);
+  return UM_OK;
 }
 
-/* "ARCSEC_S,DEG" */
-static enum um_status parse_motion(struct um_context *context, const char *text,
-                                   struct um_model_frame_options *o)
+static void read_out(struct scene *scene, const uint64_t *seed)
 {
-  char word[64];
-  if (text == NULL) return UM_OK;
-  if (strlen(text) < sizeof word) {
-    strcpy(word, text);
-    char *comma = strchr(word, ',');
-    if (comma != NULL) *comma++ = '\0';
-    if (comma != NULL && um_core_number_parse(word, &o->motion) &&
-        um_core_number_parse(comma, &o->motion_angle) && o->motion >= 0.0) {
-      o->motion_angle *= UM_DEG;
-      return UM_OK;
-    }
-  }
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "--motion %s; accepted: RATE,ANGLE, arcsec/s of 0 or more and degrees from "
-                      "the right counter-clockwise",
-                      text);
-}
-
-static enum um_status find_sensor(struct um_context *context, const struct um_model *model,
-                                  const char *name, size_t *out)
-{
-  struct um_core_words_guess guess = {.written = name};
-  char accepted[320] = "", hint[UM_CORE_WORDS_HINT];
-  for (size_t s = 0; s < model->nsensor; s++) {
-    *out = s;
-    if (strcmp(model->sensor[s].name, name) == 0) return UM_OK;
-    um_core_words_append(accepted, sizeof accepted, model->sensor[s].name);
-    um_core_words_consider(&guess, model->sensor[s].name);
-  }
-  return um_core_fail(
-      context, UM_ERR_INPUT, "--sensor %s: the scenario has no such sensor%s; accepted: %s", name,
-      um_core_words_hint(&guess, hint), model->nsensor == 0 ? "none, it has no sensors" : accepted);
-}
-
-static enum um_status write_frame(struct um_context *context, const struct um_app_options *options,
-                                  const struct um_model *model, size_t s,
-                                  const struct um_model_frame *f, const uint64_t *seed)
-{
-  const struct um_model_sensor *sensor = &model->sensor[s];
-  const struct um_instrument_readout readout = {.background = f->background,
-                                                .read_noise = sensor->optics.read_noise,
-                                                .gain = sensor->optics.gain,
-                                                .saturation = sensor->optics.saturation,
+  const struct um_instrument_sensor *optics = &scene->model->sensor[scene->sensor].optics;
+  const struct um_instrument_readout readout = {.background = scene->frame.background,
+                                                .read_noise = optics->read_noise,
+                                                .gain = optics->gain,
+                                                .saturation = optics->saturation,
                                                 .seed = seed != NULL ? *seed : 0,
                                                 .noiseless = seed == NULL};
-  float *counts = NULL;
-  size_t n = (size_t)f->frame.width * (size_t)f->frame.height;
-  UM_TRY(um_core_allocate(context, n, sizeof *counts, &counts));
-  size_t saturated = um_instrument_frame_read(&f->frame, &readout, counts);
-  double full = f->frame.source / sensor->optics.gain, peak = 0.0;
-  for (size_t i = 0; i < n; i++) peak = fmax(peak, (double)counts[i]);
-  const struct um_output_card cards[] = {
+  scene->saturated = um_instrument_frame_read(&scene->frame.frame, &readout, scene->counts);
+}
+
+/* Cards of the stars: STARM1, STARX1, STARY1 and so on. Returns how many cards there are. */
+static size_t star_cards(struct scene *scene, struct um_output_card *cards, size_t n)
+{
+  static const char *const key[] = {"STARM", "STARX", "STARY"};
+  static const char *const meaning[] = {"AB magnitude of a star", "its pixel, 1 the first",
+                                        "likewise"};
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  for (size_t i = 0; i < scene->nstar; i++) {
+    struct star *s = &scene->star[i];
+    double value[] = {s->asked[0], at_pixel(f->width, s->asked[1], f->pixel),
+                      at_pixel(f->height, s->asked[2], f->pixel)};
+    scene->marked[i] = (struct um_output_frame_star){value[1], value[2], value[0]};
+    for (int c = 0; c < 3; c++) {
+      snprintf(s->key[c], sizeof s->key[c], "%s%zu", key[c], (i + 1) % 1000);
+      cards[n++] = (struct um_output_card){s->key[c], value[c], NULL, meaning[c]};
+    }
+  }
+  return n;
+}
+
+static enum um_status write_fits(struct um_context *context, const struct um_app_options *options,
+                                 struct scene *scene)
+{
+  const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
+  const struct um_model_frame *f = &scene->frame;
+  double gain = sensor->optics.gain;
+  struct um_output_card *cards = NULL;
+  const struct um_output_card first[] = {
       {"BUNIT", 0.0, "adu", "counts of a pixel"},
-      {"OBJECT", 0.0, model->scenario->name, "scenario"},
+      {"OBJECT", 0.0, scene->model->scenario->name, "scenario"},
       {"INSTRUME", 0.0, sensor->name, "sensor"},
-      {"FILTER", 0.0, model->band[sensor->band].name, "band"},
+      {"FILTER", 0.0, scene->model->band[sensor->band].name, "band"},
       {"DATE-OBS", 0.0, options->time_utc, "UTC, mid-exposure"},
+      {"DATE-AVG", 0.0, options->time_utc, "UTC, mid-exposure"},
       {"EXPTIME", sensor->exposure, NULL, "[s]"},
-      {"GAIN", sensor->optics.gain, NULL, "[e/adu]"},
+      {"GAIN", gain, NULL, "[e/adu]"},
       {"RDNOISE", sensor->optics.read_noise, NULL, "[e]"},
       {"PIXSCALE", sensor->optics.pixel, NULL, "[arcsec]"},
-      {"BACKGRND", f->background / sensor->optics.gain, NULL, "expected, of a pixel [adu]"},
-      {"SRCCOUNT", full, NULL, "expected, of the whole source [adu]"},
-      {"OUTSIDE", f->frame.outside / sensor->optics.gain, NULL, "of these, beside the frame [adu]"},
-      {"NSATUR", (double)saturated, NULL, "saturated pixels"}};
-  enum um_status status = um_output_write_fits(context, counts, f->frame.width, f->frame.height,
-                                               cards, sizeof cards / sizeof cards[0], options->out);
-  if (status == UM_OK)
-    printf("%s: %d x %d pixels of %g arcsec, %.6g counts of the source, %.4g of the sky in each "
-           "pixel, brightest pixel %.6g, %zu saturated\n",
-           options->out, f->frame.width, f->frame.height, sensor->optics.pixel, full,
-           f->background / sensor->optics.gain, peak, saturated);
-  um_core_free(context, counts);
+      {"BACKGRND", f->background / gain, NULL, "expected, of a pixel [adu]"},
+      {"SRCCOUNT", f->frame.source / gain, NULL, "expected, of the whole source [adu]"},
+      {"OUTSIDE", f->frame.outside / gain, NULL, "expected, beside the frame [adu]"},
+      {"NSATUR", (double)scene->saturated, NULL, "saturated pixels"}};
+  size_t n = sizeof first / sizeof first[0];
+  UM_TRY(um_core_allocate(context, n + 2 + 3 * scene->nstar, sizeof *cards, &cards));
+  memcpy(cards, first, sizeof first);
+  if (isfinite(sensor->optics.saturation))
+    cards[n++] = (struct um_output_card){"SATURATE", sensor->optics.saturation / gain, NULL,
+                                         "a pixel holds no more [adu]"};
+  if (isfinite(scene->airmass))
+    cards[n++] = (struct um_output_card){"AIRMASS", scene->airmass, NULL, "Kasten and Young 1989"};
+  n = star_cards(scene, cards, n);
+  enum um_status status = um_output_write_fits(context, scene->counts, f->frame.width,
+                                               f->frame.height, cards, n, options->out);
+  um_core_free(context, cards);
   return status;
 }
 
+static void print_frame(const struct um_app_options *options, const struct scene *scene)
+{
+  const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  double peak = 0.0, gain = sensor->optics.gain;
+  for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
+    peak = fmax(peak, (double)scene->counts[i]);
+  printf("%s: %d x %d pixels of %g arcsec, %.6g counts of the source, %.4g of the sky in each "
+         "pixel, brightest pixel %.6g, %zu saturated\n",
+         options->out, f->width, f->height, sensor->optics.pixel, f->source / gain,
+         scene->frame.background / gain, peak, scene->saturated);
+  for (size_t i = 0; i < scene->nstar; i++)
+    printf("star of %g mag: %.6g counts at pixel %.2f,%.2f\n", scene->star[i].asked[0],
+           scene->star[i].light.rate * sensor->exposure / gain, scene->marked[i].x,
+           scene->marked[i].y);
+}
+
+/* FILE.fits is drawn as FILE.png; the caller frees. */
+static enum um_status png_name(struct um_context *context, const char *fits, char **out)
+{
+  size_t n = strlen(fits);
+  if (n > 5 && strcmp(fits + n - 5, ".fits") == 0) n -= 5;
+  return um_core_asprintf(context, out, "%.*s.png", (int)n, fits);
+}
+
+static enum um_status draw(struct um_context *context, const struct um_app_options *options,
+                           const struct scene *scene)
+{
+  const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  char below[160], *png = NULL;
+  snprintf(below, sizeof below, "%.60s, %.60s, %g s", sensor->name, options->time_utc,
+           sensor->exposure);
+  const struct um_output_frame drawn = {.width = f->width,
+                                        .height = f->height,
+                                        .counts = scene->counts,
+                                        .sky = scene->frame.background / sensor->optics.gain,
+                                        .title = scene->model->scenario->name,
+                                        .below = below,
+                                        .star = scene->marked,
+                                        .nstar = scene->nstar};
+  if (options->no_plots) return UM_OK;
+  UM_TRY(png_name(context, options->out, &png));
+  enum um_status status = um_output_plot_frame(context, &drawn, png);
+  um_core_free(context, png);
+  return status;
+}
+
+static enum um_status compute(struct um_context *context, const struct um_app_options *options,
+                              const struct um_model_result *result,
+                              struct um_model_frame_options *o, struct scene *scene)
+{
+  struct um_instrument_frame_star *light = NULL;
+  UM_TRY(um_core_allocate(context, options->nstar, sizeof *light, &light));
+  enum um_status status = make_stars(context, options, scene, light);
+  o->star = light;
+  o->nstar = options->nstar;
+  if (status == UM_OK)
+    status = um_model_frame_create(context, scene->model, scene->precomputed, result, 0,
+                                   scene->sensor, o, &scene->frame);
+  um_core_free(context, light);
+  if (status != UM_OK) return status;
+  size_t n = (size_t)scene->frame.frame.width * (size_t)scene->frame.frame.height;
+  return um_core_allocate(context, n, sizeof *scene->counts, &scene->counts);
+}
+
 static enum um_status frame(struct um_context *context, const struct um_app_options *options,
-                            const struct um_model *model, const struct um_model_frame_options *o,
+                            const struct um_model *model, struct um_model_frame_options *o,
                             const uint64_t *seed)
 {
   enum um_status status;
   struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
-  struct um_model_frame f = {0};
-  size_t s = 0;
-  UM_TRY(find_sensor(context, model, options->sensor, &s));
+  struct scene scene = {.model = model, .nstar = options->nstar, .airmass = NAN};
+  status = um_model_sensor_require(context, model, options->sensor, &scene.sensor);
+  if (status != UM_OK) um_core_message_prefix(context, "--sensor");
+  if (status != UM_OK) return status;
+  UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.star, &scene.star));
+  UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.marked, &scene.marked));
   UM_CHECK(um_model_precompute(context, model, &precomputed));
   UM_CHECK(um_model_run(context, model, precomputed, &result));
-  UM_CHECK(um_model_frame_create(context, model, precomputed, result, 0, s, o, &f));
-  UM_CHECK(write_frame(context, options, model, s, &f, seed));
+  scene.precomputed = precomputed;
+  UM_CHECK(compute(context, options, result, o, &scene));
+  read_out(&scene, seed);
+  UM_CHECK(write_fits(context, options, &scene));
+  UM_CHECK(draw(context, options, &scene));
+  print_frame(options, &scene);
 done:
-  um_model_frame_clear(context, &f);
+  um_core_free(context, scene.counts);
+  um_core_free(context, scene.star);
+  um_core_free(context, scene.marked);
+  um_model_frame_clear(context, &scene.frame);
   um_model_result_destroy(context, &result);
   um_model_precomputed_destroy(context, &precomputed);
   return status;
 }
 
-static enum um_status parse_seed(struct um_context *context, const char *text, uint64_t *seed)
+/* The picture beside the frame must not take the place of another file. */
+static enum um_status check_png(struct um_context *context, const struct um_app_options *options)
 {
-  char *end;
-  if (text == NULL) return UM_OK;
-  *seed = strtoull(text, &end, 10);
-  if (text[0] >= '0' && text[0] <= '9' && *end == '\0') return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "--seed %s; accepted: a whole number", text);
+  char *png = NULL;
+  if (options->no_plots) return UM_OK;
+  UM_TRY(png_name(context, options->out, &png));
+  enum um_status status = um_app_check_target(context, png, options->force);
+  um_core_free(context, png);
+  return status;
 }
 
 int um_app_frame(struct um_context *context, const struct um_app_options *options)
@@ -170,14 +246,11 @@ int um_app_frame(struct um_context *context, const struct um_app_options *option
   enum um_status status;
   struct um_model *model = NULL;
   struct um_app_instant instant = {0};
-  struct um_model_frame_options o = {.width = options->width > 0 ? options->width : FRAME_WIDTH,
-                                     .samples =
-                                         options->samples > 0 ? options->samples : FRAME_SAMPLES};
+  struct um_model_frame_options o;
   uint64_t seed = 0;
-  UM_CHECK(parse_spread(context, options->psf, &o));
-  UM_CHECK(parse_motion(context, options->motion, &o));
-  UM_CHECK(parse_seed(context, options->seed, &seed));
+  UM_CHECK(um_app_frame_options(context, options, &o, &seed));
   UM_CHECK(um_app_check_picture(context, options));
+  UM_CHECK(check_png(context, options));
   UM_CHECK(um_app_instant_create(context, options, &instant));
   UM_CHECK(um_model_create(context, options->positional[0], &instant.changes, &model));
   UM_CHECK(frame(context, options, model, &o, options->seed != NULL ? &seed : NULL));

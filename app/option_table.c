@@ -57,6 +57,26 @@ static const struct um_app_option table[] = {
      .example = "--motion 12,30",
      .help = "Motion of the image on the detector [arcsec/s], [degrees from the right "
              "counter-clockwise]."},
+    {"frame-star", "star", "MAG,RIGHT,UP", LIST(star), .example = "--star 8.2,60,-25",
+     .help = "Put a star beside the satellite: AB magnitude, place from the frame's middle "
+             "[arcsec]. Through the scenario's air and effects; the satellite's motion does not "
+             "smear it."},
+    {"star", "star", "MAG,X,Y", LIST(star), .example = "--star 8.2,131.5,40",
+     .help = "Measure this star instead, again for more: AB magnitude, place [pixels]. The file is "
+             "then a table of stars for umbra calibrate."},
+    {"border", "border", "N", .takes = UM_APP_NUMBER, AT(border), .most = 2000,
+     .default_value = "1", .example = "--border 16",
+     .help = "Pixels of sky about what the light fills, for an annulus to be read."},
+    {"aperture", "aperture", "R,IN,OUT", .takes = UM_APP_TEXT, AT(aperture),
+     .example = "--aperture 6,9,14",
+     .help = "Radius of the circle, and from where to where the sky is read about it [pixels]."},
+    {"at", "at", "X,Y", .takes = UM_APP_TEXT, AT(at), .default_value = "the middle of the frame",
+     .example = "--at 120.5,98", .help = "Where the object is, 1,1 the middle of the first pixel."},
+    {"sky", "sky", "mean|median", .takes = UM_APP_TEXT, AT(sky), .default_value = "mean",
+     .example = "--sky median", .help = "Of the annulus; the median where a star may stand in it."},
+    {"extinction", "extinction", "K", .takes = UM_APP_TEXT, AT(extinction),
+     .default_value = "fitted", .example = "--extinction 0.2",
+     .help = "What is known of it [mag per airmass], for stars at one airmass."},
     {"frame-seed", "seed", "N", .takes = UM_APP_TEXT, AT(seed),
      .default_value = "no noise: expected counts", .example = "--seed 1",
      .help = "Draw photon and read noise, whole counts; the same seed gives the same noise."},
@@ -200,11 +220,11 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},
-               {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES},
-               {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS},
-               {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},
-               {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+  } kinds[] = {
+      {"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},    {"TRACK.txt", UM_APP_FILES},
+      {"PICTURE.nc", UM_APP_FILES},   {"FRAME...", UM_APP_FILES},     {"STARS", UM_APP_TABLES},
+      {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},
+      {"PATH", UM_APP_SECTIONS},      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

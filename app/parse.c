@@ -184,6 +184,13 @@ static int arguments_most(const struct um_app_verb *verb)
   return n;
 }
 
+/* May the last argument come again? */
+static bool takes_more(const struct um_app_verb *verb)
+{
+  size_t n = strlen(verb->arguments);
+  return n > 3 && strcmp(verb->arguments + n - 3, "...") == 0;
+}
+
 int um_app_options_parse(struct um_context *context, const struct um_app_verb *verb, int argc,
                          char **argv, struct um_app_options *o)
 {
@@ -198,6 +205,10 @@ int um_app_options_parse(struct um_context *context, const struct um_app_verb *v
     id = next_option(argc, argv, &g, &literal);
     if (id == -1 && optind >= argc) break;
     if (id == -1) { /* options may follow it */
+      if (o->npositional == most && takes_more(verb)) {
+        o->more[o->nmore++] = argv[optind++];
+        continue;
+      }
       if (o->npositional == most)
         return um_app_misuse(verb, "too many arguments: '%s'", argv[optind]);
       o->positional[o->npositional++] = argv[optind++];
@@ -220,7 +231,8 @@ bool um_app_options_allocate(struct um_app_options *options, int argc)
 {
   const char ***const list[] = {&options->set,         &options->with,     &options->without,
                                 &options->effect_file, &options->picture,  &options->only,
-                                &options->exclude,     &options->nuisance, &options->add};
+                                &options->exclude,     &options->nuisance, &options->add,
+                                &options->star,        &options->more};
   size_t n = sizeof list / sizeof list[0];
   const char **text = calloc((size_t)argc * n, sizeof *text);
   for (size_t i = 0; text != NULL && i < n; i++) *list[i] = text + i * (size_t)argc;

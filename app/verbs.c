@@ -68,13 +68,31 @@ static const struct um_app_verb verbs[] = {
                  "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
      .run = um_app_map},
     {"frame", "SCENARIO", "what a sensor's detector records at an instant, as FITS",
-     .needs = "time sensor file", .accepts = CHANGES " psf motion frame-seed width samples force",
+     .needs = "time sensor file",
+     .accepts = CHANGES " psf motion frame-star border frame-seed width samples no-plots force",
      .about =
          "The picture of the sensor's band, with the counts of umbra run, spread by optics and "
          "air, smeared by motion, in pixels, with sky, noise and saturation.",
      .examples = "umbra frame scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo "
                  "--seed 1 -o ufo.fits\n",
      .run = um_app_frame},
+    {"photometry", "FRAME...", "counts of an object, or of stars, on FITS frames",
+     .needs = "aperture file", .accepts = "at sky star force",
+     .about = "What a circle holds above the sky of a ring about it, with the error of the CCD "
+              "equation, as a measurement file with a count_rate of every frame.",
+     .examples =
+         "umbra photometry night-*.fits --aperture 6,9,14 -o measured.csv\n"
+         "umbra photometry night-*.fits --aperture 6,9,14 --star 8.2,131.5,40 -o stars.csv\n",
+     .run = um_app_photometry},
+    {"calibrate", "SCENARIO STARS [MEASURED]",
+     "factor and extinction of a telescope from stars, applied to measured counts",
+     .needs = "sensor", .accepts = "file extinction " CHANGES " force",
+     .about = "Counts of stars beside those that the scenario's sensor predicts, fitted against "
+              "airmass: -2.5 log10(measured/predicted) = -2.5 log10 kappa + k X. count_rate of the "
+              "sensor in MEASURED is divided by that factor at its own airmass.",
+     .examples = "umbra calibrate scenarios/flying-laptop stars.csv measured.csv --sensor ufo -o "
+                 "calibrated.csv\n",
+     .run = um_app_calibrate},
     {"attitude", "SCENARIO MEASURED",
      "spins that agree with measured light: axis, sense, period and phase, every solution",
      .accepts = "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES

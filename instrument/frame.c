@@ -58,6 +58,19 @@ static void gather(const struct um_instrument_source *s,
     }
 }
 
+/* Stars, and their electrons. */
+static double gather_stars(const struct um_instrument_frame_options *o, const struct grid *g)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < o->nstar; i++) {
+    double light = o->star[i].rate * o->exposure;
+    put(g, 0.5 * g->width - 0.5 + o->star[i].x / g->cell,
+        0.5 * g->height - 0.5 - o->star[i].y / g->cell, light);
+    sum += light;
+  }
+  return sum;
+}
+
 /* Every cell spreads its light; lines of the result are worked on apart from each other. */
 static void spread(const struct um_context *context, const struct grid *from,
                    const struct um_instrument_kernel *kernel, const struct grid *to)
@@ -85,9 +98,13 @@ static enum um_status size_frame(struct um_context *context, const struct um_ins
                                  struct um_instrument_frame *out)
 {
   double trail[2] = {o->trail * fabs(cos(o->trail_angle)), o->trail * fabs(sin(o->trail_angle))};
-  double width = ceil((s->width * s->pixel + trail[0] + 2.0 * reach) / o->pixel) + 2.0 * o->border;
-  double height =
-      ceil((s->height * s->pixel + trail[1] + 2.0 * reach) / o->pixel) + 2.0 * o->border;
+  double across = s->width * s->pixel + trail[0], up = s->height * s->pixel + trail[1];
+  for (size_t i = 0; i < o->nstar; i++) {
+    across = fmax(across, 2.0 * fabs(o->star[i].x));
+    up = fmax(up, 2.0 * fabs(o->star[i].y));
+  }
+  double width = ceil((across + 2.0 * reach) / o->pixel) + 2.0 * o->border;
+  double height = ceil((up + 2.0 * reach) / o->pixel) + 2.0 * o->border;
   if (!(width <= UM_INSTRUMENT_FRAME_SIDE && height <= UM_INSTRUMENT_FRAME_SIDE))
     return um_core_fail(context, UM_ERR_INPUT,
                         "frame of %g x %g pixels of %g arcsec; accepted: up to %d a side, by "
@@ -109,7 +126,7 @@ static void sum_pixels(const struct grid *g, struct um_instrument_frame *frame)
       frame->electrons[(size_t)(y / CELLS) * (size_t)frame->width + (size_t)(x / CELLS)] += value;
       held += value;
     }
-  frame->outside = frame->source - held;
+  frame->outside = frame->source + frame->stars - held;
 }
 
 enum um_status um_instrument_frame_create(struct um_context *context,
@@ -133,6 +150,7 @@ enum um_status um_instrument_frame_create(struct um_context *context,
   for (size_t i = 0; i < (size_t)source->width * (size_t)source->height; i++)
     out->source += source->rate[i] * options->exposure;
   gather(source, options, &from);
+  out->stars = gather_stars(options, &from);
   spread(context, &from, &kernel, &to);
   UM_CHECK(um_core_stop_check(context, "a frame was computed"));
   sum_pixels(&to, out);

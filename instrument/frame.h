@@ -15,12 +15,19 @@ struct um_instrument_source {
   double pixel;       /* [arcsec] */
   const double *rate; /* [height][width] electrons per second */
 };
+/* A point of light beside it, which does not move with it. */
+struct um_instrument_frame_star {
+  double x, y; /* right of the frame's middle and above it [arcsec] */
+  double rate; /* electrons per second */
+};
 struct um_instrument_frame_options {
   double pixel;       /* of the detector [arcsec] */
   double exposure;    /* [s] */
   double trail;       /* by which the image moves while it is exposed [arcsec] */
   double trail_angle; /* of that, from the right counter-clockwise [rad] */
   int border;         /* pixels of sky about what the source fills, beside the spread function */
+  const struct um_instrument_frame_star *star; /* [nstar] */
+  size_t nstar;
 };
 /* Expected electrons of the source, without sky and noise. */
 struct um_instrument_frame {
@@ -28,15 +35,16 @@ struct um_instrument_frame {
   double pixel;      /* [arcsec] */
   double *electrons; /* [height][width], row 0 on top */
   double source;     /* electrons of the whole source */
-  double outside;    /* of these, what the frame does not hold: wings of the spread function */
+  double stars;      /* of all stars */
+  double outside;    /* of both, what the frame does not hold: wings of the spread function */
 };
 
-/* The source's middle lies in the frame's. Light is gathered in cells of a third of a pixel, moved
- * along the trail, spread by the kernel and summed in pixels. Of a Gaussian or Moffat function 1e-6
- * of the light or less is outside; of Airy's what stands beyond 512 cells. Direct: every cell of
- * the source spreads once, so the cost is the product of the source's cells and the kernel's.
- * UM_ERR_INPUT: a frame of more than 4096 pixels a side, a spread function that cells do not
- * resolve; UM_ERR_MEMORY; UM_ERR_CANCELLED. */
+/* The source's middle lies in the frame's, which is as large as source and stars want it. Light is
+ * gathered in cells of a third of a pixel, moved along the trail, spread by the kernel and summed
+ * in pixels. Of a Gaussian or Moffat function 1e-6 of the light or less is outside; of Airy's what
+ * stands beyond 512 cells. Direct: every cell of the source spreads once, so the cost is the
+ * product of the source's cells and the kernel's. UM_ERR_INPUT: a frame of more than 4096 pixels a
+ * side, a spread function that cells do not resolve; UM_ERR_MEMORY; UM_ERR_CANCELLED. */
 enum um_status um_instrument_frame_create(struct um_context *context,
                                           const struct um_instrument_source *source,
                                           const struct um_instrument_psf *psf,

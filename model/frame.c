@@ -149,7 +149,9 @@ enum um_status um_model_frame_create(struct um_context *context, const struct um
                                                  .exposure = sensor->exposure,
                                                  .trail = options->motion * sensor->exposure,
                                                  .trail_angle = options->motion_angle,
-                                                 .border = 1};
+                                                 .border = options->border,
+                                                 .star = options->star,
+                                                 .nstar = options->nstar};
   UM_CHECK(um_instrument_frame_create(context, &source, &psf, &on, &out->frame));
   if (psf.kind != UM_PSF_TABLE) out->fwhm = psf.fwhm;
 done:

@@ -22,7 +22,10 @@ struct um_model_frame_options {
   double r0;   /* at 500 nm and the zenith [m] */
   const char *path;
   double motion, motion_angle; /* of the image [arcsec/s], from the right counter-clockwise [rad] */
-  int width, samples;          /* of the picture that is put on the detector */
+  int border;                  /* pixels of sky about what the light fills, 1 or more */
+  const struct um_instrument_frame_star *star; /* [nstar] beside the satellite */
+  size_t nstar;
+  int width, samples; /* of the picture that is put on the detector */
 };
 struct um_model_frame {
   struct um_instrument_frame frame;

@@ -207,7 +207,6 @@ static enum um_status transform(struct um_context *context, const struct um_mode
                                 const struct um_model_precomputed *precomputed,
                                 const struct reading *reading, double *value)
 {
-  struct um_effect_use use;
   size_t middle = reading->k * precomputed->nsub + precomputed->nsub / 2;
   double elevation = precomputed->look[middle].elevation;
   struct um_effect_observation o = {.t_tai = precomputed->t_obs[reading->k],
@@ -219,9 +218,16 @@ static enum um_status transform(struct um_context *context, const struct um_mode
                                     .sensor = reading->sensor,
                                     .electrons = reading->electrons,
                                     .background = reading->background};
+  return um_model_observe(context, model, &o, value);
+}
+
+enum um_status um_model_observe(struct um_context *context, const struct um_model *model,
+                                const struct um_effect_observation *at, double *value)
+{
+  struct um_effect_use use;
   for (int detector = 0; detector < 2; detector++)
     for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
-      struct um_effect_observation seen = o;
+      struct um_effect_observation seen = *at;
       if (use.effect->hooks.observation == NULL || use.effect->on_by_default != detector) continue;
       seen.value = *value;
       UM_TRY(use.effect->hooks.observation(context, &use, &seen));

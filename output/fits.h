@@ -17,4 +17,23 @@ enum um_status um_output_write_fits(struct um_context *context, const float *val
                                     int height, const struct um_output_card *cards, size_t ncard,
                                     const char *path);
 
+/* A picture that was read: value[height][width], row 0 below as in the file, and its header. */
+struct um_output_fits {
+  char *path;
+  int width, height;
+  float *value;
+  char *header; /* cards of 80 characters without END */
+  size_t ncard;
+};
+/* The first picture of a file, whole numbers of 8, 16 and 32 bits and floats of 32 and 64, with
+ * BSCALE and BZERO; BLANK becomes NaN. Two axes (further ones of length 1), at most 8192 a side.
+ * UM_ERR_IO, UM_ERR_INPUT naming the file and what is wrong, UM_ERR_MEMORY. The caller destroys. */
+enum um_status um_output_read_fits(struct um_context *context, const char *path,
+                                   struct um_output_fits **out);
+void um_output_fits_destroy(struct um_context *context, struct um_output_fits **fits);
+/* A number of the header by its key; NAN: there is none. */
+double um_output_fits_number(const struct um_output_fits *fits, const char *key);
+/* A text of it, without quotes and blanks at its end; "" where there is none. */
+void um_output_fits_text(const struct um_output_fits *fits, const char *key, char out[72]);
+
 #endif

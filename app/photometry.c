@@ -1,0 +1,160 @@
+/* umbra photometry: counts of an object, or of stars, on frames. */
+#include "compare/photometry.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "app/app.h"
+#include "app/terminal.h"
+#include "compare/write.h"
+#include "core/file.h"
+#include "core/number.h"
+#include "orbit/time.h"
+
+/* Numbers with a comma between them, just so many. */
+static bool numbers(const char *text, double *out, int n)
+{
+  char word[128], *at = word;
+  if (strlen(text) >= sizeof word) return false;
+  strcpy(word, text);
+  for (int i = 0; i < n; i++) {
+    char *comma = strchr(at, ',');
+    if ((comma == NULL) != (i == n - 1)) return false;
+    if (comma != NULL) *comma = '\0';
+    if (!um_core_number_parse(at, &out[i])) return false;
+    at = comma + 1;
+  }
+  return true;
+}
+
+bool um_app_star_parse(const char *text, double out[3]) { return numbers(text, out, 3); }
+
+static enum um_status parse(struct um_context *context, const struct um_app_options *options,
+                            struct um_instrument_aperture *a)
+{
+  double radii[3], at[2] = {NAN, NAN};
+  const char *sky = options->sky != NULL ? options->sky : "mean";
+  if (!numbers(options->aperture, radii, 3))
+    return um_core_fail(context, UM_ERR_INPUT, "--aperture %s; accepted: R,IN,OUT in pixels",
+                        options->aperture);
+  if (options->at != NULL && !numbers(options->at, at, 2))
+    return um_core_fail(context, UM_ERR_INPUT, "--at %s; accepted: X,Y in pixels, 1,1 the first",
+                        options->at);
+  if (strcmp(sky, "mean") != 0 && strcmp(sky, "median") != 0)
+    return um_core_fail(context, UM_ERR_INPUT, "--sky %s; accepted: mean, median", sky);
+  *a = (struct um_instrument_aperture){.x = at[0],
+                                       .y = at[1],
+                                       .radius = radii[0],
+                                       .inside = radii[1],
+                                       .beyond = radii[2],
+                                       .median = strcmp(sky, "median") == 0};
+  return UM_OK;
+}
+
+static void print_row(const char *path, const struct um_compare_photometry *p)
+{
+  char time[32];
+  um_orbit_time_format(p->t_tai, time);
+  printf("%-24s %12.6g +- %-9.3g %10.5g %9.4g %6zu%s  %s\n", time, p->rate, p->sigma, p->sum.sky,
+         p->sum.snr, p->sum.annulus, p->sum.saturated > 0 ? "  saturated" : "", path);
+}
+
+static void print_head(void)
+{
+  printf("%-24s %25s %10s %9s %6s\n", "UTC", "counts per second", "sky [adu]", "SNR", "ring");
+}
+
+static size_t frames(const struct um_app_options *options) { return 1 + options->nmore; }
+
+static const char *frame_at(const struct um_app_options *options, size_t i)
+{
+  return i == 0 ? options->positional[0] : options->more[i - 1];
+}
+
+/* The object in every frame, as a measurement file. */
+static enum um_status measure_object(struct um_context *context,
+                                     const struct um_app_options *options,
+                                     const struct um_instrument_aperture *aperture)
+{
+  enum um_status status;
+  struct um_compare_photometry *p = NULL;
+  struct um_compare_measurements *set = NULL;
+  size_t n = frames(options);
+  UM_CHECK(um_core_allocate(context, n, sizeof *p, &p));
+  for (size_t i = 0; i < n; i++) {
+    UM_CHECK(um_core_stop_check(context, "frames were measured"));
+    UM_CHECK(um_compare_photometry_measure(context, frame_at(options, i), aperture, &p[i]));
+  }
+  UM_CHECK(um_compare_photometry_set(context, p, n, options->out, &set));
+  UM_CHECK(um_compare_measurements_write(context, set, options->out));
+  print_head();
+  for (size_t i = 0; i < n; i++) print_row(frame_at(options, i), &p[i]);
+done:
+  um_core_free(context, p);
+  um_compare_measurements_destroy(context, &set);
+  return status;
+}
+
+/* One star in one frame, as a row of the table. */
+static enum um_status measure_star(struct um_context *context, const char *path, const char *text,
+                                   const struct um_instrument_aperture *aperture, FILE *file)
+{
+  struct um_instrument_aperture a = *aperture;
+  struct um_compare_photometry p;
+  double star[3];
+  if (!um_app_star_parse(text, star))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "--star %s; accepted: MAG,X,Y, AB magnitude and pixels", text);
+  a.x = star[1];
+  a.y = star[2];
+  UM_TRY(um_compare_photometry_measure(context, path, &a, &p));
+  if (isnan(p.airmass))
+    return um_core_fail(context, UM_ERR_INPUT, "%s: header has no AIRMASS; accepted: a number",
+                        path);
+  fprintf(file, "%.9g,%.9g,%.9g,%.9g,%d\n", star[0], p.airmass, p.rate, p.sigma,
+          p.sum.saturated > 0);
+  print_row(path, &p);
+  return UM_OK;
+}
+
+static enum um_status measure_stars(struct um_context *context,
+                                    const struct um_app_options *options,
+                                    const struct um_instrument_aperture *aperture)
+{
+  enum um_status status = UM_OK;
+  char *partial = NULL;
+  FILE *file = NULL;
+  UM_TRY(um_core_file_partial(context, options->out, &partial));
+  file = fopen(partial, "w");
+  if (file == NULL) {
+    status = um_core_fail(context, UM_ERR_IO, "%s: cannot be written", options->out);
+    goto done;
+  }
+  fputs("magnitude_ab,airmass,count_rate,sigma,flag\n", file);
+  print_head();
+  for (size_t i = 0; i < frames(options); i++)
+    for (size_t s = 0; s < options->nstar; s++)
+      UM_CHECK(measure_star(context, frame_at(options, i), options->star[s], aperture, file));
+  UM_CHECK(um_core_file_close(context, options->out, &file));
+  if (rename(partial, options->out) != 0)
+    status = um_core_fail(context, UM_ERR_IO, "%s: cannot be written", options->out);
+done:
+  if (file != NULL) (void)fclose(file);
+  if (status != UM_OK) (void)remove(partial);
+  um_core_free(context, partial);
+  return status;
+}
+
+int um_app_photometry(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_instrument_aperture aperture;
+  UM_CHECK(parse(context, options, &aperture));
+  UM_CHECK(um_app_check_target(context, options->out, options->force));
+  UM_CHECK(options->nstar > 0 ? measure_stars(context, options, &aperture)
+                              : measure_object(context, options, &aperture));
+  printf("%s: %zu rows\n", options->out,
+         frames(options) * (options->nstar > 0 ? options->nstar : 1));
+done:
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
