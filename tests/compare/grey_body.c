@@ -123,8 +123,8 @@ static void test_stated_error(void **state)
                               "  c: {from_um: 12, to_um: 14, bins: 4}\n";
   static const char *const stated[] = {
       "", "measurements: {noise: [{quantity: radiant_intensity, of: a, relative: 10}]}\n",
-      "measurements: {noise: [{quantity: band_irradiance, relative: 0.01},\n"
-      "                       {quantity: band_irradiance, of: a, floor: 1e3}]}\n"};
+      ("measurements: {noise: [{quantity: band_irradiance, relative: 0.01}, "
+       "{quantity: band_irradiance, of: a, floor: 1e3}]}\n")};
   double value[3], two_bands;
   for (int i = 0; i < 3; i++) {
     char bands[1024];
