@@ -178,7 +178,8 @@ static enum um_status scan(struct um_context *context, const struct problem *p, 
     for (size_t b = 0; b < n; b++) table[i * n + b] = radiance(&p->band[b], at_step(i, steps));
   for (size_t i = 0; i < steps; i++)
     for (size_t k = p->n == 1 ? i : i + 1; k < (p->n == 1 ? i + 1 : steps); k++) {
-      double area[2];
+      double area[2], ratio = log(at_step(k, steps) / at_step(i, steps));
+      if (ratio > RATIO) break; /* the fit would not begin there */
       double chi2 = solve(p, table + i * n, p->n == 1 ? NULL : table + k * n, area);
       if (!(chi2 < lowest) || !(area[0] + area[1] > 0.0)) continue;
       lowest = chi2;
@@ -186,7 +187,7 @@ static enum um_status scan(struct um_context *context, const struct problem *p, 
       double share = fmin(fmax(area[0] / all, LEAST), 1.0 - LEAST);
       x[0] = log(share * cold + (1.0 - share) * hot);
       x[1] = log(all);
-      x[2] = log(hot / cold);
+      x[2] = ratio;
       x[3] = log(share / (1.0 - share));
     }
   um_core_free(context, table);

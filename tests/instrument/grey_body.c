@@ -194,6 +194,25 @@ static void test_bins(void **state)
   assert_close(um_instrument_grey_body_intensity(&one, &band) / (2.0 * by_hand), 1.0, 1e-12);
 }
 
+/* A mirror of something hotter than the fit lets two be apart, exp(1.5), where the scan alone would
+ * begin: what comes is the bound, and it is better than one. */
+static void test_far_apart(void **state)
+{
+  (void)state;
+  static struct bands s;
+  double value[BANDS], sigma[BANDS];
+  struct um_instrument_grey_body one, two,
+      light = {.n = 2, .temperature = {200.0, 1400.0}, .area = {10.0, 0.1}};
+  bands_make(&s);
+  observe(&s, &light, 100.0, 0, value, sigma);
+  fit(&s, value, sigma, BANDS, 1, &one);
+  fit(&s, value, sigma, BANDS, 2, &two);
+  print_message("one %.1f K, chi2 %.3g; two %.1f and %.1f K, %.3g\n", one.temperature[0], one.chi2,
+                two.temperature[0], two.temperature[1], two.chi2);
+  assert_close(two.temperature[1] / two.temperature[0], exp(1.5), 1e-3);
+  assert_true(two.chi2 < one.chi2);
+}
+
 static void test_refused(void **state)
 {
   (void)state;
@@ -230,7 +249,8 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_what_is_put_in), cmocka_unit_test(test_sigma_is_the_scatter),
       cmocka_unit_test(test_two_components), cmocka_unit_test(test_error),
-      cmocka_unit_test(test_bins),           cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_bins),           cmocka_unit_test(test_far_apart),
+      cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
