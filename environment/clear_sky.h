@@ -14,20 +14,22 @@ enum um_environment_sky_profile {
 struct um_environment_sky_table; /* of a file, sky_table.h */
 
 struct um_environment_clear_sky {
-  bool present;             /* the observer stands below air that the scenario states */
-  bool on;                  /* core switch atmosphere */
-  double temperature;       /* near the ground [K] */
-  double ozone_temperature; /* as ozone glows [K] */
-  double water;             /* precipitable [mm = kg/m^2] */
-  double ozone_dobson;      /* [DU] */
-  double aerosol;           /* optical depth in the zenith at 0.55 um [1] */
-  double angstrom;          /* exponent of its wavelength [1] */
-  double pressure;          /* of sea level's [1] */
+  bool present;              /* the observer stands below air that the scenario states */
+  bool on;                   /* core switch atmosphere */
+  double temperature;        /* near the ground [K] */
+  double ozone_temperature;  /* as ozone glows [K] */
+  double water;              /* precipitable [mm = kg/m^2] */
+  double ozone_dobson;       /* [DU] */
+  double aerosol;            /* optical depth in the zenith at 0.55 um [1] */
+  double angstrom;           /* exponent of its wavelength [1] */
+  double pressure;           /* of sea level's [1] */
+  double cirrus;             /* optical depth of ice in the zenith at 0.55 um [1] */
+  double cirrus_temperature; /* [K] */
   const struct um_environment_sky_table *table; /* in place of all these; NULL: none */
 };
 
 /* Air of a profile above a station [m] above sea level: water halves every 1.39 km, pressure falls
- * by e in 8.4 km; no aerosol. Not on. */
+ * by e in 8.4 km; no aerosol, no cirrus, which would have 225 K. Not on. */
 struct um_environment_clear_sky um_environment_clear_sky_of(enum um_environment_sky_profile profile,
                                                             double height);
 /* True where wavelengths [m] lie within what is known: 0.30-1.16 and 7.02-14.28 um, or the table.
@@ -40,7 +42,7 @@ bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky,
 double um_environment_clear_sky_transmission(const struct um_environment_clear_sky *sky,
                                              double from, double to, double airmass);
 /* Radiance of that path downward, mean between two wavelengths [W/m^2/sr/m]: its own heat, and no
- * scattered light. To 8 % of LOWTRAN7 in 100 1/cm, 2 % in 8-12 um. */
+ * scattered light or heat. To 8 % of LOWTRAN7 in 100 1/cm, 2 % in 8-12 um. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
 

@@ -101,6 +101,8 @@ static enum um_status build_sky(struct um_context *context, struct um_model *mod
   to->ozone_dobson = or_else(from->ozone_DU, to->ozone_dobson);
   to->aerosol = from->aerosol;
   to->angstrom = from->angstrom_exponent;
+  to->cirrus = from->cirrus;
+  to->cirrus_temperature = from->cirrus_temperature_K;
   if (from->file != NULL && model->origin == NULL) {
     UM_TRY(um_model_resolve(context, model, &from->at, from->file, &path));
     UM_TRY(um_model_blame(context, &from->at, "file",

@@ -127,6 +127,7 @@ struct um_scenario_air { /* above the station; NaN: the profile's */
   struct um_mark at;
   int profile; /* enum um_environment_sky_profile */
   double temperature_K, water_mm, ozone_DU, aerosol, angstrom_exponent;
+  double cirrus, cirrus_temperature_K;
   const char *file;
 };
 struct um_scenario_observer {

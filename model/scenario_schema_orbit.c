@@ -268,6 +268,10 @@ static const struct um_schema_field air_fields[] = {
       HELP("optical depth in the zenith at 0.55 um")),
     F(angstrom_exponent, "angstrom_exponent", UM_SCHEMA_NUMBER, DEFAULT(1.3), BETWEEN(-1, 4),
       HELP("of the aerosol: depth goes like wavelength to minus this")),
+    F(cirrus, "cirrus", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 3),
+      HELP("optical depth of thin ice cloud in the zenith at 0.55 um")),
+    F(cirrus_temperature_K, "cirrus_temperature_K", UM_SCHEMA_NUMBER, DEFAULT(225.0),
+      BETWEEN(180, 260), HELP("of that cloud")),
     F(file, "file", UM_SCHEMA_TEXT, NAMES_FILE,
       HELP("CSV with zenith_deg, wavelength_um, transmission and radiance_W_m2_sr_um, of another "
            "program, in place of all these")),

@@ -87,6 +87,7 @@ static const struct entry cases[] = {
     {"earth_reflection_level", NULL, 0.1, "bus", NULL},
     {"water_vapour", NULL, 0.3, "bus", NULL},
     {"aerosol", NULL, 0.05, "bus", "air without aerosol is clear"},
+    {"cirrus", NULL, 0.05, "bus", "air without ice is clear"},
     {"extinction", "lwir", 0.05, "bus", NULL},
     {"aperture_loss", "vis", 0.02, "bus", "a circle does not hold more than all"},
     {"zero_point", "vis", 0.1, "bus", NULL},
