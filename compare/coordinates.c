@@ -63,7 +63,7 @@ static enum um_status add_sky(struct um_context *context, const struct um_model 
     const struct um_orbit_look *look = &precomputed->look[middle(precomputed, k)];
     azimuth[k] = look->azimuth / UM_DEG;
     elevation[k] = look->elevation / UM_DEG;
-    airmass[k] = um_environment_airmass(look->elevation);
+    airmass[k] = um_environment_airmass_toward(look->elevation);
     sun[k] = look->sun_elevation / UM_DEG;
   }
   return UM_OK;

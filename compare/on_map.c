@@ -45,7 +45,7 @@ static void light_fill(const struct um_model *model, const struct um_environment
 {
   const struct um_optics_band *b = &model->band[band];
   const struct um_environment_clear_sky *sky = &model->environment.sky;
-  double airmass = sky->on ? um_environment_airmass(elevation) : (double)NAN;
+  double airmass = sky->on ? um_environment_airmass_toward(elevation) : (double)NAN;
   double apart = sample->range * sample->range;
   um_model_sunlight(model, sample, band, l->sun);
   for (int i = 0; i < b->bins; i++) {

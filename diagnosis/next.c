@@ -92,7 +92,7 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
 static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
   const struct um_model_precomputed *p = run->precomputed;
-  return um_environment_airmass(p->look[k * p->nsub + p->nsub / 2].elevation);
+  return um_environment_airmass_toward(p->look[k * p->nsub + p->nsub / 2].elevation);
 }
 
 /* Airmass above which a third of the observations of a segment lie; NaN: no station, or too little

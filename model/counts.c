@@ -22,9 +22,9 @@ static double background(const struct um_environment_clear_sky *sky,
                          const struct um_instrument_sensor *sensor, double elevation, double from,
                          double to)
 {
-  double radiance = 0.0;
-  if (sky->on && elevation >= 0.0)
-    radiance = um_environment_clear_sky_radiance(sky, from, to, um_environment_airmass(elevation));
+  double radiance = 0.0, airmass = um_environment_airmass_toward(elevation);
+  if (sky->on && !isnan(airmass))
+    radiance = um_environment_clear_sky_radiance(sky, from, to, airmass);
   if (sensor->emissivity > 0.0)
     radiance +=
         sensor->emissivity * um_core_planck_band(from, to, sensor->temperature) / (to - from);
@@ -78,7 +78,8 @@ double um_model_scintillation(const struct um_model *model,
 {
   const struct um_model_sensor *sensor = &model->sensor[s];
   double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
-  if (!(elevation > 0.0) || !(sensor->exposure > 0.0) || precomputed->hidden[k]) return NAN;
-  return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure,
-                                     um_environment_airmass(elevation), model->observer.height);
+  double airmass = um_environment_airmass_toward(elevation);
+  if (isnan(airmass) || !(sensor->exposure > 0.0) || precomputed->hidden[k]) return NAN;
+  return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure, airmass,
+                                     model->observer.height);
 }

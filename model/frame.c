@@ -48,13 +48,13 @@ static enum um_status spread_create(struct um_context *context,
     out->fwhm = 1.028 * out->diffraction;
     return UM_OK;
   case UM_SPREAD_SEEING:
-    if (!(elevation > 0.0))
+    if (isnan(um_environment_airmass_toward(elevation)))
       return um_core_fail(context, UM_ERR_INPUT,
-                          "turbulence needs a station and an elevation above 0");
+                          "turbulence needs a station and a satellite above its horizon");
     out->kind = UM_PSF_MOFFAT;
     out->beta = UM_INSTRUMENT_SEEING_BETA;
-    out->fwhm =
-        um_instrument_seeing_fwhm(options->r0, wavelength, um_environment_airmass(elevation));
+    out->fwhm = um_instrument_seeing_fwhm(options->r0, wavelength,
+                                          um_environment_airmass_toward(elevation));
     return UM_OK;
   case UM_SPREAD_FILE:
     break;

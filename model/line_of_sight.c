@@ -1,6 +1,7 @@
 /* What of a geometry precomputation the observer can see at all.
  *
- * A station sees above its horizon (airless elevation 0: there airmass ends). Who moves, or looks
+ * A station sees above its horizon, as refraction lifts what it sees (airless elevation -0.55 deg:
+ * there airmass ends). Who moves, or looks
  * from a direction at a range, sees where the Earth's ellipsoid does not stand between. A row with
  * one such instant in its exposure is hidden: nothing arrives, and nothing is predicted for it but
  * the radiant intensity, which belongs to the satellite. */
@@ -8,6 +9,7 @@
 
 #include <math.h>
 
+#include "environment/airmass.h"
 #include "model/words_impl.h"
 #include "orbit/time.h"
 
@@ -61,7 +63,8 @@ static bool instant_is_hidden(const struct um_model *model,
                               const struct um_model_precomputed *precomputed, size_t i)
 {
   const struct um_environment_sample *s = &precomputed->sample[i];
-  if (model->observer.kind == UM_OBSERVER_STATION) return precomputed->look[i].elevation < 0.0;
+  if (model->observer.kind == UM_OBSERVER_STATION)
+    return isnan(um_environment_airmass_toward(precomputed->look[i].elevation));
   return um_environment_earth_between(s->r, s->to_observer, s->range, s->pole);
 }
 

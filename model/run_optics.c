@@ -157,7 +157,7 @@ static enum um_status average(struct um_context *context, const struct um_model 
     for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
       double range = precomputed->sample[i].range;
       double airmass =
-          sky->on ? um_environment_airmass(precomputed->look[i].elevation) : (double)NAN;
+          sky->on ? um_environment_airmass_toward(precomputed->look[i].elevation) : (double)NAN;
       for (size_t j = 0; j < per_time; j++)
         r->intensity[k * per_time + j] += w * curve->intensity[i * per_time + j];
       for (size_t bin = 0; bin < r->nbin; bin++) {
@@ -211,7 +211,7 @@ static enum um_status transform(struct um_context *context, const struct um_mode
   double elevation = precomputed->look[middle].elevation;
   struct um_effect_observation o = {.t_tai = precomputed->t_obs[reading->k],
                                     .elevation = elevation,
-                                    .airmass = um_environment_airmass(elevation),
+                                    .airmass = um_environment_airmass_toward(elevation),
                                     .band = model->band[reading->b].name,
                                     .exo_atmospheric = reading->exo_atmospheric,
                                     .zero = reading->zero,

@@ -91,7 +91,7 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
     um_output_csv_number(file, look->azimuth / UM_DEG);
     um_output_csv_number(file, look->elevation / UM_DEG);
     um_output_csv_number(file, look->range * 1e-3);
-    um_output_csv_number(file, um_environment_airmass(look->elevation));
+    um_output_csv_number(file, um_environment_airmass_toward(look->elevation));
     um_output_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
     um_output_csv_number(file, precomputed->sunlit[k]);
     um_output_csv_number(file, look->sun_elevation / UM_DEG);

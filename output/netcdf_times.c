@@ -95,8 +95,10 @@ static enum um_status put_look(const struct um_output_netcdf *w, double *v)
   static const char *const names[][3] = {
       {"azimuth", "degree", "of the satellite at the station, north over east"},
       {"elevation", "degree", "of the satellite at the station, without refraction"},
+      {"apparent_elevation", "degree", "where refraction lifts it to, visible light at sea level"},
       {"range", "m", "satellite to observer"},
-      {"airmass", "1", "relative optical airmass (Kasten and Young 1989)"},
+      {"airmass", "1",
+       "relative optical airmass of the apparent elevation (Kasten and Young 1989)"},
       {"phase_angle", "degree", "Sun - satellite - observer"},
       {"sun_elevation", "degree", "of the Sun at the station, without refraction"}};
   const struct um_model_precomputed *precomputed = w->run->precomputed;
@@ -106,8 +108,9 @@ static enum um_status put_look(const struct um_output_netcdf *w, double *v)
       const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
       const double all[] = {look->azimuth / UM_DEG,
                             look->elevation / UM_DEG,
+                            um_environment_apparent_elevation(look->elevation) / UM_DEG,
                             s->range,
-                            um_environment_airmass(look->elevation),
+                            um_environment_airmass_toward(look->elevation),
                             um_vec3_angle(s->sun, s->to_observer) / UM_DEG,
                             look->sun_elevation / UM_DEG};
       v[k] = all[i];

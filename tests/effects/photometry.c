@@ -47,7 +47,7 @@ static void expect(const char *with, unsigned mask, double k, double factor, dou
   assert_true(case_same_temperatures(&a, &b));
   assert_true(case_same_intensities(&a, &b));
   for (size_t t = 0; t < a.result->nobs; t++) {
-    double airmass = um_environment_airmass(a.precomputed->look[t].elevation);
+    double airmass = um_environment_airmass_toward(a.precomputed->look[t].elevation);
     assert_true(airmass > 1.0 && airmass < 3.0);
     for (size_t band = 0; band < 2; band++) {
       double before = a.result->irradiance[2 * t + band],
@@ -131,7 +131,7 @@ static double outside_of_moffat(double width)
 static double less_outside(double e, double elevation)
 {
   double u = sqrt(0.05), width = sqrt(u / (1.0 - u));
-  return e * (1.0 - outside_of_moffat(width * pow(um_environment_airmass(elevation), 0.6)));
+  return e * (1.0 - outside_of_moffat(width * pow(um_environment_airmass_toward(elevation), 0.6)));
 }
 
 static void circle_loses_more_toward_the_horizon(void **state)
@@ -152,7 +152,7 @@ static double with_airglow(double e, double elevation)
 
 static double with_path(double e, double elevation)
 {
-  double x = um_environment_airmass(elevation);
+  double x = um_environment_airmass_toward(elevation);
   return e + 3e-10 * (1.0 - exp(-0.5 * x)) / (1.0 - exp(-0.5));
 }
 
