@@ -75,6 +75,16 @@ struct um_scenario_magnetic {
   struct um_schema_list clock_body; /* of double, 3 or 0 */
   double period_s, phase_deg, at_utc /* t_tai [s], NaN: start */;
 };
+struct um_scenario_tumble {
+  struct um_mark at;
+  double q_gcrs[4], rates_deg_s[3];
+  struct um_schema_list inertia; /* of double, 3 or 6 */
+  double at_utc;                 /* t_tai [s], NaN: start */
+};
+struct um_scenario_slew {
+  struct um_mark at;
+  double duration_s, rate_deg_s, acceleration_deg_s2; /* NaN: not given */
+};
 struct um_scenario_attitude_table {
   struct um_mark at;
   const char *file;
@@ -88,7 +98,9 @@ struct um_scenario_attitude {
   struct um_scenario_pointing *sun, *target, *yaw_steering;
   struct um_scenario_spin *spin;
   struct um_scenario_magnetic *magnetic;
+  struct um_scenario_tumble *tumble;
   struct um_scenario_attitude_table *table;
+  struct um_scenario_slew *slew; /* NULL: it holds at once */
 };
 
 /* A law that turns about an axis of the body; false: it does not. Phase at `at` [deg], which is NaN

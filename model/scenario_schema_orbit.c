@@ -200,6 +200,38 @@ OBJECT(magnetic_object, struct um_scenario_magnetic, "magnetic",
        FIELDS(magnetic_fields));
 
 #define F(member, key, type, ...)                                                                  \
+  UM_FIELD(struct um_scenario_tumble, member, key, type, __VA_ARGS__)
+static const struct um_schema_field tumble_fields[] = {
+    F(q_gcrs, "q_gcrs", UM_SCHEMA_VECTOR, REQUIRED, .length = 4,
+      HELP("attitude at at_utc: quaternion GCRS to body, scalar first, passive")),
+    F(rates_deg_s, "rates_deg_s", UM_SCHEMA_VECTOR, REQUIRED, .length = 3,
+      HELP("at at_utc, about the axes of the body")),
+    F(inertia, "inertia_kg_m2", UM_SCHEMA_NUMBERS, REQUIRED,
+      HELP(
+          "xx, yy, zz, or with xy, xz, yz too, elements of the tensor (xy: minus the integral of x "
+          "y); only ratios matter")),
+    F(at_utc, "at_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
+      HELP("when attitude and rates hold; default: the start")),
+};
+#undef F
+OBJECT(tumble_object, struct um_scenario_tumble, "tumble",
+       "Free motion of a rigid body with three moments of inertia.", FIELDS(tumble_fields));
+
+#define F(member, key, type, ...) UM_FIELD(struct um_scenario_slew, member, key, type, __VA_ARGS__)
+static const struct um_schema_field slew_fields[] = {
+    F(duration_s, "duration_s", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e6),
+      HELP("half of it speeding up, half slowing down")),
+    F(rate_deg_s, "rate_deg_s", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(360),
+      HELP("in place of a duration: the most")),
+    F(acceleration_deg_s2, "acceleration_deg_s2", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(360),
+      HELP("with rate_deg_s: the most")),
+};
+#undef F
+OBJECT(slew_object, struct um_scenario_slew, "slew",
+       "A turn about one axis, the shorter way, relative to the law that it goes to.",
+       FIELDS(slew_fields));
+
+#define F(member, key, type, ...)                                                                  \
   UM_FIELD(struct um_scenario_attitude_table, member, key, type, __VA_ARGS__)
 static const struct um_schema_field attitude_table_fields[] = {
     F(file, "file", UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
@@ -225,7 +257,10 @@ static const struct um_schema_field attitude_fields[] = {
       .alternative = 1),
     F(spin, "spin", UM_SCHEMA_MAP, .object = &spin_object, .alternative = 1),
     F(magnetic, "magnetic", UM_SCHEMA_MAP, .object = &magnetic_object, .alternative = 1),
+    F(tumble, "tumble", UM_SCHEMA_MAP, .object = &tumble_object, .alternative = 1),
     F(table, "table", UM_SCHEMA_MAP, .object = &attitude_table_object, .alternative = 1),
+    F(slew, "slew", UM_SCHEMA_MAP, .object = &slew_object,
+      HELP("from the law before to this one, from from_utc on; default: at once")),
 };
 #undef F
 SHARED_OBJECT(um_model_attitude_schema, struct um_scenario_attitude, "attitude law",

@@ -43,11 +43,17 @@ static void light_of(const struct um_model *model, struct um_environment_sample 
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
 }
 
+static struct um_orbit_attitude_input input_of(const struct um_model *model,
+                                               const struct um_environment_sample *s)
+{
+  return (struct um_orbit_attitude_input){s->t_tai, s->r,           s->v,
+                                          s->sun,   s->to_observer, model->ephemeris};
+}
+
 static enum um_status attitude_of(struct um_context *context, const struct um_model *model,
                                   struct um_environment_sample *s)
 {
-  struct um_orbit_attitude_input in = {s->t_tai, s->r,           s->v,
-                                       s->sun,   s->to_observer, model->ephemeris};
+  struct um_orbit_attitude_input in = input_of(model, s);
   struct um_effect_use use;
   UM_TRY(um_orbit_attitude_at(context, model->attitude, &in, &s->q));
   for (size_t i = 0; um_model_effect_next(model, &i, &use);)
@@ -55,8 +61,9 @@ static enum um_status attitude_of(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
-enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
-                                  double t_tai, struct um_environment_sample *out)
+/* Everything but the attitude; who looks only where a law looks at the observer. */
+static enum um_status unturned(struct um_context *context, const struct um_model *model,
+                               double t_tai, struct um_environment_sample *out)
 {
   *out = (struct um_environment_sample){.t_tai = t_tai, .range = NAN};
   UM_TRY(um_orbit_trajectory_state(context, model->trajectory, t_tai, &out->r, &out->v));
@@ -68,6 +75,22 @@ enum um_status um_model_sample_at(struct um_context *context, const struct um_mo
     UM_TRY(um_orbit_observer_look(context, &instant, model->trajectory, t_tai, &look));
     out->to_observer = look.to_observer;
   }
+  return UM_OK;
+}
+
+enum um_status um_model_attitude_input(struct um_context *context, const struct um_model *model,
+                                       double t_tai, struct um_orbit_attitude_input *out)
+{
+  struct um_environment_sample s;
+  UM_TRY(unturned(context, model, t_tai, &s));
+  *out = input_of(model, &s);
+  return UM_OK;
+}
+
+enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
+                                  double t_tai, struct um_environment_sample *out)
+{
+  UM_TRY(unturned(context, model, t_tai, out));
   UM_TRY(attitude_of(context, model, out));
   out->to_observer = um_vec3(0, 0, 0);
   return UM_OK;

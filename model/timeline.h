@@ -7,6 +7,9 @@
 /* The scene at a satellite time. to_observer is zero and range NaN. */
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,
                                   double t_tai, struct um_environment_sample *out);
+/* What attitude laws look at, at a satellite time. */
+enum um_status um_model_attitude_input(struct um_context *context, const struct um_model *model,
+                                       double t_tai, struct um_orbit_attitude_input *out);
 /* The attitude `before` [s] ahead of a scene, with place, motion and Sun as they are there: what a
  * law that turns makes of the body alone. */
 enum um_status um_model_sample_turned(struct um_context *context, const struct um_model *model,

@@ -8,13 +8,17 @@
  *           then turned about the axis by phase + 2 pi (t - t0) / period
  *   SPIN    frame F -> smallest rotation that lays axis_body on the axis -> turn about it by
  *           phase + 2 pi (t - t0) / period; F is GCRS, or LVLH of the instant
+ *   TUMBLE  tumble.c
  * Reference: Wertz 1978, Spacecraft Attitude Determination and Control, appendix E. */
 #include "orbit/attitude.h"
 
 #include "core/constants.h"
+#include "orbit/attitude_law_impl.h"
 #include "orbit/attitude_table_impl.h"
 #include "orbit/frames.h"
 #include "orbit/magnetic_field.h"
+#include "orbit/slew_impl.h"
+#include "orbit/tumble_impl.h"
 
 /* Close above a station the direction to it turns faster than the orbit does: v / h against v / r,
  * 17 times at 400 km. */
@@ -32,6 +36,8 @@ static const double MAGNETIC_RATE_FACTOR = 4.0;
 struct law {
   struct um_orbit_attitude_law law; /* axes are unit; table_path is not kept */
   struct um_orbit_attitude_table table;
+  struct um_orbit_tumble tumble;
+  struct um_orbit_slew slew;
 };
 
 struct um_orbit_attitude {
@@ -40,96 +46,12 @@ struct um_orbit_attitude {
   struct law *law; /* shape [n], in order of from_tai */
 };
 
-static enum um_status unit_axis(struct um_context *context, const char *name, struct um_vec3 *axis)
+static enum um_status law_make(struct um_context *context, struct law *law)
 {
-  double norm = um_vec3_norm(*axis);
-  if (!(norm > 0.0 && norm < INFINITY))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "attitude: %s is (%g, %g, %g); a direction with finite components, not all "
-                        "zero, is accepted",
-                        name, axis->x, axis->y, axis->z);
-  *axis = um_vec3_scale(*axis, 1.0 / norm);
-  return UM_OK;
-}
-
-static enum um_status unit_quaternion(struct um_context *context, struct um_quat *q)
-{
-  double norm = sqrt(q->w * q->w + q->x * q->x + q->y * q->y + q->z * q->z);
-  if (!(fabs(norm - 1.0) <= 1e-3))
-    return um_core_fail(
-        context, UM_ERR_INPUT,
-        "attitude: the quaternion (%g, %g, %g, %g) has norm %.6g, 1 within 0.001 is "
-        "accepted",
-        q->w, q->x, q->y, q->z, norm);
-  *q = um_quat_normalize(*q);
-  return UM_OK;
-}
-
-static enum um_status pointing_check(struct um_context *context, struct um_orbit_attitude_law *law)
-{
-  UM_TRY(unit_axis(context, "axis_body", &law->axis_body));
-  UM_TRY(unit_axis(context, "clock_body", &law->clock_body));
-  double across = um_vec3_norm(um_vec3_cross(law->axis_body, law->clock_body));
-  if (!(across > 1e-6))
-    return um_core_fail(
-        context, UM_ERR_INPUT,
-        "attitude: clock_body is parallel to axis_body; an axis beside it is accepted");
-  return UM_OK;
-}
-
-static enum um_status spin_check(struct um_context *context, struct um_orbit_attitude_law *law)
-{
-  UM_TRY(unit_axis(context, "the spin axis", &law->axis));
-  if (law->axis_frame == UM_AXIS_BODY)
-    UM_TRY(unit_quaternion(context, &law->q));
-  else
-    UM_TRY(unit_axis(context, "axis_body", &law->axis_body));
-  if (!(fabs(law->period) > 0.0 && fabs(law->period) < INFINITY))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "attitude: spin period %g s, a finite number other than 0 is accepted",
-                        law->period);
-  if (!isfinite(law->phase + law->at_tai))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "attitude: spin phase and reference time must be finite numbers");
-  if (law->inertia_ratio == 0.0) law->inertia_ratio = 1.0;
-  if (!(law->inertia_ratio > 0.0 && law->inertia_ratio <= 2.0))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "attitude: inertia ratio %g; accepted: above 0 to 2, as bodies have it",
-                        law->inertia_ratio);
-  if (!(hypot(law->nutation[0], law->nutation[1]) < 0.5 * UM_PI))
-    return um_core_fail(context, UM_ERR_INPUT, "attitude: nutation of %g deg; accepted: below 90",
-                        hypot(law->nutation[0], law->nutation[1]) / UM_DEG);
-  return UM_OK;
-}
-
-static enum um_status magnetic_check(struct um_context *context, struct um_orbit_attitude_law *law)
-{
-  UM_TRY(pointing_check(context, law));
-  if (isfinite(law->period + law->phase + law->at_tai)) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "attitude: period, phase and reference time must be finite numbers");
-}
-
-static enum um_status law_check(struct um_context *context, struct law *law)
-{
-  switch (law->law.kind) {
-  case UM_ATTITUDE_FIXED:
-    return unit_quaternion(context, &law->law.q);
-  case UM_ATTITUDE_LVLH:
-    if (isfinite(law->law.roll + law->law.pitch + law->law.yaw)) return UM_OK;
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "attitude: roll, pitch and yaw must be finite numbers");
-  case UM_ATTITUDE_SUN:
-  case UM_ATTITUDE_TARGET:
-  case UM_ATTITUDE_YAW_STEERING:
-    return pointing_check(context, &law->law);
-  case UM_ATTITUDE_SPIN:
-    return spin_check(context, &law->law);
-  case UM_ATTITUDE_MAGNETIC:
-    return magnetic_check(context, &law->law);
-  case UM_ATTITUDE_TABLE:
-    break;
-  }
+  UM_TRY(um_orbit_attitude_law_check(context, &law->law));
+  if (law->law.kind == UM_ATTITUDE_TUMBLE)
+    return um_orbit_tumble_make(context, law->law.inertia, law->law.rate, law->law.q, &law->tumble);
+  if (law->law.kind != UM_ATTITUDE_TABLE) return UM_OK;
   return um_orbit_attitude_table_read(context, law->law.table_path, law->law.max_gap, &law->table);
 }
 
@@ -155,7 +77,7 @@ enum um_status um_orbit_attitude_create(struct um_context *context,
                             i + 1);
       goto done;
     }
-    UM_CHECK(law_check(context, &attitude->law[i]));
+    UM_CHECK(law_make(context, &attitude->law[i]));
     attitude->law[i].law.table_path = NULL; /* borrowed from the caller, not needed any more */
   }
 done:
@@ -324,11 +246,10 @@ static const struct law *law_at(const struct um_orbit_attitude *attitude, double
   return &attitude->law[i];
 }
 
-enum um_status um_orbit_attitude_at(struct um_context *context,
-                                    const struct um_orbit_attitude *attitude,
-                                    const struct um_orbit_attitude_input *input, struct um_quat *q)
+/* As the law has it, without its slew. */
+static enum um_status attitude_of(struct um_context *context, const struct law *now,
+                                  const struct um_orbit_attitude_input *input, struct um_quat *q)
 {
-  const struct law *now = law_at(attitude, input->t_tai);
   const struct um_orbit_attitude_law *law = &now->law;
   switch (law->kind) {
   case UM_ATTITUDE_FIXED:
@@ -354,10 +275,48 @@ enum um_status um_orbit_attitude_at(struct um_context *context,
     return spin(context, law, input, q);
   case UM_ATTITUDE_MAGNETIC:
     return magnetic(context, law, input, q);
+  case UM_ATTITUDE_TUMBLE:
+    *q = um_orbit_tumble_at(&now->tumble, input->t_tai - law->at_tai, NULL);
+    return UM_OK;
   case UM_ATTITUDE_TABLE:
     break;
   }
   return um_orbit_attitude_table_at(context, &now->table, input->t_tai, q);
+}
+
+enum um_status um_orbit_attitude_at(struct um_context *context,
+                                    const struct um_orbit_attitude *attitude,
+                                    const struct um_orbit_attitude_input *input, struct um_quat *q)
+{
+  const struct law *now = law_at(attitude, input->t_tai);
+  UM_TRY(attitude_of(context, now, input, q));
+  double since = input->t_tai - now->law.from_tai;
+  if (now->slew.duration > 0.0 && since < now->slew.duration)
+    *q = um_quat_then(*q, um_orbit_slew_left(&now->slew, since));
+  return UM_OK;
+}
+
+enum um_status um_orbit_attitude_slew(struct um_context *context,
+                                      struct um_orbit_attitude *attitude, size_t i,
+                                      const struct um_orbit_attitude_input *input)
+{
+  struct law *now = &attitude->law[i];
+  const struct um_orbit_attitude_law *law = &now->law;
+  struct um_quat before, after;
+  if (law->slew_duration == 0.0) return UM_OK;
+  UM_TRY(attitude_of(context, now - 1, input, &before));
+  UM_TRY(attitude_of(context, now, input, &after));
+  struct um_orbit_slew slew =
+      um_orbit_slew_plan(before, after, law->slew_duration, law->slew_rate, law->slew_acceleration);
+  double room = i + 1 < attitude->n ? now[1].law.from_tai - law->from_tai : (double)INFINITY;
+  if (!(slew.duration <= room))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "attitude: the slew of %.4g deg takes %g s, the next law begins after %g s; "
+        "accepted: a slew that is done by then",
+        slew.angle / UM_DEG, slew.duration, room);
+  now->slew = slew;
+  return UM_OK;
 }
 
 /* |phi'| + |psi'| [rad/s]. */
@@ -385,6 +344,8 @@ static double law_rate(const struct law *now, double orbital_rate)
   case UM_ATTITUDE_MAGNETIC:
     return MAGNETIC_RATE_FACTOR * orbital_rate +
            (law->period != 0.0 ? 2.0 * UM_PI / fabs(law->period) : 0.0);
+  case UM_ATTITUDE_TUMBLE:
+    return um_orbit_tumble_fastest(&now->tumble);
   case UM_ATTITUDE_SPIN:
     return spin_rate(law) + (law->axis_frame == UM_AXIS_LVLH ? orbital_rate : 0.0);
   case UM_ATTITUDE_TABLE:
@@ -397,6 +358,7 @@ double um_orbit_attitude_rate(const struct um_orbit_attitude *attitude, double o
 {
   double fastest = 0.0;
   for (size_t i = 0; i < attitude->n; i++)
-    fastest = fmax(fastest, law_rate(&attitude->law[i], orbital_rate));
+    fastest = fmax(fastest, law_rate(&attitude->law[i], orbital_rate) +
+                                um_orbit_slew_fastest(&attitude->law[i].slew));
   return fastest;
 }

@@ -34,6 +34,7 @@ enum um_orbit_attitude_kind {
                                damping or lag would have it; clock_body is as near the orbit normal
                                as possible, and where a period is given the body turns about the
                                axis from there */
+  UM_ATTITUDE_TUMBLE,       /* free motion of a body with three moments of inertia */
   UM_ATTITUDE_TABLE         /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
 };
 
@@ -42,8 +43,8 @@ enum um_orbit_axis_frame { UM_AXIS_GCRS, UM_AXIS_LVLH, UM_AXIS_BODY };
 struct um_orbit_attitude_law {
   enum um_orbit_attitude_kind kind;
   double from_tai;           /* the law holds from here on (-inf: always) */
-  struct um_quat q;          /* FIXED: GCRS to body. SPIN with axis in the BODY frame: GCRS to
-                                body at at_tai */
+  struct um_quat q;          /* FIXED: GCRS to body. TUMBLE, and SPIN with axis in the BODY frame:
+                                GCRS to body at at_tai */
   double roll, pitch, yaw;   /* LVLH [rad] */
   struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN, MAGNETIC: unit */
   struct um_vec3 clock_body; /* all but SPIN: unit, not parallel to axis_body */
@@ -55,11 +56,16 @@ struct um_orbit_attitude_law {
   double phase;  /* MAGNETIC [rad]: the same, from clock_body. SPIN [rad]: turn at at_tai; phase 0:
                     with e = axis (in GCRS  resp. LVLH axes) the body is the smallest rotation of
                     that  frame that brings axis_body onto the axis */
-  double at_tai; /* SPIN, MAGNETIC: reference time */
+  double at_tai; /* SPIN, MAGNETIC, TUMBLE: reference time */
   /* SPIN of a body that is symmetric about axis_body: nutation[2] tips axis_body from the angular
    * momentum, which lies along `axis`, about two axes across it at at_tai [rad]; inertia about
    * axis_body over that across it [1], 0 as 1 */
   double nutation[2], inertia_ratio;
+  double inertia[6];   /* TUMBLE: xx, yy, zz, xy, xz, yz in body axes [any unit] */
+  struct um_vec3 rate; /* TUMBLE: at at_tai, in body axes [rad/s] */
+  /* How the body comes from the law before to this one, from from_tai on: in slew_duration [s], or,
+   * where that is NaN, under a rate [rad/s] and an acceleration [rad/s^2]; 0: at once */
+  double slew_duration, slew_rate, slew_acceleration;
   const char *table_path; /* TABLE */
   double max_gap;         /* TABLE [s]; <= 0: ten times the median step */
 };
@@ -75,6 +81,13 @@ void um_orbit_attitude_destroy(struct um_orbit_attitude **attitude);
 enum um_status um_orbit_attitude_at(struct um_context *context,
                                     const struct um_orbit_attitude *attitude,
                                     const struct um_orbit_attitude_input *input, struct um_quat *q);
+/* Plan the slew to law i, 1 <= i < n, from what both laws have at its beginning: input of from_tai.
+ * It turns about one axis, the shorter way, relative to the law that it goes to; the law before
+ * ends where it begins. Without a plan a law begins at once. UM_ERR_INPUT: it is not done when the
+ * next law begins; errors of the laws. */
+enum um_status um_orbit_attitude_slew(struct um_context *context,
+                                      struct um_orbit_attitude *attitude, size_t i,
+                                      const struct um_orbit_attitude_input *input);
 /* The smallest rotation of a frame after which `axis_body`, read in the turned frame, is the
  * direction `axis` of the first frame, both unit: about axis_body x axis by the angle between them;
  * any perpendicular serves for opposite directions. SPIN begins with it. */

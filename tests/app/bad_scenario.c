@@ -110,6 +110,28 @@ static const struct bad_case cases[] = {
      .scenario = {"lvlh: {}", "spin: {axis_gcrs: [0, 0, 1], axis_body: [0, 0, 1], period_s: 0}", 0},
      .line_of = "spin",
      .says = {"attitude.0", "period 0 s", "other than 0"}},
+    {.name = "a tumble with four numbers of inertia",
+     .scenario =
+         {"lvlh: {}",
+          "tumble: {q_gcrs: [1, 0, 0, 0], rates_deg_s: [0, 1, 0], inertia_kg_m2: [1, 2, 2, 0]}", 0},
+     .line_of = "tumble",
+     .says = {"attitude.0.tumble.inertia_kg_m2: ", "has 4 numbers", "accepted: 3 or 6"}},
+    {.name = "moments of inertia that no body has",
+     .scenario =
+         {"lvlh: {}",
+          "tumble: {q_gcrs: [1, 0, 0, 0], rates_deg_s: [0, 1, 0], inertia_kg_m2: [1, 1, 3]}", 0},
+     .line_of = "tumble",
+     .says = {"attitude.0: ", "moments of inertia 1, 1, 3", "accepted: "}},
+    {.name = "a slew before the first law",
+     .scenario = {"lvlh: {}", "{lvlh: {}, slew: {duration_s: 9}}", 0},
+     .line_of = "slew",
+     .says = {"attitude.0.slew: ", "the first law has none before it", "accepted: "}},
+    {.name = "a slew that nothing bounds",
+     .scenario = {"lvlh: {}",
+                  "lvlh: {}\n  - {from_utc: 2016-09-06T18:00:00Z, lvlh: {}, slew: {rate_deg_s: 1}}",
+                  0},
+     .line_of = "slew",
+     .says = {"attitude.1.slew: ", "accepted: either duration_s"}},
     /* parts, materials, contacts */
     {
         .name = "missing material, nearest named",

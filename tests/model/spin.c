@@ -80,6 +80,53 @@ static void refused(void **state)
     fail_msg("%s", message);
 }
 
+/* A tumble whose rate is along an axis of inertia is a spin: from the same scenario keys the same
+ * attitudes, temperatures and light to rounding, with the periodic start too. */
+static void tumble_is_spin(void **state)
+{
+  (void)state;
+  static const char *const start[] = {"thermal.start=isothermal", "thermal.start=periodic"};
+  for (size_t i = 0; i < 2; i++) {
+    struct heat_run a =
+        heat_compute(LIST(BOX, start[i], "thermal.step_s=10",
+                          "attitude=[{spin: {q_gcrs: [0.6, 0.48, 0, 0.64], axis_body: [0, 0, 1], "
+                          "period_s: 90, at_utc: 2020-03-20T12:01:00Z}}]"),
+                     NONE, NONE);
+    struct heat_run b = heat_compute(
+        LIST(BOX, start[i], "thermal.step_s=10",
+             "attitude=[{tumble: {q_gcrs: [0.6, 0.48, 0, 0.64], rates_deg_s: [0, 0, 4], "
+             "inertia_kg_m2: [20, 35, 50], at_utc: 2020-03-20T12:01:00Z}}]"),
+        NONE, NONE);
+    assert_true(apart(&a, &b) <= 1e-6);
+    heat_release(&a);
+    heat_release(&b);
+  }
+}
+
+/* From one fixed attitude to another, 90 deg about x in 60 s from 12:03 on: half way after half of
+ * the time, an eighth after a quarter (half of it speeding up). */
+static void slew_between(void **state)
+{
+  (void)state;
+  struct heat_run run = heat_compute(
+      LIST(BOX, "thermal.start=isothermal", "thermal.orbits_before=0",
+           "time.start_utc=2020-03-20T12:02:30Z", "time.stop_utc=2020-03-20T12:05:00Z",
+           "time.step_s=15", "time.light_time=false",
+           "attitude=[{fixed: {q_gcrs: [1, 0, 0, 0]}}, {from_utc: 2020-03-20T12:03:00Z, "
+           "fixed: {q_gcrs: [0.7071067811865476, 0.7071067811865476, 0, 0]}, "
+           "slew: {duration_s: 60}}]"),
+      NONE, NONE);
+  static const double angle[] = {0, 0, 0, 11.25, 45, 78.75, 90, 90, 90, 90, 90}; /* [deg] */
+  assert_int_equal(run.precomputed->nobs, 11);
+  for (size_t k = 0; k < 11; k++) {
+    struct um_quat q = run.precomputed->sample[k * run.precomputed->nsub].q;
+    double got = 2.0 * atan2(q.x, q.w) * 180.0 / acos(-1.0);
+    if (!(fabs(got - angle[k]) <= 1e-6))
+      fail_msg("row %zu: %.9g deg, expected %g", k, got, angle[k]);
+  }
+  heat_release(&run);
+}
+
 static int begin(void **state)
 {
   (void)state;
@@ -93,7 +140,8 @@ static int end(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(averaged_is_resolved),
-                                     cmocka_unit_test(automatic), cmocka_unit_test(refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(averaged_is_resolved), cmocka_unit_test(automatic),
+      cmocka_unit_test(refused), cmocka_unit_test(tumble_is_spin), cmocka_unit_test(slew_between)};
   return cmocka_run_group_tests_name("model_spin", tests, begin, end);
 }
