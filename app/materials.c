@@ -51,6 +51,10 @@ static void print_one(const struct um_materials_record *r)
     struct um_materials_lobe lobe = um_materials_lobe(r, NULL);
     printf("\n  lobe: %s", lobe.kind->name);
     if (lobe.kind->rough) printf(", alpha %.4f", lobe.alpha);
+    if (lobe.mixture != NULL)
+      printf(" (%g of %s, alpha %.4f, and of %s, alpha %.4f)", lobe.mixture->share,
+             lobe.mixture->of[0].kind->name, lobe.alpha * lobe.mixture->of[0].ratio,
+             lobe.mixture->of[1].kind->name, lobe.alpha * lobe.mixture->of[1].ratio);
     if (um_materials_lobe_is_anisotropic(&lobe)) printf(", across %.4f", lobe.alpha_across);
     if (lobe.correlated) printf(", height-correlated masking");
     printf("; F at 30 deg and 0.4 to 0.8 um:");

@@ -19,8 +19,9 @@ static enum um_status fit_all(struct um_context *context, const struct um_materi
   *count = 0;
   for (size_t k = 0; k < um_materials_lobe_kind_count(); k++) {
     const struct um_materials_lobe_kind *kind = um_materials_lobe_kind_at(k);
-    for (int correlated = 0; kind->rough && correlated < (kind->masked ? 2 : 1); correlated++) {
-      struct um_materials_lobe lobe = {kind, 0.0, 0.0, correlated == 1};
+    for (int correlated = 0; kind->rough && !kind->mixed && correlated < (kind->masked ? 2 : 1);
+         correlated++) {
+      struct um_materials_lobe lobe = {.kind = kind, .correlated = correlated == 1};
       if (*count < FITS_MOST)
         UM_TRY(um_materials_brdf_fit(context, brdf, surface, from, lobe, &fit[(*count)++]));
     }

@@ -41,7 +41,7 @@ enum um_status um_materials_albedo_build(struct um_context *context,
 /* Square of the roughness, mean over azimuths. */
 static double mean_square(const struct um_materials_lobe *lobe)
 {
-  return 0.5 * (lobe->alpha * lobe->alpha + lobe->alpha_across * lobe->alpha_across);
+  return 0.5 * (lobe->alpha * lobe->alpha + lobe->alpha_across * lobe->alpha_across) + lobe->tilted;
 }
 
 /* Mean over azimuths of what a lobe that is alike all round has, of the roughness toward each. */

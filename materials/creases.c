@@ -20,6 +20,10 @@ struct um_materials_lobe um_materials_lobe_tilted(const struct um_materials_lobe
   } else if (!lobe->kind->rough) {
     return out;
   }
+  if (lobe->kind->mixed) {
+    out.tilted += 2.0 * slope_variance;
+    return out;
+  }
   out.alpha = sqrt(out.alpha * out.alpha + 2.0 * slope_variance);
   out.alpha_across = sqrt(out.alpha_across * out.alpha_across + 2.0 * slope_variance);
   return out;

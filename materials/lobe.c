@@ -46,7 +46,8 @@ double um_materials_pair_offset(const struct um_materials_pair *pair)
   return 2.0 * pair->cos_d * pair->cos_d * fmax(sin2, 0.0) + 0.5 * difference * difference;
 }
 
-/* u = s^2 (3 - 2 s) gathers points at both ends, where roughness has its peak and its tail. */
+/* u = s^2 (3 - 2 s) gathers points at both ends, where roughness has its peak and its tail; of a
+ * mixture in each half of u, where its two lobes have theirs. */
 static double quadrature(const struct um_materials_lobe *lobe, struct um_vec3 o, int nu, int nv,
                          double factor, um_materials_lobe_sink sink, void *self)
 {
@@ -54,9 +55,10 @@ static double quadrature(const struct um_materials_lobe *lobe, struct um_vec3 o,
   double toward = um_materials_lobe_toward(lobe, o), sum = 0.0;
   /* o in the plane y = 0 of an isotropic lobe: the other half is its mirror image */
   double turn = !um_materials_lobe_is_anisotropic(lobe) && o.y == 0.0 ? 0.5 : 1.0;
-  for (int j = 0; j < nu; j++) {
-    double s = (j + 0.5) / nu, u = s * s * (3.0 - 2.0 * s),
-           share = factor * 6.0 * s * (1.0 - s) / nu / nv;
+  int parts = kind->mixed ? 2 : 1;
+  for (int j = 0; j < parts * nu; j++) {
+    double s = (j % nu + 0.5) / nu, u = (j / nu + s * s * (3.0 - 2.0 * s)) / parts,
+           share = factor * 6.0 * s * (1.0 - s) / nu / nv / parts;
     for (int k = 0; k < nv; k++) {
       struct um_vec3 drawn = kind->draw(lobe, u, turn * (k + 0.5) / nv);
       struct um_materials_reflected r;

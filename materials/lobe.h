@@ -18,10 +18,25 @@
 
 struct um_materials_lobe_kind;
 
+struct um_materials_mixture;
+
 struct um_materials_lobe {
   const struct um_materials_lobe_kind *kind; /* NULL: the surface has no lobe */
   double alpha, alpha_across; /* roughness along x and along y [1]; equal where it is isotropic */
   bool correlated;            /* masking of both directions by the height of the facet */
+  const struct um_materials_mixture *mixture; /* of kind mixture, borrowed; NULL of others */
+  double tilted; /* of kind mixture: mean square slope that creases add to both, twice that per axis
+                    [1] */
+};
+
+/* Two lobes at once, f = share f_1 + (1 - share) f_2, each alike all round. */
+struct um_materials_mixture {
+  double share; /* of the first [1] */
+  struct {
+    const struct um_materials_lobe_kind *kind; /* neither a mirror nor a mixture */
+    double ratio; /* of its alpha to that of the mixture, which is the wider one [1] */
+    bool correlated;
+  } of[2];
 };
 
 /* A pair of directions as a lobe takes it. */
@@ -39,7 +54,8 @@ double um_materials_pair_offset(const struct um_materials_pair *pair);
 struct um_materials_reflected {
   struct um_vec3 i;
   double cos_d;  /* [1] */
-  double weight; /* f cos_i over the density of i; 0 where i is below the surface [1] */
+  double weight; /* f cos_i over the density of i, of a mixture so in the mean over what comes from
+                    i; 0 where i is below the surface [1] */
 };
 
 struct um_materials_lobe_kind {
@@ -49,6 +65,7 @@ struct um_materials_lobe_kind {
   bool masked;      /* has Smith's masking in two forms */
   bool anisotropic; /* alpha_across may differ from alpha */
   bool delta;       /* a mirror: f is no number, sunlit is */
+  bool mixed;       /* made of others: needs a mixture */
   /* f [1/sr]; 0 where a cosine is not positive. Reciprocal. */
   double (*evaluate)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair);
   /* Mean of f over a disc of angular radius [rad] about the source: what a point Sun of that

@@ -6,6 +6,8 @@
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 
+#define SHARES 1e-6 /* of 1, of shares written in decimals */
+
 /* Exponents: n = 2/alpha^2 of facets, n = 1/(2 alpha^2) of Phong's lobe (lobe_ashikhmin_shirley.c,
  * lobe_phong.c). */
 static double alpha_of(const struct um_materials_lobe_kind *kind, double exponent)
@@ -45,6 +47,68 @@ static enum um_status check_kind(struct um_context *context,
   return UM_OK;
 }
 
+/* Kind and keys of one lobe as those of a lobe that stands alone. */
+static enum um_status mixed_alpha(struct um_context *context,
+                                  const struct um_materials_mixed_input *in, double *alpha)
+{
+  const struct um_materials_lobe_kind *kind = um_materials_lobe_kind_at((size_t)in->kind);
+  const struct um_materials_lobe_input alone = {.at = in->at,
+                                                .masking = in->masking,
+                                                .alpha = in->alpha,
+                                                .alpha_across = NAN,
+                                                .exponent = in->exponent,
+                                                .exponent_across = NAN};
+  if (kind->mixed || kind->delta)
+    return um_document_mark_fail(context, &in->at,
+                                 "kind %s cannot be part of a mixture; accepted: beckmann, ggx, "
+                                 "phong, ashikhmin_shirley, lambert",
+                                 kind->name);
+  UM_TRY(check_kind(context, &alone, kind));
+  *alpha = !isnan(in->exponent) ? alpha_of(kind, in->exponent) : in->alpha;
+  if (!kind->rough) *alpha = 0.0;
+  if (isnan(*alpha))
+    return um_document_mark_fail(context, &in->at,
+                                 "the roughness of kind %s is missing; accepted: alpha%s",
+                                 kind->name, kind->masked ? "" : ", or exponent");
+  return UM_OK;
+}
+
+static enum um_status read_mixture(struct um_context *context,
+                                   const struct um_materials_lobe_input *in, double stated,
+                                   struct um_materials_record *record)
+{
+  const struct um_materials_mixed_input *of = in->of.items;
+  struct um_materials_lobe *lobe = &record->lobe;
+  double alpha[2];
+  if (in->of.count != 2)
+    return um_document_mark_fail(context, &in->at,
+                                 "a mixture is of two lobes, of has %zu; accepted: of: [{share, "
+                                 "kind, alpha}, {share, kind, alpha}]",
+                                 in->of.count);
+  if (!isnan(stated) || !isnan(in->alpha))
+    return um_document_mark_fail(context, &in->at,
+                                 "the lobes of a mixture have a roughness each; accepted: alpha in "
+                                 "of alone");
+  if (!(fabs(of[0].share + of[1].share - 1.0) <= SHARES))
+    return um_document_mark_fail(context, &in->at,
+                                 "the shares of a mixture add up to %.9g; accepted: 1, how much is "
+                                 "reflected is said elsewhere",
+                                 of[0].share + of[1].share);
+  record->mixture.share = of[0].share;
+  for (int k = 0; k < 2; k++) UM_TRY(mixed_alpha(context, &of[k], &alpha[k]));
+  lobe->alpha = lobe->alpha_across = fmax(alpha[0], alpha[1]);
+  if (!(lobe->alpha > 0.0))
+    return um_document_mark_fail(context, &in->at,
+                                 "a mixture of lambert alone; accepted: one lobe with a roughness");
+  for (int k = 0; k < 2; k++) {
+    record->mixture.of[k].kind = um_materials_lobe_kind_at((size_t)of[k].kind);
+    record->mixture.of[k].ratio = alpha[k] / lobe->alpha;
+    record->mixture.of[k].correlated = of[k].masking == 1;
+  }
+  lobe->mixture = &record->mixture;
+  return um_materials_albedo_build(context, record);
+}
+
 enum um_status um_materials_lobe_read(struct um_context *context,
                                       const struct um_materials_input *whole, double stated,
                                       struct um_materials_record *record)
@@ -58,6 +122,11 @@ enum um_status um_materials_lobe_read(struct um_context *context,
   lobe->kind = kind;
   lobe->correlated = in->masking == 1;
   UM_TRY(check_kind(context, in, kind));
+  if (kind->mixed) return read_mixture(context, in, stated, record);
+  if (in->of.count > 0)
+    return um_document_mark_fail(context, &in->at,
+                                 "of belongs to kind mixture; accepted beside kind %s: without it",
+                                 kind->name);
   if (!kind->rough) {
     if (!isnan(stated))
       return um_document_mark_fail(context, &in->at,

@@ -1,6 +1,7 @@
 /* What a record mirrors, of what it reflects.
  *
  * A lobe of Beckmann alpha a is 2 atan a wide from its middle to 1/e (D.3): 11 deg at the limit.
+ * A mixture mirrors nothing here: part of it may be as wide as a Lambert surface.
  * Patches of a satellite see each other under such angles and more, so that what the lobe spreads
  * mostly stays with the patch that a mirror would send it to. Of the reflected
  *
@@ -45,7 +46,7 @@ void um_materials_mirror_build(const struct um_materials_sun *sun,
   record->mirror = (struct um_materials_mirror){0.0, 0.0};
   if (!um_materials_has_lobe(record)) return;
   const struct um_materials_lobe *lobe = &record->lobe;
-  if (!(lobe->kind->rough || lobe->kind->delta)) return;
+  if (!(lobe->kind->rough || lobe->kind->delta) || lobe->kind->mixed) return;
   if (!(fmax(lobe->alpha, lobe->alpha_across) <= WIDEST)) return;
   if (record->grey) { /* its lobe ends at 2.5 um; its numbers are taken as given */
     const struct um_materials_grey *g = &record->explicit_values;

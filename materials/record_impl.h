@@ -72,7 +72,8 @@ struct um_materials_record {
   bool borrows; /* all but the spectrum and the struct itself is another record's */
   char *name, *summary, *citation, *source;
   bool grey;
-  struct um_materials_lobe lobe; /* kind NULL: none */
+  struct um_materials_lobe lobe;       /* kind NULL: none */
+  struct um_materials_mixture mixture; /* of a lobe of that kind */
   double *albedo; /* [UM_MATERIALS_SCALES][UM_MATERIALS_COSINES] of the lobe; NULL where
                      um_materials_lobe_albedo has a table of its own */
   struct um_materials_catalogue catalogue;

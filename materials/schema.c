@@ -151,6 +151,29 @@ static const char *const lobe_kinds[] = {
 #undef UM_LOBE
     NULL};
 static const char *const maskings[] = {"separable", "height_correlated", NULL};
+static const struct um_schema_field mixed_fields[] = {
+    UM_FIELD(struct um_materials_mixed_input, share, "share", UM_SCHEMA_NUMBER, .required = true,
+             .minimum = 0.0, .maximum = 1.0, .open_minimum = true,
+             .help = "Share of the specular part; both add up to 1."),
+    UM_FIELD(struct um_materials_mixed_input, kind, "kind", UM_SCHEMA_CHOICE, .choices = lobe_kinds,
+             .default_value = 0.0, .help = "As of a lobe, neither mirror nor mixture."),
+    UM_FIELD(struct um_materials_mixed_input, masking, "masking", UM_SCHEMA_CHOICE,
+             .choices = maskings, .default_value = NAN, .help = "As of a lobe."),
+    UM_FIELD(struct um_materials_mixed_input, alpha, "alpha", UM_SCHEMA_NUMBER, .minimum = 0.0,
+             .maximum = 1.5, .open_minimum = true, .default_value = NAN, .alternative = 1,
+             .help = "Roughness."),
+    UM_FIELD(struct um_materials_mixed_input, exponent, "exponent", UM_SCHEMA_NUMBER,
+             .minimum = 1.0, .maximum = 1e8, .default_value = NAN, .alternative = 1,
+             .help = "As of a lobe."),
+};
+static const struct um_schema_object mixed_object = {
+    .name = "lobe of a mixture",
+    .help = "One of the two lobes of kind mixture, alike all round.",
+    .size = sizeof(struct um_materials_mixed_input),
+    .fields = mixed_fields,
+    .nfield = UM_FIELD_COUNT(mixed_fields),
+    .scalar_key = NULL};
+
 static const struct um_schema_field lobe_fields[] = {
     UM_FIELD(struct um_materials_lobe_input, kind, "kind", UM_SCHEMA_CHOICE, .choices = lobe_kinds,
              .default_value = 0.0,
@@ -173,6 +196,8 @@ static const struct um_schema_field lobe_fields[] = {
     UM_FIELD(struct um_materials_lobe_input, exponent_across, "exponent_across", UM_SCHEMA_NUMBER,
              .minimum = 1.0, .maximum = 1e8, .default_value = NAN, .alternative = 2,
              .help = "Exponent across the grain, of ashikhmin_shirley."),
+    UM_FIELD(struct um_materials_lobe_input, of, "of", UM_SCHEMA_LIST, .object = &mixed_object,
+             .help = "The two lobes of kind mixture."),
 };
 static const struct um_schema_object lobe_object = {
     .name = "lobe",

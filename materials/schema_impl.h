@@ -37,8 +37,16 @@ struct um_materials_surface_input {
   double rq_um, tau_um;                              /* [um] */
 };
 
+/* One of two lobes of a mixture. */
+struct um_materials_mixed_input {
+  struct um_mark at;
+  int kind, masking;             /* as below; kind -1: not given */
+  double share, alpha, exponent; /* [1] */
+};
+
 struct um_materials_lobe_input {
   struct um_mark at;
+  struct um_schema_list of;         /* of struct um_materials_mixed_input */
   int kind;                         /* index of materials/lobes.def */
   int masking;                      /* 0 separable, 1 height-correlated; -1: not given */
   double alpha, alpha_across;       /* [1] */

@@ -286,6 +286,60 @@ static void coherent_film(void **state)
   assert_true(most - least > 0.1);
 }
 
+/* A mixture is read as its two lobes; what is no mixture is refused with file and line. */
+static void mixtures(void **state)
+{
+#define MIX(of)                                                                                    \
+  HEAD "reflectance: {wavelength_um: [0.3, 20], diffuse: [0.05, 0.05], specular: [0.5, 0.5]}\n" of
+  (void)state;
+  refused(MIX("lobe: mixture\n"), ":5:", "of has 0", "two lobes");
+  refused(MIX("lobe: {kind: mixture, of: [{share: 0.5, alpha: 0.1}, {share: 0.4, alpha: 0.2}]}\n"),
+          ":5:", "0.9", "accepted: 1");
+  refused(
+      MIX("lobe: {kind: mixture, of: [{share: 0.5, alpha: 0.1}, {share: 0.5, kind: mirror}]}\n"),
+      ":5:", "mirror", "part of a mixture");
+  refused(MIX("lobe: {kind: mixture, of: [{share: 0.5, alpha: 0.1}, {share: 0.5, kind: ggx}]}\n"),
+          ":5:", "roughness of kind ggx", "alpha");
+  refused(MIX("lobe: {kind: mixture, of: [{share: 0.5, kind: lambert}, {share: 0.5, kind: "
+              "lambert}]}\n"),
+          ":5:", "lambert alone", "one lobe");
+  refused(MIX("lobe: {kind: mixture, of: [{share: 0.5, alpha: 0.1, exponent: 9}, {share: 0.5, "
+              "alpha: 0.3}]}\n"),
+          ":5:", "exponent", "alpha");
+  refused(
+      MIX("lobe: {kind: mixture, alpha: 0.1, of: [{share: 0.5, alpha: 0.1}, {share: 0.5, alpha: "
+          "0.3}]}\n"),
+      ":5:", "roughness each", "alone");
+  refused(MIX("lobe: {kind: ggx, alpha: 0.1, of: [{share: 0.5, alpha: 0.1}]}\n"), ":5:", "mixture",
+          "without it");
+  assert_int_equal(read_text(MIX("lobe:\n  kind: mixture\n  of:\n    - {share: 0.7, alpha: 0.05}\n"
+                                 "    - {share: 0.3, kind: ggx, alpha: 0.4, masking: "
+                                 "height_correlated}\n")),
+                   UM_OK);
+  const struct um_materials_record *r = um_materials_library_find(library, "m");
+  struct um_materials_lobe lobe = um_materials_lobe(r, NULL);
+  struct um_materials_pair pair =
+      um_materials_pair(um_vec3(0.6, 0.0, 0.8), um_vec3(-0.5, 0.1, 0.86));
+  struct um_materials_lobe one = {.kind = um_materials_lobe_kind_find("beckmann"),
+                                  .alpha = 0.05,
+                                  .alpha_across = 0.05},
+                           two = {.kind = um_materials_lobe_kind_find("ggx"),
+                                  .alpha = 0.4,
+                                  .alpha_across = 0.4,
+                                  .correlated = true};
+  check_near("mixture", lobe.kind->evaluate(&lobe, &pair),
+             0.7 * one.kind->evaluate(&one, &pair) + 0.3 * two.kind->evaluate(&two, &pair), 1e-12);
+  check_near("no mirror", um_materials_mirror(r).solar, 0.0, 0.0);
+  check_near("emissivity", um_materials_emissivity(r, NULL, 10e-6, 0.5), 0.45, 1e-12);
+  struct um_materials_adjustment rougher = um_materials_no_adjustment;
+  rougher.roughness_scale = 2.0;
+  lobe = um_materials_lobe(r, &rougher);
+  one.alpha = one.alpha_across = 0.1;
+  two.alpha = two.alpha_across = 0.8;
+  check_near("rougher", lobe.kind->evaluate(&lobe, &pair),
+             0.7 * one.kind->evaluate(&one, &pair) + 0.3 * two.kind->evaluate(&two, &pair), 1e-12);
+}
+
 /* Values of a grey record come back as given; defaults as documented. */
 static void grey_record(void **state)
 {
@@ -480,6 +534,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(lobes, setup, teardown),
       cmocka_unit_test_setup_teardown(masked_at_other_roughness, setup, teardown),
       cmocka_unit_test_setup_teardown(coherent_film, setup, teardown),
+      cmocka_unit_test_setup_teardown(mixtures, setup, teardown),
       cmocka_unit_test_setup_teardown(grey_record, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_by_temperature, setup, teardown),
       cmocka_unit_test_setup_teardown(bulk_tables_refused, setup, teardown),

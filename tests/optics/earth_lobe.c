@@ -50,7 +50,8 @@ static struct um_optics_earth_before before(struct um_vec3 nadir, struct um_vec3
 
 static struct um_materials_lobe beckmann(double alpha)
 {
-  return (struct um_materials_lobe){um_materials_lobe_kind_find("beckmann"), alpha, alpha, false};
+  return (struct um_materials_lobe){
+      um_materials_lobe_kind_find("beckmann"), alpha, alpha, false, NULL, 0.0};
 }
 
 static struct um_vec3 toward(double zenith, double azimuth)
@@ -142,13 +143,18 @@ static void lit_part(void **state)
                 {{80, 20}, {30, 250}, {120, 200}},
                 {{10, 90}, {70, 0}, {100, 300}},
                 {{60, 300}, {0, 0}, {150, 60}}};
+  const struct um_materials_mixture mixture = {
+      0.6,
+      {{um_materials_lobe_kind_find("beckmann"), 1.0, false},
+       {um_materials_lobe_kind_find("ggx"), 0.4, true}}};
   const struct um_materials_lobe lobes[] = {
       beckmann(0.3),
-      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true},
-      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false},
-      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false},
-      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false},
-      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false}};
+      {um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &mixture, 0.0},
+      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true, NULL, 0.0},
+      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false, NULL, 0.0},
+      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false, NULL, 0.0},
+      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false, NULL, 0.0},
+      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false, NULL, 0.0}};
   (void)state;
   for (size_t l = 0; l < sizeof lobes / sizeof lobes[0]; l++)
     for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
