@@ -11,6 +11,7 @@
 #include "compare/write.h"
 #include "core/planck.h"
 #include "model/run_response.h"
+#include "output/lightcurve_impl.h"
 
 #define THERMAL                                                                                    \
   "bands:\n"                                                                                       \
@@ -267,6 +268,51 @@ static void test_compared(void **state)
   um_model_destroy(context, &model);
 }
 
+/* A floor of irradiance is one of intensity by the square of the range. */
+static void test_floor(void **state)
+{
+  (void)state;
+  static const char bands[] = "bands:\n"
+                              "  a: {from_um: 4, to_um: 5, bins: 4}\n"
+                              "  b: {from_um: 10, to_um: 11.5, bins: 4}\n"
+                              "  c: {from_um: 12, to_um: 14, bins: 4}\n"
+                              "measurements: {noise: [{quantity: %s, floor: %.17g}]}\n";
+  double value[2], range = 1.0;
+  for (int i = 0; i < 2; i++) {
+    char text[1024];
+    snprintf(text, sizeof text, bands, i == 0 ? "radiant_intensity" : "band_irradiance",
+             0.5 / (range * range));
+    struct world w = {.model = pass_in(text, NULL)};
+    assert_ok(um_model_precompute(context, w.model, &w.precomputed));
+    assert_ok(um_model_run(context, w.model, w.precomputed, &w.result));
+    size_t k = w.result->nobs - 1;
+    value[i] = w.result->grey_body[k].one.temperature[0];
+    range = w.precomputed->sample[k * w.precomputed->nsub].range;
+    world_end(&w);
+  }
+  print_message("%.6f and %.6f K\n", value[0], value[1]);
+  assert_close(value[0], value[1], 1e-6);
+  assert_true(fabs(value[0] - 257.50) > 1.0); /* that of equal shares, above */
+}
+
+/* What stands in which column. */
+static void test_columns(void **state)
+{
+  (void)state;
+  struct um_model_grey_body g = {
+      .one = {.n = 1, .temperature = {1.0}, .area = {3.0}, .chi2 = 5.0, .bic = 1.0},
+      .two = {.n = 2, .temperature = {6.0, 8.0}, .area = {7.0, 9.0}, .bic = 0.5},
+      .temperature_error = 2.0,
+      .area_error = 4.0};
+  double value[UM_LIGHTCURVE_GREY];
+  um_output_grey_values(&g, value);
+  for (int i = 0; i < UM_LIGHTCURVE_GREY; i++) assert_true(value[i] == i + 1.0);
+  g.two.bic = 1.5; /* one is as good */
+  um_output_grey_values(&g, value);
+  for (int i = 0; i < UM_LIGHTCURVE_GREY; i++)
+    assert_true(i < UM_LIGHTCURVE_GREY_ONE ? value[i] == i + 1.0 : value[i] != value[i]);
+}
+
 static void refused_rows(struct um_model *model, const char *rows, const char *message)
 {
   struct um_compare_measurements *m;
@@ -312,6 +358,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_pass, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_stated_error, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_compared, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_floor, model_set_up, model_tear_down),
+      cmocka_unit_test(test_columns),
       cmocka_unit_test_setup_teardown(test_refused, model_set_up, model_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
