@@ -1,5 +1,6 @@
 /* Spin period: P (1 + r) in place of P. The phase at the reference time of the law is kept, so that
- * the error of the phase grows like -2 pi r (t - t_0) / P. */
+ * the error of the phase grows like -2 pi r (t - t_0) / P. Free motion is slower as a whole by the
+ * same factor when its rates are. */
 #include "effects/list_impl.h"
 #include "orbit/attitude.h"
 
@@ -23,6 +24,8 @@ static enum um_status law(struct um_context *context, const struct um_effect_use
   (void)context;
   if (to->kind == UM_ATTITUDE_SPIN || to->kind == UM_ATTITUDE_MAGNETIC)
     to->period *= 1.0 + use->value[0];
+  if (to->kind == UM_ATTITUDE_TUMBLE)
+    to->rate = um_vec3_scale(to->rate, 1.0 / (1.0 + use->value[0]));
   return UM_OK;
 }
 
@@ -31,8 +34,8 @@ const struct um_effect um_effects_spin_period = {
     .name = "spin_period",
     .summary = "The body spins slower or faster than its law says",
     .reference = "Kucharski et al. 2014, IEEE Trans. Geosci. Remote Sens. 52:7651",
-    .validity = "laws of the kind spin, or magnetic with a period; others stay; the phase is kept "
-                "at at_utc, by default the start",
+    .validity = "laws of the kind spin or tumble, or magnetic with a period; others stay; the "
+                "phase is kept at at_utc, by default the start",
     .separated_by =
         "time_tag and attitude_offset: many revolutions; its lag grows with time, theirs stays",
     .targets = UM_TARGET_GLOBAL,

@@ -75,6 +75,33 @@ static void spin_period_keeps_the_phase(void **state)
   case_release(&b);
 }
 
+/* Free motion with rates r times as fast goes through the same attitudes r times as soon: at the
+ * reference time plus t (1 + x), with the period longer by x, the body stands as without it at plus
+ * t. The rows of the second run are 1.25 times as far from the reference time. */
+static void spin_period_slows_a_tumble(void **state)
+{
+  (void)state;
+#define TUMBLE                                                                                     \
+  "attitude=[{tumble: {q_gcrs: [0.6, 0.48, 0, 0.64], rates_deg_s: [0.5, -1.0, 0.7], "              \
+  "inertia_kg_m2: [17, 120, 129], at_utc: 2020-03-20T12:00:00Z}}]"
+  static const char *const set[] = {TUMBLE, "time.step_s=16", "time.light_time=false",
+                                    "time.stop_utc=2020-03-20T12:03:12Z", NULL};
+  static const char *const later[] = {TUMBLE, "time.step_s=20", "time.light_time=false",
+                                      "time.stop_utc=2020-03-20T12:04:00Z", NULL};
+  struct case_run a = case_compute(case_spinner, NULL, NULL, set);
+  static const char *const slower[] = {"spin_period,relative=0.25", NULL};
+  struct case_run b = case_compute(case_spinner, slower, NULL, later);
+  assert_true(a.precomputed->nobs == 13 && b.precomputed->nobs == 13);
+  for (size_t k = 0; k < a.precomputed->nobs; k++)
+    for (int axis = 0; axis < 3; axis++) {
+      struct um_vec3 x = um_vec3(axis == 0, axis == 1, axis == 2);
+      assert_true(distance(um_quat_apply(sample(&a, k).q, x), um_quat_apply(sample(&b, k).q, x)) <=
+                  1e-10);
+    }
+  case_release(&a);
+  case_release(&b);
+}
+
 /* Tags that are 8 s late show what was 8 s before: a scenario that starts then, in which everything
  * else has its epoch. Binary fractions: the times are the same numbers. */
 static void time_tag_shows_what_was_before(void **state)
@@ -208,6 +235,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(attitude_offset_turns_the_body),
       cmocka_unit_test(spin_period_keeps_the_phase),
+      cmocka_unit_test(spin_period_slows_a_tumble),
       cmocka_unit_test(time_tag_shows_what_was_before),
       cmocka_unit_test(along_track_moves_the_satellite),
       cmocka_unit_test(exposure_adds_in_squares),
