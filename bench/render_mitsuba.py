@@ -19,6 +19,8 @@ CASES = {
                   "specular_reflectance": 0.3}, 2),
     "bounce": ({"type": "diffuse", "reflectance": 0.5}, 3),
     "all": ({"type": "diffuse", "reflectance": 0.5}, -1),
+    "lobes": ({"type": "roughconductor", "material": "none", "distribution": "beckmann", "alpha": 0.2,
+               "specular_reflectance": 0.3}, -1),
 }
 
 

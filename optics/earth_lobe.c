@@ -55,12 +55,12 @@ static struct um_optics_frame frame_of(const struct um_optics_earth_before *b)
   return f;
 }
 
-/* Cosine of the Sun's zenith angle where the direction meets the Earth; 0 in the dark. */
-static double lit_at(const struct um_optics_frame *f, double h, struct um_vec3 i, double cos_eta)
+double um_optics_earth_lit(struct um_vec3 nadir, struct um_vec3 sun, double h, struct um_vec3 i,
+                           double cos_eta)
 {
   double root = 1.0 - h * h * (1.0 - cos_eta * cos_eta);
   double t = h * cos_eta - sqrt(fmax(root, 0.0));
-  return fmax(0.0, um_vec3_dot(um_vec3_axpy(um_vec3_scale(f->nadir, -h), t, i), f->sun));
+  return fmax(0.0, um_vec3_dot(um_vec3_axpy(um_vec3_scale(nadir, -h), t, i), sun));
 }
 
 /* What a half vector brings. */
@@ -83,7 +83,7 @@ static void ring_at(const struct um_optics_frame *f, const struct um_optics_lobe
     double cos_eta = um_vec3_dot(r[k].i, f->nadir);
     out[k] = (struct facet){r[k].weight, r[k].cos_d, cos_eta - cos_rho, 0.0};
     if (out[k].weight > 0.0 && out[k].inside > NEAR)
-      out[k].lit = lit_at(f, h_ratio, r[k].i, cos_eta);
+      out[k].lit = um_optics_earth_lit(f->nadir, f->sun, h_ratio, r[k].i, cos_eta);
   }
 }
 
@@ -101,9 +101,7 @@ static double share_inside(double g, double a, double b)
   return 1.0 - t * t / (2.0 * wide * narrow);
 }
 
-/* Lagrange's weights of the nodes around a cosine, in its square root; returns the first of them.
- */
-static int nodes_around(double cosine, double weight[4])
+int um_optics_fresnel_weights(double cosine, double weight[4])
 {
   double at = sqrt(fmin(fmax(cosine, 0.0), 1.0)) * (UM_OPTICS_FRESNEL_NODES - 1);
   int k = (int)at;
@@ -144,7 +142,7 @@ static void add_ring(const struct facet *low, const struct facet *ring, const st
     if (low != ring && high != ring) across *= 0.5;
     double w = share * now->weight, inside = share_inside(now->inside, along, across);
     double weight[4];
-    int node = nodes_around(now->cosine, weight);
+    int node = um_optics_fresnel_weights(now->cosine, weight);
     spread(weight, w, out->all + node);
     if (inside > 0.0) spread(weight, w * inside, out->earth + node);
     if (inside * now->lit > 0.0) spread(weight, w * inside * now->lit, out->lit + node);

@@ -8,6 +8,13 @@
  * cubic between them: 1e-3 of it for dielectrics and metals. */
 #define UM_OPTICS_FRESNEL_NODES 12
 double um_optics_fresnel_node(int node);
+/* Lagrange's weights of the nodes around a cosine, in its square root; returns the first of them.
+ */
+int um_optics_fresnel_weights(double cosine, double weight[4]);
+/* Cosine of the Sun's zenith angle where a direction i, of cosine cos_eta with the nadir, meets the
+ * Earth; 0 in the dark. h: distance of the geocentre over the Earth's radius. */
+double um_optics_earth_lit(struct um_vec3 nadir, struct um_vec3 sun, double h, struct um_vec3 i,
+                           double cos_eta);
 
 /* Facets of a lobe, or what its kind draws in their place, in the frame of the surface: on rings of
  * equal share and at equal azimuths, [rings][cells]. */

@@ -54,10 +54,11 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
     sun[b] = (float)from[UM_MECHANISM_SUN];
     dark[b] = (float)(from[UM_MECHANISM_EARTH] + from[UM_MECHANISM_EMITTED]);
   }
-  if (!um_optics_exchange_has(p->frame->set->exchange, surface)) return;
+  if (p->frame->set->exchange == NULL) return;
   /* of a surface that something hides in part, the mean over the part that is seen */
   double seen = p->seen[k];
-  um_optics_interreflection(p->spectra, scene, now, p->frame->set, p->time, surface, seen, work);
+  if (!um_optics_interreflection(p->spectra, scene, now, p->frame->set, surface, seen, work))
+    return;
   for (size_t b = 0; b < n; b++) dark[b] += (float)(work->reflected[b] / seen);
 }
 
@@ -133,8 +134,8 @@ enum um_status um_optics_image_spectra(struct um_context *context,
   int nexchange = scene->interreflection_samples;
   UM_CHECK(um_optics_spectra_create(context, scene, time, 1, bands, nband, &p.spectra));
   UM_CHECK(bins_create(context, p.spectra, image));
-  UM_CHECK(um_optics_work_create(context, p.spectra, nexchange > 0 ? (size_t)nexchange : 0,
-                                 p.nthread, &p.work));
+  UM_CHECK(um_optics_work_create(context, p.spectra, nexchange > 0 ? UM_OPTICS_PATHS : 0, p.nthread,
+                                 &p.work));
   UM_CHECK(seen_create(context, image, &p));
   UM_CHECK(fill_all(context, &p, image));
 done:

@@ -1,279 +1,356 @@
-/* Inter-reflection, one bounce:
+/* Inter-reflection by paths (Kajiya 1986; next-event estimation, Veach 1997):
  *
- *   L_s(o) = rho_s(lambda) <L_h(lambda)>
+ *   L(o) = sum_k T_k (S_k + G_k),  T_k = r_0 r_1 ... r_(k-1),  r = f_r(i, o) cos_i/p(i)
  *
- * the mean over points of surface s and cosine-weighted directions of the radiance that leaves the
- * surface h met there (0 where none is). h sends Lambert-reflected direct sunlight (shadow rays to
- * points of the disc), earthshine, reflected Earth radiation and its own emission; s reflects it
- * diffusely with rho_d below 2.5 um and with 1 - eps(cos_o) above. Lobes of both surfaces and
- * further bounces are left out. The variance of the mean is that of independent samples; the points
- * are of low discrepancy, so it is an upper estimate. */
+ * from points of a surface that the observer sees. At each further surface a path takes up the
+ * sunlight S that goes its way (a shadow ray to a point of the disc, f_r the disc's mean), and the
+ * glow G, what the surface emits and what of the Earth its flat parts reflect. Directions are drawn
+ * as vertex.c says. What leaves into space brings nothing, into the Earth what a lobe reflects of
+ * it; at the first surface neither, as radiance.c has counted both.
+ *
+ * Inside a closed body emission telescopes: where no ray leaves, eps B + r L is taken as
+ *
+ *   eps B + (1 - eps) B + r (L - B),
+ *
+ * which has the same mean, and is B to the last digit where all have one temperature, whatever r.
+ *
+ * A path ends where less than LEAST of any wavelength is left, or at its LONGEST. Numbers depend on
+ * seed, surface, instant and sample alone. The variance of the mean is that of independent samples;
+ * the points are of low discrepancy, so it is an upper estimate. */
 #include "optics/interreflection_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "core/constants.h"
+#include "optics/paths_impl.h"
 #include "optics/sampling_impl.h"
 
-#define CHUNK        256    /* surfaces traced between two growths of the list */
-#define MEMORY_MOST  8e9    /* of the rays that met a surface [bytes] */
-#define THERMAL_FROM 2.5e-6 /* [m] */
+#define LEAST   1e-5 /* [1] */
+#define LONGEST 256  /* surfaces of a path */
+#define GOLDEN  0.6180339887498949
+#define SHINING 4 /* times the paths where a mirror throws sunlight on the surface */
 
 /* Keys that keep the point sequences of different uses apart. */
-enum { KEY_RAY = 0x726179, KEY_DISC = 0x64697363 };
+enum { KEY_RAY = 0x726179, KEY_DISC = 0x64697363, KEY_WAY = 0x776179 };
 
-struct bounce {
-  uint32_t sample;      /* which point of the first surface */
-  uint32_t surface;     /* the one that is met */
-  double cosine;        /* there, between its normal and the way back [1] */
-  struct um_vec3 point; /* [m] */
+/* Paths of one surface that are traced together. */
+struct bundle {
+  struct um_optics_paths paths;
+  uint64_t key; /* of seed, surface and instant */
+  int n, alive;
+  bool shines[UM_OPTICS_PLANES];                        /* of the glints, on the surface */
+  int of[UM_OPTICS_PATHS];                              /* [alive] */
+  uint32_t sample[UM_OPTICS_PATHS];                     /* [n], like what follows */
+  bool broad[UM_OPTICS_PATHS], narrow[UM_OPTICS_PATHS]; /* some turn was, the last was */
+  struct um_optics_vertex vertex[UM_OPTICS_PATHS];
+  struct um_optics_turn turn[UM_OPTICS_PATHS];
+  struct um_geometry_hit hit[UM_OPTICS_PATHS];
 };
 
-struct um_optics_exchange {
-  const struct um_geometry_mesh *mesh;
-  int nsample;
-  size_t *first;         /* [nsurface + 1] */
-  struct bounce *bounce; /* [first[nsurface]] */
-};
-
-static struct um_vec3 facet_point(const struct um_geometry_mesh *mesh,
-                                  const struct um_geometry_pose *pose, uint32_t facet,
-                                  const double weight[3])
+static double *throughput(const struct bundle *p, int i)
 {
-  const uint32_t *corner = mesh->corner[facet];
-  struct um_vec3 p = um_vec3_scale(pose->vertex[corner[0]], weight[0]);
-  p = um_vec3_axpy(p, weight[1], pose->vertex[corner[1]]);
-  return um_vec3_axpy(p, weight[2], pose->vertex[corner[2]]);
+  return p->paths.work->throughput + (size_t)i * p->paths.spectra->nbin;
+}
+static double *gathered(const struct bundle *p, int i)
+{
+  return p->paths.work->gathered + (size_t)i * p->paths.spectra->nbin;
 }
 
-/* Origin and direction of a sample of a surface. */
-static struct um_geometry_ray sample_ray(const struct um_geometry_mesh *mesh,
-                                         const struct um_geometry_pose *pose, size_t surface,
-                                         uint32_t sample)
+static double number(const struct bundle *p, int i, int vertex, uint64_t use)
 {
-  double u[4], weight[3];
-  uint32_t facet = mesh->surface[surface].facet;
-  um_optics_sample_4d(um_core_hash(KEY_RAY, surface), sample, u);
-  um_core_sample_triangle(u, weight);
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, pose, surface);
-  return (struct um_geometry_ray){facet_point(mesh, pose, facet, weight),
-                                  um_core_sample_cosine(u + 2, normal), INFINITY, facet};
+  uint64_t key = um_core_hash(um_core_hash(p->key, p->sample[i]), (uint64_t)vertex);
+  return um_core_hash_uniform(um_core_hash(key, use));
 }
 
-/* Rays of one surface; bounce[nsample], returns how many met a surface. */
-static size_t trace_surface(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
-                            size_t surface, int nsample, struct um_geometry_ray *ray,
-                            struct um_geometry_hit *hit, struct bounce *bounce)
+/* A direction into the Sun's disc. */
+static struct um_vec3 disc_direction(const struct bundle *p, int i, int vertex)
 {
-  if (um_geometry_visibility_is_open(set->visibility, surface)) return 0;
-  for (int i = 0; i < nsample; i++) ray[i] = sample_ray(mesh, set->pose, surface, (uint32_t)i);
-  um_geometry_visibility_closest(set->visibility, ray, (size_t)nsample, hit);
-  size_t count = 0;
-  for (int i = 0; i < nsample; i++) {
-    if (hit[i].facet == UM_GEOMETRY_NONE || hit[i].surface == UM_GEOMETRY_NONE) continue;
-    struct um_vec3 other = um_geometry_surface_normal(mesh, set->pose, hit[i].surface);
-    double cosine = -um_vec3_dot(ray[i].direction, other);
-    if (!(cosine > 0.0)) continue;
-    bounce[count++] = (struct bounce){(uint32_t)i, hit[i].surface, cosine,
-                                      facet_point(mesh, set->pose, hit[i].facet, hit[i].weight)};
-  }
-  return count;
-}
-
-/* Scratch of a chunk of surfaces. */
-struct chunk {
-  struct um_geometry_ray *ray;
-  struct um_geometry_hit *hit;
-  struct bounce *bounce; /* all [CHUNK][nsample] */
-  size_t count[CHUNK];
-};
-
-static enum um_status exchange_trace(struct um_context *context, const struct um_optics_set *set,
-                                     struct um_optics_exchange *e, struct chunk *chunk)
-{
-  size_t nsurface = e->mesh->nsurface, nsample = (size_t)e->nsample, capacity = 0, used = 0;
-  for (size_t from = 0; from < nsurface; from += CHUNK) {
-    size_t n = nsurface - from < CHUNK ? nsurface - from : CHUNK;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(um_core_context_threads(context))
-    for (size_t i = 0; i < n; i++)
-      chunk->count[i] = trace_surface(e->mesh, set, from + i, e->nsample, chunk->ray + i * nsample,
-                                      chunk->hit + i * nsample, chunk->bounce + i * nsample);
-    UM_TRY(um_core_stop_check(context, "light between surfaces was traced"));
-    for (size_t i = 0; i < n; i++) {
-      size_t count = chunk->count[i];
-      if (used + count > capacity) {
-        capacity = 2 * (used + count);
-        if ((double)used * (double)sizeof *e->bounce > MEMORY_MOST)
-          return um_core_fail(context, UM_ERR_INPUT,
-                              "light between surfaces: %d rays per point of %zu surfaces take more "
-                              "than %g GB; accepted: fewer optics.interreflection_samples, or "
-                              "coarser facets",
-                              e->nsample, nsurface, MEMORY_MOST * 1e-9);
-        UM_TRY(um_core_reallocate(context, capacity, sizeof *e->bounce, &e->bounce));
-      }
-      if (count > 0) /* nothing to copy, and perhaps nothing allocated */
-        memcpy(e->bounce + used, chunk->bounce + i * nsample, count * sizeof *e->bounce);
-      used += count;
-      e->first[from + i + 1] = used;
-    }
-  }
-  return UM_OK;
-}
-
-enum um_status um_optics_exchange_create(struct um_context *context,
-                                         const struct um_geometry_mesh *mesh,
-                                         const struct um_optics_set *set, int nsample,
-                                         struct um_optics_exchange **out)
-{
-  enum um_status status = UM_OK;
-  struct um_optics_exchange *e = NULL;
-  struct chunk chunk = {0};
-  size_t n = (size_t)nsample;
-  *out = NULL;
-  UM_CHECK(um_core_allocate(context, 1, sizeof *e, &e));
-  e->mesh = mesh;
-  e->nsample = nsample;
-  UM_CHECK(um_core_allocate(context, mesh->nsurface + 1, sizeof *e->first, &e->first));
-  UM_CHECK(um_core_allocate(context, CHUNK * n, sizeof *chunk.ray, &chunk.ray));
-  UM_CHECK(um_core_allocate(context, CHUNK * n, sizeof *chunk.hit, &chunk.hit));
-  UM_CHECK(um_core_allocate(context, CHUNK * n, sizeof *chunk.bounce, &chunk.bounce));
-  UM_CHECK(exchange_trace(context, set, e, &chunk));
-  *out = e;
-  e = NULL;
-done:
-  um_core_free(context, chunk.ray);
-  um_core_free(context, chunk.hit);
-  um_core_free(context, chunk.bounce);
-  um_optics_exchange_destroy(context, &e);
-  return status;
-}
-
-void um_optics_exchange_destroy(struct um_context *context, struct um_optics_exchange **exchange)
-{
-  if (exchange == NULL || *exchange == NULL) return;
-  um_core_free(context, (*exchange)->first);
-  um_core_free(context, (*exchange)->bounce);
-  um_core_free(context, *exchange);
-  *exchange = NULL;
-}
-
-bool um_optics_exchange_has(const struct um_optics_exchange *exchange, size_t surface)
-{
-  return exchange != NULL && exchange->first[surface + 1] > exchange->first[surface];
-}
-
-/* A direction into the Sun's disc, keyed by surface and sample; hashed, independent of the ray. */
-static struct um_vec3 disc_direction(const struct um_optics_instant *instant, size_t surface,
-                                     uint32_t sample)
-{
-  double u[2], xy[2];
+  const struct um_optics_instant *now = p->paths.instant;
+  double u[2] = {number(p, i, vertex, KEY_DISC), number(p, i, vertex, KEY_DISC + 1)}, xy[2];
   struct um_vec3 t, b;
-  uint64_t key = um_core_hash(um_core_hash(KEY_DISC, surface), sample);
-  u[0] = um_core_hash_uniform(um_core_hash(key, 1));
-  u[1] = um_core_hash_uniform(um_core_hash(key, 2));
   um_core_sample_disc(u, xy);
-  um_core_vec3_frame(instant->sun_body, &t, &b);
-  double size = tan(instant->sun_radius);
-  struct um_vec3 d = um_vec3_axpy(instant->sun_body, size * xy[0], t);
+  um_core_vec3_frame(now->sun_body, &t, &b);
+  double size = tan(now->sun_radius);
+  struct um_vec3 d = um_vec3_axpy(now->sun_body, size * xy[0], t);
   return um_vec3_unit(um_vec3_axpy(d, size * xy[1], b));
 }
 
-/* hidden[i]: the observer does not see the first point; occluded[i]: the Sun does not reach the
- * second. */
-static void trace_ends(const struct um_optics_instant *instant, const struct um_optics_set *set,
-                       size_t surface, double seen, const struct bounce *bounce, size_t n,
-                       struct um_optics_work *work)
+/* Way on from a vertex; false: none. */
+static bool go_on(struct bundle *p, int i, int vertex)
 {
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
-  memset(work->hidden, 0, n);
-  memset(work->occluded, 1, n);
-  if (seen < 1.0) {
-    for (size_t i = 0; i < n; i++) {
-      work->ray[i] = sample_ray(mesh, set->pose, surface, bounce[i].sample);
-      work->ray[i].direction = instant->observer_body;
-    }
-    um_geometry_visibility_occluded(set->visibility, work->ray, n, work->hidden);
+  double which, u[2];
+  if (vertex == 0) {
+    double place[4];
+    um_optics_sample_4d(p->key, p->sample[i], place);
+    u[0] = place[2];
+    u[1] = place[3];
+    which = um_core_hash_uniform(um_core_hash(p->key, KEY_WAY)) + GOLDEN * p->sample[i];
+    which -= floor(which);
+  } else {
+    u[0] = number(p, i, vertex, KEY_RAY);
+    u[1] = number(p, i, vertex, KEY_RAY + 1);
+    which = number(p, i, vertex, KEY_WAY);
   }
-  if (!(instant->sun > 0.0)) return;
-  for (size_t i = 0; i < n; i++)
-    work->ray[i] = (struct um_geometry_ray){bounce[i].point,
-                                            disc_direction(instant, surface, bounce[i].sample),
-                                            INFINITY, mesh->surface[bounce[i].surface].facet};
-  um_geometry_visibility_occluded(set->visibility, work->ray, n, work->occluded);
+  p->narrow[i] = um_optics_vertex_is_narrow(&p->paths, &p->vertex[i], which);
+  p->broad[i] = p->broad[i] || !p->narrow[i];
+  return um_optics_vertex_sample(&p->paths, &p->vertex[i], which, u, &p->turn[i]);
 }
 
-/* Radiance that leaves the met surface toward the first: work->incoming. */
-static void bounce_radiance(const struct um_optics_spectra *spectra,
-                            const struct um_optics_scene *scene,
-                            const struct um_optics_instant *instant,
-                            const struct um_optics_set *set, size_t time,
-                            const struct bounce *bounce, bool sunlit, struct um_optics_work *work)
+/* Points of the surface that the observer sees. */
+static void begin(struct bundle *p, size_t surface, double seen)
 {
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
-  size_t n = spectra->nbin, at = time * mesh->nsurface + bounce->surface;
-  size_t skin = um_optics_skin(spectra, mesh, bounce->surface);
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, bounce->surface);
-  double cos_i = um_vec3_dot(normal, instant->sun_body);
-  double sun = sunlit && cos_i > 0.0 ? cos_i / UM_PI : 0.0;
-  double albedo = instant->earthshine * (double)scene->albedo[at] / UM_PI;
-  double earth = instant->earth_reflection * (double)scene->view_factor[at];
-  um_optics_spectra_planck(spectra, scene->temperature[at], work->planck);
-  const double *emissivity =
-      um_optics_spectra_emissivity(spectra, skin, bounce->cosine, work->emissivity);
-  const double *diffuse = spectra->diffuse + skin * n;
-  const double *earthlight = spectra->earth;
-  if (instant->earth_varies) {
-    um_optics_spectra_planck(spectra, (double)scene->brightness[at], work->earth);
-    earthlight = work->earth;
+  const struct um_optics_set *set = p->paths.set;
+  struct um_vec3 observer = p->paths.instant->observer_body;
+  struct um_optics_work *work = p->paths.work;
+  p->alive = 0;
+  for (int i = 0; i < p->n; i++) {
+    double place[4];
+    um_optics_sample_4d(p->key, p->sample[i], place);
+    work->ray[i] = um_optics_path_begin(set->exchange->mesh, set->pose, surface, place);
+    work->ray[i].direction = observer;
   }
-  for (size_t b = 0; b < n; b++)
-    work->incoming[b] = diffuse[b] * (sun * work->sunlight[b] + albedo * spectra->share[b]) +
-                        (1.0 - emissivity[b]) * earth * earthlight[b] +
-                        emissivity[b] * work->planck[b];
-}
-
-void um_optics_interreflection(const struct um_optics_spectra *spectra,
-                               const struct um_optics_scene *scene,
-                               const struct um_optics_instant *instant,
-                               const struct um_optics_set *set, size_t time, size_t surface,
-                               double seen, struct um_optics_work *work)
-{
-  const struct um_optics_exchange *e = set->exchange;
-  const struct bounce *bounce = e->bounce + e->first[surface];
-  size_t n = e->first[surface + 1] - e->first[surface], nbin = spectra->nbin;
-  size_t skin = um_optics_skin(spectra, e->mesh, surface);
-  double cos_o =
-      um_vec3_dot(um_geometry_surface_normal(e->mesh, set->pose, surface), instant->observer_body);
-  double *reflectance = work->spectral; /* [nbin], free between two spectra */
-  const double *emissivity = um_optics_spectra_emissivity(spectra, skin, cos_o, work->emissivity);
-  for (size_t b = 0; b < nbin; b++)
-    reflectance[b] = spectra->wavelength[b] > THERMAL_FROM ? 1.0 - emissivity[b]
-                                                           : spectra->diffuse[skin * nbin + b];
-  memset(work->reflected, 0, nbin * sizeof *work->reflected);
-  memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
-  memset(work->band, 0, spectra->nband * sizeof *work->band);
-  trace_ends(instant, set, surface, seen, bounce, n, work);
-  double share = 1.0 / e->nsample;
-  for (size_t i = 0; i < n; i++) {
+  memset(work->hidden, 0, (size_t)p->n);
+  if (seen < 1.0)
+    um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)p->n, work->hidden);
+  for (int i = 0; i < p->n; i++) {
     if (work->hidden[i]) continue;
-    bounce_radiance(spectra, scene, instant, set, time, &bounce[i], !work->occluded[i], work);
+    um_optics_vertex_place(&p->paths, surface, work->ray[i].origin, observer, p->shines,
+                           &p->vertex[i]);
+    p->broad[i] = false;
+    p->of[p->alive++] = i;
+  }
+}
+
+/* B of a vertex' surface, into the scratch. */
+static const double *black_body(const struct bundle *p, int i)
+{
+  um_optics_spectra_planck(p->paths.spectra, p->paths.scene->temperature[p->vertex[i].at],
+                           p->paths.work->planck);
+  return p->paths.work->planck;
+}
+
+static bool telescopes(const struct bundle *p, int i)
+{
+  return !p->paths.instant->sunlight_only &&
+         p->paths.set->exchange->closed[p->vertex[i].surface] != 0;
+}
+
+/* (1 - eps) B where a path arrives at a closed place, emissivity and B in the scratch. */
+static void add_closed(const struct bundle *p, int i, const double *emissivity,
+                       const double *planck)
+{
+  double *sum = gathered(p, i), *left = throughput(p, i);
+  for (size_t b = 0; b < p->paths.spectra->nbin; b++)
+    sum[b] += left[b] * (1.0 - emissivity[b]) * planck[b];
+}
+
+/* Reflection at the vertex by its turn; the largest of what is left. */
+static double reflect(struct bundle *p, int i)
+{
+  struct um_optics_work *work = p->paths.work;
+  double *left = throughput(p, i), largest = 0.0;
+  size_t n = p->paths.spectra->nbin;
+  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], false, work->incoming);
+  for (size_t b = 0; b < n; b++) {
+    left[b] *= work->incoming[b];
+    largest = fmax(largest, left[b]);
+  }
+  if (!telescopes(p, i) || largest < LEAST) return largest; /* it ends: L = B */
+  double *sum = gathered(p, i);
+  const double *planck = black_body(p, i);
+  for (size_t b = 0; b < n; b++) sum[b] -= left[b] * planck[b];
+  return largest;
+}
+
+/* A path that leaves the satellite. */
+static void leave(struct bundle *p, int i, int vertex)
+{
+  struct um_optics_work *work = p->paths.work;
+  size_t n = p->paths.spectra->nbin;
+  if (telescopes(p, i)) reflect(p, i);
+  if (vertex == 0 || !(p->turn[i].lobe > 0.0)) return;
+  if (!um_optics_vertex_earth(&p->paths, &p->vertex[i], p->turn[i].direction, work->incoming))
+    return;
+  double *sum = gathered(p, i), *left = throughput(p, i);
+  if (telescopes(p, i)) return; /* nothing but a leak between facets */
+  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], true, work->row);
+  for (size_t b = 0; b < n; b++) sum[b] += left[b] * work->row[b] * work->incoming[b];
+}
+
+/* Glow of a vertex that a path has come to. */
+static void arrive(struct bundle *p, int i)
+{
+  struct um_optics_work *work = p->paths.work;
+  double *sum = gathered(p, i), *left = throughput(p, i);
+  if (p->paths.instant->sunlight_only) return;
+  um_optics_vertex_glow(&p->paths, &p->vertex[i], work->incoming);
+  for (size_t b = 0; b < p->paths.spectra->nbin; b++) sum[b] += left[b] * work->incoming[b];
+  if (telescopes(p, i))
+    add_closed(p, i,
+               um_optics_spectra_emissivity(p->paths.spectra, p->vertex[i].skin, p->vertex[i].o.z,
+                                            work->emissivity),
+               work->planck);
+}
+
+/* Rays on from all vertices; what meets a surface stays. */
+static void step(struct bundle *p, int vertex)
+{
+  const struct um_optics_set *set = p->paths.set;
+  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  struct um_optics_work *work = p->paths.work;
+  int went = 0, stays = 0;
+  for (int a = 0; a < p->alive; a++) {
+    int i = p->of[a];
+    if (!go_on(p, i, vertex)) continue;
+    work->ray[went] = (struct um_geometry_ray){p->vertex[i].point, p->turn[i].direction, INFINITY,
+                                               mesh->surface[p->vertex[i].surface].facet};
+    p->of[went++] = i;
+  }
+  um_geometry_visibility_closest(set->visibility, work->ray, (size_t)went, p->hit);
+  for (int a = 0; a < went; a++) {
+    const struct um_geometry_hit *hit = &p->hit[a];
+    int i = p->of[a];
+    if (hit->facet == UM_GEOMETRY_NONE) {
+      leave(p, i, vertex);
+      continue;
+    }
+    if (!(reflect(p, i) >= LEAST) || hit->surface == UM_GEOMETRY_NONE) continue;
+    um_optics_vertex_place(&p->paths, hit->surface,
+                           um_optics_facet_point(mesh, set->pose, hit->facet, hit->weight),
+                           um_vec3_scale(p->turn[i].direction, -1.0), NULL, &p->vertex[i]);
+    p->vertex[i].soft = p->broad[i] && p->narrow[i];
+    if (!(p->vertex[i].o.z > 0.0)) continue;
+    arrive(p, i);
+    p->of[stays++] = i;
+  }
+  p->alive = stays;
+}
+
+/* Sunlight at the vertices that paths have come to. */
+static void add_sun(struct bundle *p, int vertex)
+{
+  const struct um_optics_set *set = p->paths.set;
+  struct um_optics_work *work = p->paths.work;
+  struct um_optics_turn turn[UM_OPTICS_PATHS];
+  int of[UM_OPTICS_PATHS], n = 0;
+  if (!(p->paths.instant->sun > 0.0)) return;
+  for (int a = 0; a < p->alive; a++) {
+    int i = p->of[a];
+    if (!um_optics_vertex_sun(&p->paths, &p->vertex[i], &turn[n])) continue;
+    work->ray[n] =
+        (struct um_geometry_ray){p->vertex[i].point, disc_direction(p, i, vertex), INFINITY,
+                                 set->exchange->mesh->surface[p->vertex[i].surface].facet};
+    of[n++] = i;
+  }
+  um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)n, work->occluded);
+  for (int k = 0; k < n; k++) {
+    if (work->occluded[k]) continue;
+    double *sum = gathered(p, of[k]), *left = throughput(p, of[k]);
+    um_optics_vertex_row(&p->paths, &p->vertex[of[k]], &turn[k], false, work->incoming);
+    for (size_t b = 0; b < p->paths.spectra->nbin; b++)
+      sum[b] += left[b] * work->incoming[b] * work->sunlight[b];
+  }
+}
+
+static void trace(struct bundle *p, size_t surface, double seen)
+{
+  const struct um_optics_spectra *spectra = p->paths.spectra;
+  struct um_optics_work *work = p->paths.work;
+  size_t n = spectra->nbin;
+  int most = p->paths.scene->interreflection_most;
+  memset(work->gathered, 0, (size_t)p->n * n * sizeof *work->gathered);
+  for (size_t b = 0; b < (size_t)p->n * n; b++) work->throughput[b] = 1.0;
+  begin(p, surface, seen);
+  for (int a = 0; a < p->alive && telescopes(p, p->of[a]); a++) {
+    int i = p->of[a];
+    const double *planck = black_body(p, i);
+    add_closed(p, i,
+               um_optics_spectra_emissivity(spectra, p->vertex[i].skin, p->vertex[i].o.z,
+                                            work->emissivity),
+               planck);
+  }
+  for (int k = 0; k < (most > 0 ? most : LONGEST) && p->alive > 0; k++) {
+    step(p, k);
+    add_sun(p, k + 1);
+  }
+}
+
+/* Sums of the paths and of their squares by band. */
+static void add_paths(const struct bundle *p, double share)
+{
+  const struct um_optics_spectra *spectra = p->paths.spectra;
+  struct um_optics_work *work = p->paths.work;
+  for (int i = 0; i < p->n; i++) {
+    const double *of = gathered(p, i);
     for (size_t k = 0; k < spectra->nband; k++) {
       double sum = 0.0;
       for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++) {
-        double radiance = reflectance[b] * work->incoming[b];
-        work->reflected[b] += share * radiance;
-        sum += radiance * spectra->transmission[b] * spectra->width[b];
+        work->reflected[b] += share * of[b];
+        sum += of[b] * spectra->transmission[b] * spectra->width[b];
       }
       work->band[k] += share * sum;
       work->band_variance[k] += share * sum * sum;
     }
   }
-  /* variance of the mean: (<x^2> - <x>^2) / (N - 1); a single sample is as uncertain as it is large
+}
+
+/* Which mirrors throw sunlight on the middle of the surface; is there any? */
+static bool look_for_glints(struct bundle *p, size_t surface)
+{
+  static const double middle[2] = {4.0 / 9.0, 0.5}; /* weights of 1/3 */
+  const struct um_optics_set *set = p->paths.set;
+  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  struct um_geometry_ray ray[UM_OPTICS_PLANES];
+  struct um_geometry_hit hit[UM_OPTICS_PLANES];
+  size_t n = p->paths.nglint;
+  bool any = false;
+  struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, surface);
+  for (size_t k = 0; k < n; k++) {
+    ray[k] = um_optics_path_begin(mesh, set->pose, surface, middle);
+    ray[k].direction = um_vec3_scale(p->paths.glint[k].mirrored, -1.0);
+    if (!(um_vec3_dot(normal, ray[k].direction) > 0.0)) ray[k].limit = 0.0;
+  }
+  um_geometry_visibility_closest(set->visibility, ray, n, hit);
+  for (size_t k = 0; k < n; k++) {
+    p->shines[k] = ray[k].limit > 0.0 && hit[k].surface != UM_GEOMETRY_NONE &&
+                   hit[k].facet != UM_GEOMETRY_NONE &&
+                   um_vec3_dot(um_geometry_surface_normal(mesh, set->pose, hit[k].surface),
+                               p->paths.glint[k].normal) > 1.0 - 1e-6;
+    any = any || p->shines[k];
+  }
+  return any;
+}
+
+bool um_optics_interreflection(const struct um_optics_spectra *spectra,
+                               const struct um_optics_scene *scene,
+                               const struct um_optics_instant *instant,
+                               const struct um_optics_set *set, size_t surface, double seen,
+                               struct um_optics_work *work)
+{
+  struct bundle p = {
+      .paths = {.spectra = spectra, .scene = scene, .instant = instant, .set = set, .work = work}};
+  int nsample = set->exchange->count[surface];
+  uint64_t seed = scene->view != NULL ? scene->view->seed : 0;
+  if (nsample == 0) return false;
+  p.key = um_core_hash(um_core_hash(um_core_hash(KEY_RAY, seed), surface), instant->time);
+  um_optics_paths_glints(&p.paths);
+  if (look_for_glints(&p, surface)) nsample *= SHINING;
+  memset(work->reflected, 0, spectra->nbin * sizeof *work->reflected);
+  memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
+  memset(work->band, 0, spectra->nband * sizeof *work->band);
+  for (int first = 0; first < nsample; first += p.n) {
+    p.n = nsample - first < UM_OPTICS_PATHS ? nsample - first : UM_OPTICS_PATHS;
+    for (int i = 0; i < p.n; i++) p.sample[i] = (uint32_t)(first + i);
+    trace(&p, surface, seen);
+    add_paths(&p, 1.0 / nsample);
+  }
+  /* variance of the mean: (<x^2> - <x>^2)/(N - 1); a single sample is as uncertain as it is large
    */
-  if (e->nsample == 1) return;
+  if (nsample == 1) return true;
   for (size_t k = 0; k < spectra->nband; k++) {
     double spread = work->band_variance[k] - work->band[k] * work->band[k];
-    work->band_variance[k] = fmax(0.0, spread) / (e->nsample - 1);
+    work->band_variance[k] = fmax(0.0, spread) / (nsample - 1);
   }
+  return true;
 }

@@ -106,8 +106,9 @@ static void interreflection_add(const struct task *task, const struct um_optics_
   const struct um_optics_spectra *spectra = task->spectra;
   struct um_optics_work *work = task->work;
   size_t time = task->now.time, at = time * view->nsurface + s;
-  um_optics_interreflection(spectra, job->scene, &task->now, set, time, s, (double)view->seen[at],
-                            work);
+  if (!um_optics_interreflection(spectra, job->scene, &task->now, set, s, (double)view->seen[at],
+                                 work))
+    return;
   double projected = view->area[s] * (double)view->cos_observer[at];
   memset(work->spectral, 0, spectra->nbin * UM_MECHANISM_COUNT * sizeof *work->spectral);
   for (size_t b = 0; b < spectra->nbin; b++)
@@ -156,8 +157,7 @@ static void surfaces_add(const struct um_context *context, const struct task *ta
   }
   for (size_t i = 0; set != NULL && i < facing->count && !um_core_stopped(context); i++) {
     size_t s = facing->surface[i];
-    if (seen[s] > 0.0F && um_optics_exchange_has(set->exchange, s))
-      interreflection_add(task, set, s);
+    if (seen[s] > 0.0F) interreflection_add(task, set, s);
   }
 }
 
@@ -238,7 +238,7 @@ static enum um_status job_create(struct um_context *context, const struct um_opt
   enum um_status status;
   const struct um_optics_scene *scene = job->scene;
   size_t nthread = (size_t)um_core_context_threads(context);
-  size_t nray = scene->interreflection_samples > 0 ? (size_t)scene->interreflection_samples : 0;
+  size_t nray = scene->interreflection_samples > 0 ? UM_OPTICS_PATHS : 0;
   struct um_optics_band *coarse = NULL;
   double *transmission = NULL;
   UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));

@@ -111,7 +111,8 @@ struct um_optics_scene {
   const float *view_factor; /* [ntime][nsurface] free view factor to the Earth */
   const float *brightness;  /* [ntime][nsurface] brightness temperature of the Earth before the
                                surface [K]; NULL: the environment's */
-  int interreflection_samples; /* rays per surface that is not open; 0: off */
+  int interreflection_samples; /* paths per surface that is not open, at an instant; 0: off */
+  int interreflection_most;    /* surfaces after the first that a path meets; 0: any number */
   bool sunlight_only;          /* neither the Earth nor heat is added up */
 };
 /* Light curve. The Sun term is multiplied by the sunlit fraction, so it is exactly zero in the
@@ -119,8 +120,8 @@ struct um_optics_scene {
  *   sun:     E_sun(lambda) nu f_r(i, o) cos_i
  *   earth:   rho_d E_albedo(lambda)/pi + (1 - eps(cos_o)) F L_lambda(T_b)
  *   emitted: eps(lambda, cos_o) B_lambda(T)
- *   inter-reflected (one bounce, diffuse): rho_d (above 2.5 um 1 - eps) times the mean radiance of
- *   the other surfaces that it faces: sunlight and earthshine they scatter and their emission
+ *   inter-reflected: f_r times what comes from the other surfaces that it faces, sunlight, the
+ *   Earth's light and their emission, after any number of reflections (interreflection.c)
  * rho_d E_albedo is spread over wavelength like sunlight. F of the lobe is taken at half the phase
  * angle. The lobe's alpha is widened by the Sun's disc: alpha^2 + (theta_s/(2 sqrt 2))^2.
  * UM_ERR_INPUT: bad band (named), material without record, view of another mesh; UM_ERR_NUMERIC: a

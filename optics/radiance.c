@@ -65,6 +65,9 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, (4 * nskin + 4) * nbin, sizeof(double), &work->bins));
   UM_TRY(um_core_allocate(context, nskin, sizeof *work->sum, &work->sum));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->incoming));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->row));
+  UM_TRY(um_core_allocate(context, nray * nbin, sizeof(double), &work->throughput));
+  UM_TRY(um_core_allocate(context, nray * nbin, sizeof(double), &work->gathered));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->reflected));
   UM_TRY(um_core_allocate(context, nband, sizeof(double), &work->band));
   UM_TRY(um_core_allocate(context, nband, sizeof(double), &work->band_variance));
@@ -100,10 +103,11 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
     void *const blocks[] = {
-        w->planck,   w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
-        w->sum,      w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
-        w->occluded, w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
-        w->lobe_all, w->lobe_earth, w->angle,     w->rotation,   w->earth_clear};
+        w->planck,     w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
+        w->sum,        w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
+        w->occluded,   w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
+        w->lobe_all,   w->lobe_earth, w->angle,     w->rotation,   w->earth_clear,     w->row,
+        w->throughput, w->gathered};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
     um_optics_planck_sum_clear(context, &w->bodies);
     um_optics_planck_sum_clear(context, &w->far);

@@ -66,7 +66,8 @@ struct um_optics_work {
   double *bins;                  /* [4 nskin + 4][nbin] behind the sums */
   struct um_optics_sum *sum;     /* [nskin] */
   struct um_optics_sum single;   /* for one surface */
-  double *incoming;              /* [nbin] inter-reflection */
+  double *incoming, *row;        /* [nbin] inter-reflection */
+  double *throughput, *gathered; /* [nray][nbin] inter-reflection */
   double *reflected;             /* [nbin] inter-reflection */
   double *band, *band_variance;  /* [nband] */
   struct um_geometry_ray *ray;   /* [nray] */

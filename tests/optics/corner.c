@@ -92,6 +92,7 @@ static void test_emission_reflected(void **state)
   corner(&f, 0.5, 1);
   f.samples[0].to_observer = um_vec3(sqrt(0.5), 0.0, sqrt(0.5));
   f.scene.interreflection_samples = 2048;
+  f.scene.interreflection_most = 1;
   fixture_run(&f, 4, &fixture_lwir, 1);
   double b = um_core_planck_band(8e-6, 12e-6, 300.0);
   within("emission of two plates, reflected once [W/sr]",
@@ -111,6 +112,7 @@ static void test_sunlight_reflected(void **state)
   corner(&f, 0.5, 1);
   f.samples[0].sun = um_vec3(1.0, 0.0, 0.0);
   f.scene.interreflection_samples = 2048;
+  f.scene.interreflection_most = 1;
   fixture_run(&f, 4, &fixture_vis, 1);
   double expected = 0.4 * 0.7 * fixture_sun(&f, &fixture_vis) * FACTOR / UM_PI;
   within("sunlit wall seen in the floor [W/sr]",
@@ -130,6 +132,7 @@ static void test_hidden_share(void **state)
   f.samples[0].sun = um_vec3(1.0, 0.0, 0.0);
   f.samples[0].to_observer = um_vec3(-sin(atan(0.5)), 0.0, cos(atan(0.5)));
   f.scene.interreflection_samples = 2048;
+  f.scene.interreflection_most = 1;
   fixture_run(&f, 64, &fixture_vis, 1);
   double expected = 0.4 * 0.7 * fixture_sun(&f, &fixture_vis) * 0.0538571 / UM_PI * cos(atan(0.5));
   within("half-hidden floor [W/sr]", fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED),
