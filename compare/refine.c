@@ -134,15 +134,37 @@ static enum um_status look_again(struct um_context *context, const struct job *j
   return UM_OK;
 }
 
-/* Raise until the stated share is small. */
+/* The share of what is seen directly: of a run without light between surfaces. */
+static enum um_status direct_share(struct um_context *context, const struct job *job,
+                                   const struct um_compare_refinement *r, double *share)
+{
+  struct um_model_result *bare = NULL;
+  enum um_status status;
+  *share = r->share;
+  if (!job->model->environment.inter_reflection_on || r->interreflection == 0) return UM_OK;
+  job->model->environment.inter_reflection_on = false;
+  UM_CHECK(um_model_run_with(context, job->model, job->precomputed, job->heat, &bare));
+  UM_CHECK(job->share_of(context, job->user, job->precomputed, bare, NULL, share));
+  *share = fmin(*share, r->share);
+done:
+  job->model->environment.inter_reflection_on = true;
+  um_model_result_destroy(context, &bare);
+  return status;
+}
+
+/* Raise until the stated share is small: points where they make it, paths where those do. */
 static enum um_status raise(struct um_context *context, const struct job *job,
                             struct um_compare_refinement *r, struct um_model_result **result)
 {
   while (r->share > job->limit) {
-    int samples = next_number(r->samples, r->share, job->limit, job->most);
-    int rays = r->interreflection == 0 ? 0
-                                       : next_number(r->interreflection, r->share, job->limit,
-                                                     UM_COMPARE_INTERREFLECTION_MAX);
+    int samples = r->samples, rays = r->interreflection;
+    double direct;
+    UM_TRY(direct_share(context, job, r, &direct));
+    if (direct > 0.5 * job->limit)
+      samples = next_number(samples, fmax(direct, job->limit), job->limit, job->most);
+    if (r->share - direct > 0.5 * job->limit)
+      rays = next_number(rays, fmax(r->share - direct, job->limit), job->limit,
+                         UM_COMPARE_INTERREFLECTION_MAX);
     if (samples == r->samples && rays == r->interreflection) return UM_OK;
     UM_TRY(look_again(context, job, samples, rays, result));
     UM_TRY(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
@@ -162,11 +184,11 @@ static enum um_status check(struct um_context *context, const struct job *job,
   enum um_status status;
   struct um_model_result *coarse = *result;
   int samples = (int)fmin(CHECK * (double)r->samples, job->most);
-  int rays = (int)fmin(CHECK * (double)r->interreflection, UM_COMPARE_INTERREFLECTION_MAX);
+  int rays = r->interreflection; /* what paths find does not slip between points */
   double moved = NAN;
   *holds = true;
   if (r->samples >= FINE) return UM_OK;
-  if (samples <= r->samples && rays <= r->interreflection) return UM_OK;
+  if (samples <= r->samples) return UM_OK;
   *result = NULL;
   UM_CHECK(look_again(context, job, samples, rays, result));
   UM_CHECK(job->share_of(context, job->user, job->precomputed, coarse, *result, &moved));

@@ -15,7 +15,7 @@
 /* No more points per facet, rays per point, and points of all instants and surfaces together: some
  * minutes. */
 #define UM_COMPARE_SAMPLES_MAX         65536
-#define UM_COMPARE_INTERREFLECTION_MAX 4096
+#define UM_COMPARE_INTERREFLECTION_MAX 32
 #define UM_COMPARE_POINTS_MAX          4e9
 
 /* What was done. */

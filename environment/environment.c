@@ -43,6 +43,7 @@ void um_environment_defaults(struct um_environment *out)
       .mutual_radiation_on = true,
       .solar_reflection_on = true,
       .multiple_scattering_on = true,
+      .inter_reflection_on = true,
       .specular_exchange_on = true,
       .absorptance_by_angle = true,
       .emittance_by_temperature = true,

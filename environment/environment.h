@@ -55,6 +55,7 @@ struct um_environment {
   double earthshine_factor, earth_reflection_factor; /* of those two [1] */
   bool earthlight_lobe_on; /* lobes reflect the Earth where they look; or as diffuse surfaces do */
   bool multiple_scattering_on; /* what facets keep back of a lobe goes on to other facets */
+  bool inter_reflection_on;    /* surfaces light each other, in the optics */
   /* heat between surfaces of the satellite: of their own emission, of sunlight that they reflect */
   bool mutual_radiation_on, solar_reflection_on;
   bool specular_exchange_on; /* of both, what smooth surfaces reflect goes on as from a mirror */

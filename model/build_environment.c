@@ -126,7 +126,7 @@ static enum um_status build_limb(struct um_context *context, struct um_model *mo
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;
-  um_model_scenario_environment(model->scenario->environment, &model->environment);
+  um_model_scenario_environment(model->scenario, &model->environment);
   UM_TRY(build_earth(context, model));
   UM_TRY(build_limb(context, model));
   UM_TRY(build_sky(context, model));

@@ -179,7 +179,7 @@ static enum um_status check_listed_once(struct um_context *context,
 static enum um_status take_defaults(struct um_context *context, struct um_model *model)
 {
   struct um_environment environment;
-  um_model_scenario_environment(model->scenario->environment, &environment);
+  um_model_scenario_environment(model->scenario, &environment);
   for (size_t i = 0; i < um_model_effects_count(model); i++) {
     const struct um_effect *effect = um_model_effects_at(model, i);
     struct um_model_effect *use = NULL;

@@ -3,6 +3,7 @@
 
 #include "model/aging_impl.h"
 #include "model/model.h"
+#include "model/run_optics_impl.h"
 #include "model/timeline.h"
 
 /* Up is away from the Earth. */
@@ -40,19 +41,19 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
   size_t row = precomputed->load_row[instant] * precomputed->seen->nsurface;
   struct um_materials_adjustment *aged = NULL;
   UM_TRY(um_model_materials_over(context, model, &precomputed->sample[instant], 1, &aged));
-  struct um_optics_scene scene = {
-      .geometry = model->geometry,
-      .creases = model->creases,
-      .environment = &model->environment,
-      .samples = &precomputed->sample[instant],
-      .material = model->material,
-      .adjustment = aged != NULL ? aged : model->adjustment,
-      .temperature = result->surface_temperature + k * result->nsurface,
-      .albedo = precomputed->seen->albedo + row,
-      .view_factor = precomputed->seen->view_factor + row,
-      .interreflection_samples = model->scenario->optics->interreflection_samples,
-      .brightness =
-          precomputed->seen->brightness == NULL ? NULL : precomputed->seen->brightness + row};
+  struct um_optics_scene scene = {.geometry = model->geometry,
+                                  .creases = model->creases,
+                                  .environment = &model->environment,
+                                  .samples = &precomputed->sample[instant],
+                                  .material = model->material,
+                                  .adjustment = aged != NULL ? aged : model->adjustment,
+                                  .temperature = result->surface_temperature + k * result->nsurface,
+                                  .albedo = precomputed->seen->albedo + row,
+                                  .view_factor = precomputed->seen->view_factor + row,
+                                  .interreflection_samples = um_model_paths(model),
+                                  .brightness = precomputed->seen->brightness == NULL
+                                                    ? NULL
+                                                    : precomputed->seen->brightness + row};
   struct um_optics_image_options options =
       options_of(&precomputed->sample[instant], width, samples_per_pixel);
   enum um_status status =

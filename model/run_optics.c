@@ -10,6 +10,13 @@
 #include "model/grey_body.h"
 #include "model/run_optics_impl.h"
 
+int um_model_paths(const struct um_model *model)
+{
+  int stated = model->scenario->optics->interreflection_samples;
+  if (!model->environment.inter_reflection_on) return 0;
+  return stated > 0 ? stated : UM_SCENARIO_PATHS; /* 0: switched on by hand */
+}
+
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
                                    const double *surface, struct um_optics_scene *out)
@@ -44,8 +51,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .albedo = albedo,
                                   .view_factor = view_factor,
                                   .brightness = brightness,
-                                  .interreflection_samples =
-                                      model->scenario->optics->interreflection_samples};
+                                  .interreflection_samples = um_model_paths(model)};
   return UM_OK;
 done:
   um_core_free(context, adjustment);

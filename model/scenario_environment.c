@@ -1,10 +1,11 @@
 /* The scenario's environment in SI, without what effects do to it. */
 #include "model/scenario_environment_impl.h"
 
-void um_model_scenario_environment(const struct um_scenario_environment *from,
-                                   struct um_environment *to)
+void um_model_scenario_environment(const struct um_scenario *scenario, struct um_environment *to)
 {
+  const struct um_scenario_environment *from = scenario->environment;
   um_environment_defaults(to);
+  to->inter_reflection_on = scenario->optics->interreflection_samples > 0;
   to->solar_irradiance = from->solar_irradiance_W_m2;
   to->spectrum = (enum um_environment_spectrum)from->solar_spectrum;
   to->solar_temperature = from->solar_temperature_K;

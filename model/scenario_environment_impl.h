@@ -5,8 +5,7 @@
 #include "environment/environment.h"
 #include "model/scenario.h"
 
-/* The scenario's mapping as it stands, without effects. */
-void um_model_scenario_environment(const struct um_scenario_environment *from,
-                                   struct um_environment *to);
+/* The scenario's keys as they stand, without effects. */
+void um_model_scenario_environment(const struct um_scenario *scenario, struct um_environment *to);
 
 #endif

@@ -286,11 +286,13 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   struct um_compare_share_user user = {f->model, f->plan};
   struct um_compare_refinement refinement;
   f->samples = f->samples_before = f->model->scenario->optics->samples;
+  f->paths = f->model->scenario->optics->interreflection_samples;
   if (!has_light(f)) return um_model_run_with(context, f->model, own->precomputed, own->heat, out);
   UM_TRY(um_compare_refine_with(context, f->model, own->precomputed, own->heat,
                                 UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user, out,
                                 &refinement));
   f->samples = refinement.samples;
+  f->paths = refinement.interreflection;
   return UM_OK;
 }
 

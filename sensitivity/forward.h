@@ -20,6 +20,7 @@ struct um_sensitivity_forward {
   struct um_compare_plan *plan;
   struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
+  int paths;                   /* optics.interreflection_samples of every evaluation */
   size_t evaluations;          /* how often a model was computed */
   double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and
                            of the search for samples [s] */

@@ -43,6 +43,7 @@ static const struct entry cases[] = {
     {"solar_multiple_reflection", NULL, 0.0, "bus", "a switch"},
     {"specular_exchange", NULL, 0.0, "bus", "a switch"},
     {"multiple_scattering", NULL, 0.0, "bus", "a switch"},
+    {"inter_reflection", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},
@@ -151,14 +152,13 @@ static void put_satellite(void)
   put_measured("count_rate,camera,1e5,1e5,0");
 }
 
-#define ISOTHERMAL 7
-static const char *const isothermal[ISOTHERMAL] = {"thermal.start=isothermal",
-                                                   "thermal.orbits_before=0.1",
-                                                   "parts.panel.electrical_extraction=0.2",
-                                                   "time.exposure_s=10",
-                                                   "time.exposure_samples=2",
-                                                   "environment.earth=knocke",
-                                                   "observer.air={profile: us_standard}"};
+#define ISOTHERMAL 8
+static const char *const isothermal[ISOTHERMAL] = {
+    "thermal.start=isothermal", "thermal.orbits_before=0.1",
+    "parts.panel.electrical_extraction=0.2", "time.exposure_s=10", "time.exposure_samples=2",
+    "environment.earth=knocke", "observer.air={profile: us_standard}",
+    /* noise; it is held to the same by itself */
+    "optics.interreflection_samples=0"};
 
 /* At null plus `steps` times the step of its case. */
 static struct um_model_addition away(const struct um_effect *effect, const struct entry *entry,
@@ -225,14 +225,28 @@ static void check_slope(const struct um_model_options *options, struct um_sensit
   if (!(product(f, up, down, base) < 0.0)) COMPLAIN("%s: both ways are one", effect->name);
 }
 
+/* The world that an effect is tried in: all of `isothermal`, or without its last. */
+static size_t keys_of(const struct um_effect *effect)
+{
+  return strcmp(effect->name, "inter_reflection") == 0 ? ISOTHERMAL - 1 : ISOTHERMAL;
+}
+
 /* A switch that is on is left out of the analyst's world, and put in again. */
 static void check_switch(const struct um_effect *effect, const struct entry *entry,
-                         const struct um_compare_measurements *m, const double *base)
+                         const struct um_sensitivity_forward *with, const double *base)
 {
+  char samples[40], paths[48]; /* those of `base`: without an effect fewer might do */
+  const char *overrides[ISOTHERMAL + 2] = {NULL};
+  size_t n = keys_of(effect);
+  memcpy(overrides, isothermal, sizeof isothermal);
+  snprintf(samples, sizeof samples, "optics.samples=%d", with->samples);
+  snprintf(paths, sizeof paths, "optics.interreflection_samples=%d", with->paths);
+  overrides[n] = samples;
+  overrides[n + 1] = paths;
   const char *const without[] = {effect->name};
   const struct um_model_options options = {
-      .overrides = isothermal, .noverride = ISOTHERMAL, .without = without, .nwithout = 1};
-  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+      .overrides = overrides, .noverride = n + 2, .without = without, .nwithout = 1};
+  struct um_sensitivity_forward *f = forward_of(&options, with->measurements, 1.0);
   struct um_model_addition a = away(effect, entry, 0.0);
   double off[ROWS], on[ROWS];
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, off));
@@ -262,6 +276,20 @@ static void check_refuses(struct um_sensitivity_forward *f, const struct um_effe
   }
 }
 
+/* Light between surfaces is on in a world of its own. */
+static void check_paths(const struct um_effect *effect, const struct entry *entry,
+                        const struct um_compare_measurements *m)
+{
+  const struct um_model_options options = {.overrides = isothermal, .noverride = keys_of(effect)};
+  double base[ROWS];
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  check_null(f, effect, entry, base);
+  check_refuses(f, effect, entry);
+  check_switch(effect, entry, f, base);
+  um_sensitivity_forward_destroy(context, &f);
+}
+
 static void test_physics(void **state)
 {
   (void)state;
@@ -277,10 +305,14 @@ static void test_physics(void **state)
     const struct entry *entry = entry_of(effect);
     if (entry == NULL) continue;
     if (um_effects_reach(effect) == 0) COMPLAIN("%s: reaches nothing", effect->name);
+    if (keys_of(effect) != ISOTHERMAL) {
+      check_paths(effect, entry, m);
+      continue;
+    }
     check_null(f, effect, entry, base);
     check_refuses(f, effect, entry);
     if (effect->on_by_default)
-      check_switch(effect, entry, m, base);
+      check_switch(effect, entry, f, base);
     else
       check_slope(&options, f, effect, entry, base);
   }

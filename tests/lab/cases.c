@@ -103,7 +103,8 @@ static const struct {
                 {"mutual_radiation", true, true},
                 {"solar_multiple_reflection", true, true},
                 {"specular_exchange", false, true},
-                {"multiple_scattering", true, false}};
+                {"multiple_scattering", true, false},
+                {"inter_reflection", false, true}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

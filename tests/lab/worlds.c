@@ -70,6 +70,14 @@ static const struct lab_world worlds[] = {
      .without = "specular_exchange",
      .set = {"parts.bus.outside=fep_silver", "parts.array.pose.position_m=[0, 1.4, 0]"}},
 
+    /* White walls beside each other: the array close to the bus, as of paint. */
+    {.name = "dawn-inter_reflection",
+     DAWN,
+     PLACES,
+     .without = "inter_reflection",
+     .set = {"parts.bus.outside=white_paint", "parts.array.back=white_paint",
+             "parts.array.pose.position_m=[0, 1.4, 0]"}},
+
     /* Rough metal, whose facets throw light at each other. */
     {.name = "dusk-multiple_scattering",
      DUSK,

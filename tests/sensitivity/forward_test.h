@@ -93,12 +93,14 @@ static inline enum um_status fresh_values(const struct um_model_options *options
   char *text[8];
   double *rows = malloc(forward->measurements->count * sizeof *rows);
   size_t before = all.nwith;
-  const char *overrides[8];
-  char samples[40];
-  assert_true(all.noverride < sizeof overrides / sizeof *overrides);
+  const char *overrides[12];
+  char samples[40], paths[48];
+  assert_true(all.noverride + 1 < sizeof overrides / sizeof *overrides);
   for (size_t i = 0; i < all.noverride; i++) overrides[i] = all.overrides[i];
   snprintf(samples, sizeof samples, "optics.samples=%d", forward->samples);
   overrides[all.noverride++] = samples;
+  snprintf(paths, sizeof paths, "optics.interreflection_samples=%d", forward->paths);
+  overrides[all.noverride++] = paths;
   all.overrides = overrides;
   const char *kept[4]; /* --without comes last: what is added is not taken away */
   size_t nkept = 0;

@@ -1,0 +1,43 @@
+/* Light that leaves one surface and is reflected by another, any number of times, through lobes and
+ * diffuse parts (optics/interreflection.c): sunlight, the Earth's light and the satellite's own
+ * emission. Without it every surface is seen as if it stood alone, though shadowed. Heat that
+ * surfaces exchange is mutual_radiation and solar_multiple_reflection. */
+#include "effects/list_impl.h"
+#include "environment/environment.h"
+
+static bool is_off(const struct um_environment *environment)
+{
+  return !environment->inter_reflection_on;
+}
+
+static enum um_status switch_on(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->inter_reflection_on = true;
+  return UM_OK;
+}
+
+static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
+{
+  (void)context;
+  environment->inter_reflection_on = false;
+  return UM_OK;
+}
+
+const struct um_effect um_effects_inter_reflection = {
+    UM_EFFECT_ABI,
+    .name = "inter_reflection",
+    .summary = "Surfaces are lit by each other: sunlight and infrared that another one sent",
+    .reference = "Kajiya 1986, Computer Graphics 20:143; Veach 1997, PhD thesis, Stanford",
+    .validity =
+        "flat facets of one temperature; creased surfaces by their mean roughness; sunlight "
+        "that two mirrors in a row throw on a rough surface is spread over 8 deg",
+    .separated_by =
+        "diffuse_level and emittance: light of one side only while another that faces it "
+        "is lit or warm, of both their colours",
+    .targets = UM_TARGET_GLOBAL,
+    .on_by_default = 1,
+    .switch_off = switch_off,
+    .is_off = is_off,
+    .switch_on = switch_on,
+};
