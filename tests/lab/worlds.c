@@ -75,8 +75,8 @@ static const struct lab_world worlds[] = {
      DAWN,
      PLACES,
      .without = "inter_reflection",
-     .set = {"parts.bus.outside=white_paint", "parts.array.back=white_paint",
-             "parts.array.pose.position_m=[0, 1.4, 0]"}},
+     .set = {"optics.interreflection_samples=32", "parts.bus.outside=white_paint",
+             "parts.array.back=white_paint", "parts.array.pose.position_m=[0, 1.4, 0]"}},
 
     /* Rough metal, whose facets throw light at each other. */
     {.name = "dusk-multiple_scattering",
