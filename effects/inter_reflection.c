@@ -30,8 +30,9 @@ const struct um_effect um_effects_inter_reflection = {
     .summary = "Surfaces are lit by each other: sunlight and infrared that another one sent",
     .reference = "Kajiya 1986, Computer Graphics 20:143; Veach 1997, PhD thesis, Stanford",
     .validity =
-        "flat facets of one temperature; creased surfaces by their mean roughness; sunlight "
-        "that two mirrors in a row throw on a rough surface is spread over 8 deg",
+        "where optics.interreflection_samples asks for paths, else off; flat facets of one "
+        "temperature; creased surfaces by their mean roughness; sunlight that two mirrors in a row "
+        "throw on a rough surface is spread over 8 deg; dim instants of smooth walls are noisy",
     .separated_by =
         "diffuse_level and emittance: light of one side only while another that faces it "
         "is lit or warm, of both their colours",

@@ -39,6 +39,7 @@
 #include "channel.h"
 #include "core/constants.h"
 #include "core/csv.h"
+#include "environment/airmass.h"
 #include "model/bands.h"
 #include "model/build.h"
 #include "model/model.h"
@@ -120,7 +121,8 @@ static void compare_geometry(struct set *set, const struct um_core_csv *csv)
   }
 }
 
-/* Irradiance of a band at the aperture; set b goes on below the horizon, where nothing is seen. */
+/* Irradiance of a band at the aperture; set b goes on below the horizon, where nothing is seen.
+ * Their horizon is without air, ours 0.55 deg lower: rows between the two are ours alone. */
 static void compare_observations(struct set *set, const struct um_core_csv *csv, const char *band)
 {
   static const char *const part[] = {"vis_sun_W_m2", "vis_earth_W_m2", "lwir_emitted_W_m2",
@@ -133,10 +135,11 @@ static void compare_observations(struct set *set, const struct um_core_csv *csv,
     for (size_t j = vis ? 0 : 2; j < (vis ? 2 : 5); j++)
       expected += reference_number(set->context, csv, i, part[j]);
     double value = set->result->irradiance[observation_of(set, csv, i) * set->result->nband + b];
-    if (reference_number(set->context, csv, i, "elevation_deg") > 0.0)
+    double elevation = reference_number(set->context, csv, i, "elevation_deg");
+    if (elevation > 0.0)
       channel_add(&c, expected, value);
     else
-      assert_true(isnan(value));
+      assert_true(isnan(value) == isnan(um_environment_airmass_toward(elevation * UM_DEG)));
   }
   char what[64];
   snprintf(what, sizeof what, "irradiance %s", band);
