@@ -33,7 +33,7 @@ static struct um_vec3 axis_at(size_t i, size_t n)
 static void fill_ring(const struct grid *g, struct um_vec3 axis, double *looked_up, float *ring)
 {
   const struct um_compare_spin_data *d = g->data;
-  struct um_quat base = um_orbit_attitude_smallest_rotation(d->axis_body, axis);
+  struct um_quat base = um_core_quat_between(d->axis_body, axis);
   for (size_t k = 0; k < g->nturn; k++) {
     double turn = 2.0 * UM_PI * (double)k / (double)g->nturn;
     struct um_quat q = um_quat_then(base, um_quat_from_axis(d->axis_body, turn));

@@ -34,7 +34,7 @@ static inline struct um_quat um_compare_spin_attitude(const struct um_compare_sp
                                                       const struct um_compare_spin_law *law,
                                                       double t)
 {
-  return um_quat_then(um_orbit_attitude_smallest_rotation(data->axis_body, law->axis),
+  return um_quat_then(um_core_quat_between(data->axis_body, law->axis),
                       um_quat_from_axis(data->axis_body, law->phase + law->rate * t));
 }
 /* Largest angle between two laws over the observations [rad]. */

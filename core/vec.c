@@ -1,6 +1,8 @@
 /* The few vector functions that are too long to be inline. */
 #include "core/vec.h"
 
+#include "core/constants.h"
+
 /* Shepperd 1978, J. Guidance and Control 1:223: divide by the largest of the four components, so
  * that no square root of a cancelled sum is taken. */
 struct um_quat um_core_quat_from_matrix(struct um_mat3 m)
@@ -52,4 +54,14 @@ void um_core_vec3_frame(struct um_vec3 n, struct um_vec3 *t, struct um_vec3 *b)
   double c = n.x * n.y * a;
   *t = um_vec3(1.0 + sign * n.x * n.x * a, sign * c, -sign * n.x);
   *b = um_vec3(c, sign + n.y * n.y * a, -n.y);
+}
+
+struct um_quat um_core_quat_between(struct um_vec3 a, struct um_vec3 b)
+{
+  struct um_vec3 cross = um_vec3_cross(a, b), t, u;
+  double sine = um_vec3_norm(cross);
+  if (sine > 1e-12) return um_quat_from_axis(um_vec3_scale(cross, 1.0 / sine), um_vec3_angle(a, b));
+  if (um_vec3_dot(a, b) > 0.0) return (struct um_quat){1.0, 0.0, 0.0, 0.0};
+  um_core_vec3_frame(a, &t, &u);
+  return um_quat_from_axis(t, UM_PI);
 }

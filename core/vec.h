@@ -124,6 +124,10 @@ static inline struct um_quat um_quat_from_axis(struct um_vec3 axis, double angle
 
 /* Quaternion of a passive rotation matrix (Shepperd's method); exported, see vec.c. */
 struct um_quat um_core_quat_from_matrix(struct um_mat3 m);
+/* The smallest rotation of a frame after which the unit vector a, read in the turned frame, is the
+ * unit vector b of the first frame: about a x b by the angle between them; any perpendicular serves
+ * for opposite directions. */
+struct um_quat um_core_quat_between(struct um_vec3 a, struct um_vec3 b);
 /* Spherical linear interpolation along the shorter arc, u in [0, 1]. */
 struct um_quat um_core_quat_slerp(struct um_quat a, struct um_quat b, double u);
 /* Two unit vectors that complete the unit vector n to a right-handed frame (t, b, n). */

@@ -5,7 +5,7 @@
  * h C2/lambda_min = 0.02 makes it 3.7e-9. Where lambda T is large B goes like T instead, with the
  * error (9/16) (h/x)^4; h/x <= 0.008 makes it 2.3e-9. Where a band sees next to nothing of the
  * hottest surface, h C2/lambda_min = 0.2 makes it 3.7e-5. Entries are exact means over the bin. */
-#include "optics/planck_impl.h"
+#include "optics/spectra_impl.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef UMBRA_OPTICS_RADIANCE_IMPL_H
 #define UMBRA_OPTICS_RADIANCE_IMPL_H
 
-#include "optics/planck_impl.h"
+#include "optics/spectra_impl.h"
 
 /* What is the same for all surfaces at one time. */
 struct um_optics_instant {

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "optics/lagrange_impl.h"
-#include "optics/planck_impl.h"
 
 #define BINS_MAX 100000
 

@@ -167,17 +167,6 @@ static struct um_quat yaw_steering(const struct um_orbit_attitude_law *law,
   return two_axes(law, nadir, across(input->sun, nadir, orbit_normal(input)));
 }
 
-struct um_quat um_orbit_attitude_smallest_rotation(struct um_vec3 axis_body, struct um_vec3 axis)
-{
-  struct um_vec3 cross = um_vec3_cross(axis_body, axis), t, b;
-  double sine = um_vec3_norm(cross);
-  if (sine > 1e-12)
-    return um_quat_from_axis(um_vec3_scale(cross, 1.0 / sine), um_vec3_angle(axis_body, axis));
-  if (um_vec3_dot(axis_body, axis) > 0.0) return (struct um_quat){1.0, 0.0, 0.0, 0.0};
-  um_core_vec3_frame(axis_body, &t, &b);
-  return um_quat_from_axis(t, UM_PI);
-}
-
 /* Turn about the axis at a time; whole turns are taken off before the angle is formed, so that long
  * spans keep their digits. */
 static double turn_at(const struct um_orbit_attitude_law *law, double t_tai)
@@ -234,7 +223,7 @@ static enum um_status spin(struct um_context *context, const struct um_orbit_att
     return UM_OK;
   }
   if (law->axis_frame == UM_AXIS_LVLH) UM_TRY(lvlh(context, input, &base));
-  base = um_quat_then(base, um_orbit_attitude_smallest_rotation(law->axis_body, law->axis));
+  base = um_quat_then(base, um_core_quat_between(law->axis_body, law->axis));
   *q = um_quat_then(base, nutating(law, law->axis_body, angle));
   return UM_OK;
 }

@@ -19,7 +19,6 @@
 #include <math.h>
 
 #include "core/constants.h"
-#include "orbit/attitude.h"
 #include "orbit/elliptic_impl.h"
 
 #define STEADY     1e-12 /* sine of the angle from rate to momentum */
@@ -127,7 +126,7 @@ static struct um_quat tipped(const struct um_orbit_tumble *t, double u, double c
   struct um_vec3 w = rate_of(t, u);
   struct um_vec3 l =
       um_vec3_unit(um_vec3(t->inertia[0] * w.x, t->inertia[1] * w.y, t->inertia[2] * w.z));
-  return um_quat_then(um_quat_from_axis(along, chi), um_orbit_attitude_smallest_rotation(l, along));
+  return um_quat_then(um_quat_from_axis(along, chi), um_core_quat_between(l, along));
 }
 
 /* Amplitudes, parameter and phase of the rate w about c, b, a. */

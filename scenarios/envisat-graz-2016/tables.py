@@ -14,9 +14,11 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 
-import search
+sys.dont_write_bytecode = True  # no __pycache__ beside the scenario
+import search  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAPER = HERE.parent / "envisat-paper"
