@@ -57,7 +57,8 @@ static double quadrature(const struct um_materials_lobe *lobe, struct um_vec3 o,
   double turn = !um_materials_lobe_is_anisotropic(lobe) && o.y == 0.0 ? 0.5 : 1.0;
   int parts = kind->mixed ? 2 : 1;
   for (int j = 0; j < parts * nu; j++) {
-    double s = (j % nu + 0.5) / nu, u = (j / nu + s * s * (3.0 - 2.0 * s)) / parts,
+    int part = j / nu;
+    double s = (j % nu + 0.5) / nu, u = (part + s * s * (3.0 - 2.0 * s)) / parts,
            share = factor * 6.0 * s * (1.0 - s) / nu / nv / parts;
     for (int k = 0; k < nv; k++) {
       struct um_vec3 drawn = kind->draw(lobe, u, turn * (k + 0.5) / nv);
