@@ -12,6 +12,7 @@ import concurrent.futures
 import csv
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -25,6 +26,7 @@ PAPER = HERE.parent / "envisat-paper"
 MECHANISMS = ("sun", "earth", "emitted", "interreflected", "other")
 ARRAY = "parts.solar_array.joint.angle_deg="
 INSIDE = "parts.bus.interior.conductivity_W_m_K="
+NOTHING = re.compile(r"[-+]0\.0+( %)?(, [-+]0\.0+( %)?)?")  # a change that no digit shows
 SLOW = ["time.step_s=10"]  # tables of many rows: 10 s between observations
 
 OTHER_WAY = ["attitude.0.spin.axis_lvlh=[0.0120425, -0.8817156, -0.4716276]", "attitude.0.spin.axis_body=[0, 0, -1]"]
@@ -120,7 +122,7 @@ class Runs:
 def table(head, rows):
     print("| " + " | ".join(head) + " |\n|" + "---|" * len(head))
     for row in rows:
-        print("| " + " | ".join(row) + " |")
+        print("| " + " | ".join("0" if NOTHING.fullmatch(cell) else cell for cell in row) + " |")
     print()
 
 
