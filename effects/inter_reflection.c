@@ -27,7 +27,7 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 const struct um_effect um_effects_inter_reflection = {
     UM_EFFECT_ABI,
     .name = "inter_reflection",
-    .summary = "Surfaces are lit by each other: sunlight and infrared that another one sent",
+    .summary = "Surfaces are lit by each other, where optics.interreflection_samples asks for it",
     .reference = "Kajiya 1986, Computer Graphics 20:143; Veach 1997, PhD thesis, Stanford",
     .validity =
         "where optics.interreflection_samples asks for paths, else off; flat facets of one "
