@@ -27,12 +27,12 @@ static enum um_status switch_off(struct um_context *context, struct um_environme
 const struct um_effect um_effects_inter_reflection = {
     UM_EFFECT_ABI,
     .name = "inter_reflection",
-    .summary = "Surfaces are lit by each other, where optics.interreflection_samples asks for it",
+    .summary = "Surfaces are lit by each other: sunlight, the Earth's light and their own emission",
     .reference = "Kajiya 1986, Computer Graphics 20:143; Veach 1997, PhD thesis, Stanford",
     .validity =
-        "where optics.interreflection_samples asks for paths, else off; flat facets of one "
-        "temperature; creased surfaces by their mean roughness; sunlight that two mirrors in a row "
-        "throw on a rough surface is spread over 8 deg; dim instants of smooth walls are noisy",
+        "off where optics.interreflection_samples is 0; flat facets of one temperature; creased "
+        "surfaces by their mean roughness; of a facet that is seen by way of another, the place of "
+        "sunlight that mirrors throw on it is not told apart",
     .separated_by =
         "diffuse_level and emittance: light of one side only while another that faces it "
         "is lit or warm, of both their colours",

@@ -81,8 +81,8 @@ OBJECT(thermal_object, struct um_scenario_thermal, "thermal", "How temperatures 
 static const struct um_schema_field optics_fields[] = {
     F(samples, "samples", UM_SCHEMA_INTEGER, DEFAULT(16), BETWEEN(1, 65536),
       HELP("points per facet that look at observer and Sun")),
-    F(interreflection_samples, "interreflection_samples", UM_SCHEMA_INTEGER, DEFAULT(0),
-      BETWEEN(0, 4096),
+    F(interreflection_samples, "interreflection_samples", UM_SCHEMA_INTEGER,
+      DEFAULT(UM_SCENARIO_PATHS), BETWEEN(0, 4096),
       HELP("paths of light between surfaces, from each surface that another stands before and at "
            "each instant, in the mean; 0: none, and effect inter_reflection is off")),
     F(relative_error, "relative_error", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1),

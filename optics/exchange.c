@@ -1,5 +1,4 @@
-/* What of a pose paths of light go by: from which surfaces none leaves, and which flat mirrors
- * others can see. */
+/* What of a pose paths of light go by: from which surfaces none leaves, and how many each gets. */
 #include <math.h>
 
 #include "core/sampling.h"
@@ -9,8 +8,6 @@
 
 #define RAYS      64   /* that all meet something: a surface inside a closed body */
 #define TOGETHER  8    /* of them; most surfaces are decided by the first */
-#define SAME      1e-9 /* 1 - cosine of normals that are one */
-#define NORMALS   64   /* planes that are told apart */
 #define LEAST     2    /* paths of a surface */
 #define MOST      16.0 /* of the mean number */
 #define KEY_CLOSE 0x636c6f7365
@@ -60,38 +57,6 @@ static bool is_closed(const struct um_geometry_mesh *mesh, const struct um_optic
   return true;
 }
 
-static bool is_one(const struct um_geometry_mesh *mesh, size_t a, size_t b)
-{
-  return mesh->surface[a].material == mesh->surface[b].material &&
-         mesh->surface[a].part == mesh->surface[b].part;
-}
-
-/* Planes of the surfaces that others can see, the largest first. */
-static void find_planes(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
-                        struct um_optics_exchange *e)
-{
-  struct um_optics_plane found[NORMALS];
-  size_t n = 0;
-  for (size_t s = 0; s < mesh->nsurface; s++) {
-    if (um_geometry_visibility_is_open(set->visibility, s)) continue;
-    struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, s);
-    size_t k = 0;
-    while (k < n && !(um_vec3_dot(found[k].normal, normal) > 1.0 - SAME &&
-                      is_one(mesh, found[k].surface, s)))
-      k++;
-    if (k == NORMALS) continue;
-    if (k == n) found[n++] = (struct um_optics_plane){.surface = s, .normal = normal};
-    found[k].area += mesh->area[mesh->surface[s].facet];
-  }
-  while (e->nplane < UM_OPTICS_PLANES && e->nplane < n) {
-    size_t best = 0;
-    for (size_t k = 1; k < n; k++)
-      if (found[k].area > found[best].area) best = k;
-    e->plane[e->nplane++] = found[best];
-    found[best].area = 0.0;
-  }
-}
-
 /* Paths by area and by what stands before a surface, nsample in the mean and two at least: the
  * standard error of a sum is least where each part has points by its own spread, which goes as
  * A sqrt(h) of the share h of a surface's sky that is taken. */
@@ -129,7 +94,6 @@ enum um_status um_optics_exchange_create(struct um_context *context,
       e->count[s]++; /* what the rays missed is there, too */
     }
   share_out(mesh, nsample, e->count);
-  find_planes(mesh, set, e);
   *out = e;
   e = NULL;
 done:

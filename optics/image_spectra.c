@@ -4,8 +4,10 @@
 #include <omp.h>
 #include <string.h>
 
+#include "optics/coarse_impl.h"
 #include "optics/image_impl.h"
 #include "optics/interreflection_impl.h"
+#include "optics/photons_impl.h"
 
 #define WHOLE  0.98 /* of a surface, seen: all of it */
 #define SLIVER 0.02 /* the smallest share that is told apart */
@@ -15,14 +17,17 @@ struct palette {
   const struct um_optics_exposure *frame;
   size_t time, nthread;
   struct um_optics_spectra *spectra;
-  struct um_optics_work *work; /* [nthread] */
-  double *seen;                /* [nspectrum] share of each surface that the picture sees [1] */
+  struct um_optics_work *work;     /* [nthread] */
+  struct um_optics_spectra *few;   /* light between surfaces: in few bins */
+  struct um_optics_work *few_work; /* [nthread] */
+  struct um_optics_photons photons;
+  double *seen; /* [nspectrum] share of each surface that the picture sees [1] */
 };
 
 /* Radiances of one surface: a share of it that is as large as 1 m^2 seen from the observer. */
-static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
-                 struct um_optics_image *image)
+static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_image *image)
 {
+  struct um_optics_work *work = &p->work[thread];
   const struct um_geometry_mesh *mesh = p->frame->mesh;
   const struct um_optics_instant *now = &p->frame->now;
   const struct um_optics_scene *scene = p->scene;
@@ -57,9 +62,10 @@ static void fill(const struct palette *p, size_t k, struct um_optics_work *work,
   if (p->frame->set->exchange == NULL) return;
   /* of a surface that something hides in part, the mean over the part that is seen */
   double seen = p->seen[k];
-  if (!um_optics_interreflection(p->spectra, scene, now, p->frame->set, surface, seen, work))
-    return;
-  for (size_t b = 0; b < n; b++) dark[b] += (float)(work->reflected[b] / seen);
+  const struct um_optics_paths paths = {p->few, scene, now, p->frame->set, &p->few_work[thread]};
+  if (!um_optics_interreflection(&paths, &p->photons, surface, seen)) return;
+  um_optics_coarse_expand(p->few, p->spectra, paths.work->reflected, work->row);
+  for (size_t b = 0; b < n; b++) dark[b] += (float)(work->row[b] / seen);
 }
 
 /* Area that samples saw over the projected area. What is nearly whole counts as whole: outlines are
@@ -106,17 +112,47 @@ static enum um_status bins_create(struct um_context *context,
   return UM_OK;
 }
 
+static void works_set(const struct palette *p, const struct um_optics_spectra *spectra,
+                      struct um_optics_work *work)
+{
+  for (size_t i = 0; i < p->nthread; i++) {
+    um_optics_light(spectra, p->scene, &p->frame->now, &work[i]);
+    um_optics_turn(spectra, p->scene, &p->frame->now, &work[i]);
+  }
+}
+
+/* What light between surfaces goes by. */
+static enum um_status between_create(struct um_context *context, const struct um_optics_band *bands,
+                                     size_t nband, struct palette *p)
+{
+  enum um_status status;
+  struct um_optics_band *coarse = NULL;
+  double *transmission = NULL;
+  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
+  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
+                            &transmission));
+  um_optics_coarse_bands(bands, nband, coarse, transmission);
+  UM_CHECK(um_optics_spectra_create(context, p->scene, p->time, 1, coarse, nband, &p->few));
+  UM_CHECK(um_optics_work_create(context, p->few, UM_OPTICS_PATHS, p->nthread, &p->few_work));
+  UM_CHECK(um_optics_photons_reserve(context, p->few, p->frame->set, 0, &p->photons));
+  works_set(p, p->few, p->few_work);
+  const struct um_optics_paths paths = {p->few, p->scene, &p->frame->now, p->frame->set,
+                                        &p->few_work[0]};
+  um_optics_photons_trace(&paths, p->scene->view != NULL ? p->scene->view->seed : 0, &p->photons);
+done:
+  um_core_free(context, coarse);
+  um_core_free(context, transmission);
+  return status;
+}
+
 static enum um_status fill_all(struct um_context *context, struct palette *p,
                                struct um_optics_image *image)
 {
   int threads = (int)p->nthread;
-  for (size_t i = 0; i < p->nthread; i++) {
-    um_optics_light(p->spectra, p->scene, &p->frame->now, &p->work[i]);
-    um_optics_turn(p->spectra, p->scene, &p->frame->now, &p->work[i]);
-  }
+  works_set(p, p->spectra, p->work);
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
   for (size_t k = 0; k < image->nspectrum; k++)
-    if (!um_core_stopped(context)) fill(p, k, &p->work[omp_get_thread_num()], image);
+    if (!um_core_stopped(context)) fill(p, k, (size_t)omp_get_thread_num(), image);
   return um_core_stop_check(context, "a picture was rendered");
 }
 
@@ -131,16 +167,18 @@ enum um_status um_optics_image_spectra(struct um_context *context,
                       .frame = frame,
                       .time = time,
                       .nthread = (size_t)um_core_context_threads(context)};
-  int nexchange = scene->interreflection_samples;
   UM_CHECK(um_optics_spectra_create(context, scene, time, 1, bands, nband, &p.spectra));
   UM_CHECK(bins_create(context, p.spectra, image));
-  UM_CHECK(um_optics_work_create(context, p.spectra, nexchange > 0 ? UM_OPTICS_PATHS : 0, p.nthread,
-                                 &p.work));
+  UM_CHECK(um_optics_work_create(context, p.spectra, 0, p.nthread, &p.work));
+  if (frame->set->exchange != NULL) UM_CHECK(between_create(context, bands, nband, &p));
   UM_CHECK(seen_create(context, image, &p));
   UM_CHECK(fill_all(context, &p, image));
 done:
   um_core_free(context, p.seen);
+  um_optics_photons_clear(context, &p.photons);
   um_optics_work_destroy(context, p.nthread, &p.work);
+  um_optics_work_destroy(context, p.nthread, &p.few_work);
   um_optics_spectra_destroy(context, &p.spectra);
+  um_optics_spectra_destroy(context, &p.few);
   return status;
 }

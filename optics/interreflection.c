@@ -3,8 +3,8 @@
  *   L(o) = sum_k T_k (S_k + G_k),  T_k = r_0 r_1 ... r_(k-1),  r = f_r(i, o) cos_i/p(i)
  *
  * from points of a surface that the observer sees. At each further surface a path takes up the
- * sunlight S that goes its way (a shadow ray to a point of the disc, f_r the disc's mean), and the
- * glow G, what the surface emits and what of the Earth its flat parts reflect. Directions are drawn
+ * sunlight S that goes its way (path_sun.c), and the glow G, what the surface emits and what of the
+ * Earth its flat parts reflect. Directions are drawn
  * as vertex.c says. What leaves into space brings nothing, into the Earth what a lobe reflects of
  * it; at the first surface neither, as radiance.c has counted both.
  *
@@ -23,61 +23,18 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "optics/paths_impl.h"
+#include "optics/bundle_impl.h"
 #include "optics/sampling_impl.h"
 
 #define LEAST   1e-5 /* [1] */
 #define LONGEST 256  /* surfaces of a path */
 #define GOLDEN  0.6180339887498949
-#define SHINING 4 /* times the paths where a mirror throws sunlight on the surface */
 
 /* Keys that keep the point sequences of different uses apart. */
-enum { KEY_RAY = 0x726179, KEY_DISC = 0x64697363, KEY_WAY = 0x776179 };
-
-/* Paths of one surface that are traced together. */
-struct bundle {
-  struct um_optics_paths paths;
-  uint64_t key; /* of seed, surface and instant */
-  int n, alive;
-  bool shines[UM_OPTICS_PLANES];                        /* of the glints, on the surface */
-  int of[UM_OPTICS_PATHS];                              /* [alive] */
-  uint32_t sample[UM_OPTICS_PATHS];                     /* [n], like what follows */
-  bool broad[UM_OPTICS_PATHS], narrow[UM_OPTICS_PATHS]; /* some turn was, the last was */
-  struct um_optics_vertex vertex[UM_OPTICS_PATHS];
-  struct um_optics_turn turn[UM_OPTICS_PATHS];
-  struct um_geometry_hit hit[UM_OPTICS_PATHS];
-};
-
-static double *throughput(const struct bundle *p, int i)
-{
-  return p->paths.work->throughput + (size_t)i * p->paths.spectra->nbin;
-}
-static double *gathered(const struct bundle *p, int i)
-{
-  return p->paths.work->gathered + (size_t)i * p->paths.spectra->nbin;
-}
-
-static double number(const struct bundle *p, int i, int vertex, uint64_t use)
-{
-  uint64_t key = um_core_hash(um_core_hash(p->key, p->sample[i]), (uint64_t)vertex);
-  return um_core_hash_uniform(um_core_hash(key, use));
-}
-
-/* A direction into the Sun's disc. */
-static struct um_vec3 disc_direction(const struct bundle *p, int i, int vertex)
-{
-  const struct um_optics_instant *now = p->paths.instant;
-  double u[2] = {number(p, i, vertex, KEY_DISC), number(p, i, vertex, KEY_DISC + 1)}, xy[2];
-  struct um_vec3 t, b;
-  um_core_sample_disc(u, xy);
-  um_core_vec3_frame(now->sun_body, &t, &b);
-  double size = tan(now->sun_radius);
-  struct um_vec3 d = um_vec3_axpy(now->sun_body, size * xy[0], t);
-  return um_vec3_unit(um_vec3_axpy(d, size * xy[1], b));
-}
+enum { KEY_RAY = 0x726179, KEY_WAY = 0x776179 };
 
 /* Way on from a vertex; false: none. */
-static bool go_on(struct bundle *p, int i, int vertex)
+static bool go_on(struct um_optics_bundle *p, int i, int vertex)
 {
   double which, u[2];
   if (vertex == 0) {
@@ -88,17 +45,15 @@ static bool go_on(struct bundle *p, int i, int vertex)
     which = um_core_hash_uniform(um_core_hash(p->key, KEY_WAY)) + GOLDEN * p->sample[i];
     which -= floor(which);
   } else {
-    u[0] = number(p, i, vertex, KEY_RAY);
-    u[1] = number(p, i, vertex, KEY_RAY + 1);
-    which = number(p, i, vertex, KEY_WAY);
+    u[0] = um_optics_bundle_number(p, i, vertex, KEY_RAY);
+    u[1] = um_optics_bundle_number(p, i, vertex, KEY_RAY + 1);
+    which = um_optics_bundle_number(p, i, vertex, KEY_WAY);
   }
-  p->narrow[i] = um_optics_vertex_is_narrow(&p->paths, &p->vertex[i], which);
-  p->broad[i] = p->broad[i] || !p->narrow[i];
   return um_optics_vertex_sample(&p->paths, &p->vertex[i], which, u, &p->turn[i]);
 }
 
 /* Points of the surface that the observer sees. */
-static void begin(struct bundle *p, size_t surface, double seen)
+static void begin(struct um_optics_bundle *p, size_t surface, double seen)
 {
   const struct um_optics_set *set = p->paths.set;
   struct um_vec3 observer = p->paths.instant->observer_body;
@@ -115,56 +70,61 @@ static void begin(struct bundle *p, size_t surface, double seen)
     um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)p->n, work->hidden);
   for (int i = 0; i < p->n; i++) {
     if (work->hidden[i]) continue;
-    um_optics_vertex_place(&p->paths, surface, work->ray[i].origin, observer, p->shines,
-                           &p->vertex[i]);
-    p->broad[i] = false;
+    um_optics_vertex_place(&p->paths, surface, work->ray[i].origin, observer, &p->vertex[i]);
+    p->mirrors[i] = true;
     p->of[p->alive++] = i;
   }
 }
 
 /* B of a vertex' surface, into the scratch. */
-static const double *black_body(const struct bundle *p, int i)
+static const double *black_body(const struct um_optics_bundle *p, int i)
 {
   um_optics_spectra_planck(p->paths.spectra, p->paths.scene->temperature[p->vertex[i].at],
                            p->paths.work->planck);
   return p->paths.work->planck;
 }
 
-static bool telescopes(const struct bundle *p, int i)
+static bool telescopes(const struct um_optics_bundle *p, int i)
 {
   return !p->paths.instant->sunlight_only &&
          p->paths.set->exchange->closed[p->vertex[i].surface] != 0;
 }
 
 /* (1 - eps) B where a path arrives at a closed place, emissivity and B in the scratch. */
-static void add_closed(const struct bundle *p, int i, const double *emissivity,
+static void add_closed(const struct um_optics_bundle *p, int i, const double *emissivity,
                        const double *planck)
 {
-  double *sum = gathered(p, i), *left = throughput(p, i);
+  double *sum = um_optics_bundle_gathered(p, i), *left = um_optics_bundle_throughput(p, i);
   for (size_t b = 0; b < p->paths.spectra->nbin; b++)
     sum[b] += left[b] * (1.0 - emissivity[b]) * planck[b];
 }
 
 /* Reflection at the vertex by its turn; the largest of what is left. */
-static double reflect(struct bundle *p, int i)
+static double reflect(struct um_optics_bundle *p, int i)
 {
   struct um_optics_work *work = p->paths.work;
-  double *left = throughput(p, i), largest = 0.0;
+  double *left = um_optics_bundle_throughput(p, i), largest = 0.0;
   size_t n = p->paths.spectra->nbin;
-  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], false, work->incoming);
+  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], UM_OPTICS_WHOLE, work->incoming);
   for (size_t b = 0; b < n; b++) {
     left[b] *= work->incoming[b];
     largest = fmax(largest, left[b]);
   }
+  p->mirrors[i] = p->mirrors[i] && p->vertex[i].mirror;
+  if (p->mirrors[i]) {
+    double *shown = um_optics_bundle_mirrored(p, i);
+    um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], UM_OPTICS_LOBE, work->incoming);
+    for (size_t b = 0; b < n; b++) shown[b] *= work->incoming[b];
+  }
   if (!telescopes(p, i) || largest < LEAST) return largest; /* it ends: L = B */
-  double *sum = gathered(p, i);
+  double *sum = um_optics_bundle_gathered(p, i);
   const double *planck = black_body(p, i);
   for (size_t b = 0; b < n; b++) sum[b] -= left[b] * planck[b];
   return largest;
 }
 
 /* A path that leaves the satellite. */
-static void leave(struct bundle *p, int i, int vertex)
+static void leave(struct um_optics_bundle *p, int i, int vertex)
 {
   struct um_optics_work *work = p->paths.work;
   size_t n = p->paths.spectra->nbin;
@@ -172,17 +132,17 @@ static void leave(struct bundle *p, int i, int vertex)
   if (vertex == 0 || !(p->turn[i].lobe > 0.0)) return;
   if (!um_optics_vertex_earth(&p->paths, &p->vertex[i], p->turn[i].direction, work->incoming))
     return;
-  double *sum = gathered(p, i), *left = throughput(p, i);
+  double *sum = um_optics_bundle_gathered(p, i), *left = um_optics_bundle_throughput(p, i);
   if (telescopes(p, i)) return; /* nothing but a leak between facets */
-  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], true, work->row);
+  um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], UM_OPTICS_LOBE, work->row);
   for (size_t b = 0; b < n; b++) sum[b] += left[b] * work->row[b] * work->incoming[b];
 }
 
 /* Glow of a vertex that a path has come to. */
-static void arrive(struct bundle *p, int i)
+static void arrive(struct um_optics_bundle *p, int i)
 {
   struct um_optics_work *work = p->paths.work;
-  double *sum = gathered(p, i), *left = throughput(p, i);
+  double *sum = um_optics_bundle_gathered(p, i), *left = um_optics_bundle_throughput(p, i);
   if (p->paths.instant->sunlight_only) return;
   um_optics_vertex_glow(&p->paths, &p->vertex[i], work->incoming);
   for (size_t b = 0; b < p->paths.spectra->nbin; b++) sum[b] += left[b] * work->incoming[b];
@@ -194,7 +154,7 @@ static void arrive(struct bundle *p, int i)
 }
 
 /* Rays on from all vertices; what meets a surface stays. */
-static void step(struct bundle *p, int vertex)
+static void step(struct um_optics_bundle *p, int vertex)
 {
   const struct um_optics_set *set = p->paths.set;
   const struct um_geometry_mesh *mesh = set->exchange->mesh;
@@ -218,8 +178,7 @@ static void step(struct bundle *p, int vertex)
     if (!(reflect(p, i) >= LEAST) || hit->surface == UM_GEOMETRY_NONE) continue;
     um_optics_vertex_place(&p->paths, hit->surface,
                            um_optics_facet_point(mesh, set->pose, hit->facet, hit->weight),
-                           um_vec3_scale(p->turn[i].direction, -1.0), NULL, &p->vertex[i]);
-    p->vertex[i].soft = p->broad[i] && p->narrow[i];
+                           um_vec3_scale(p->turn[i].direction, -1.0), &p->vertex[i]);
     if (!(p->vertex[i].o.z > 0.0)) continue;
     arrive(p, i);
     p->of[stays++] = i;
@@ -227,40 +186,14 @@ static void step(struct bundle *p, int vertex)
   p->alive = stays;
 }
 
-/* Sunlight at the vertices that paths have come to. */
-static void add_sun(struct bundle *p, int vertex)
-{
-  const struct um_optics_set *set = p->paths.set;
-  struct um_optics_work *work = p->paths.work;
-  struct um_optics_turn turn[UM_OPTICS_PATHS];
-  int of[UM_OPTICS_PATHS], n = 0;
-  if (!(p->paths.instant->sun > 0.0)) return;
-  for (int a = 0; a < p->alive; a++) {
-    int i = p->of[a];
-    if (!um_optics_vertex_sun(&p->paths, &p->vertex[i], &turn[n])) continue;
-    work->ray[n] =
-        (struct um_geometry_ray){p->vertex[i].point, disc_direction(p, i, vertex), INFINITY,
-                                 set->exchange->mesh->surface[p->vertex[i].surface].facet};
-    of[n++] = i;
-  }
-  um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)n, work->occluded);
-  for (int k = 0; k < n; k++) {
-    if (work->occluded[k]) continue;
-    double *sum = gathered(p, of[k]), *left = throughput(p, of[k]);
-    um_optics_vertex_row(&p->paths, &p->vertex[of[k]], &turn[k], false, work->incoming);
-    for (size_t b = 0; b < p->paths.spectra->nbin; b++)
-      sum[b] += left[b] * work->incoming[b] * work->sunlight[b];
-  }
-}
-
-static void trace(struct bundle *p, size_t surface, double seen)
+static void trace(struct um_optics_bundle *p, size_t surface, double seen)
 {
   const struct um_optics_spectra *spectra = p->paths.spectra;
   struct um_optics_work *work = p->paths.work;
   size_t n = spectra->nbin;
   int most = p->paths.scene->interreflection_most;
   memset(work->gathered, 0, (size_t)p->n * n * sizeof *work->gathered);
-  for (size_t b = 0; b < (size_t)p->n * n; b++) work->throughput[b] = 1.0;
+  for (size_t b = 0; b < (size_t)p->n * n; b++) work->throughput[b] = work->mirrored[b] = 1.0;
   begin(p, surface, seen);
   for (int a = 0; a < p->alive && telescopes(p, p->of[a]); a++) {
     int i = p->of[a];
@@ -272,70 +205,45 @@ static void trace(struct bundle *p, size_t surface, double seen)
   }
   for (int k = 0; k < (most > 0 ? most : LONGEST) && p->alive > 0; k++) {
     step(p, k);
-    add_sun(p, k + 1);
+    um_optics_bundle_add_sun(p, k + 1);
+    um_optics_bundle_add_photons(p, k + 1);
   }
 }
 
 /* Sums of the paths and of their squares by band. */
-static void add_paths(const struct bundle *p, double share)
+static void add_paths(const struct um_optics_bundle *p, double share)
 {
   const struct um_optics_spectra *spectra = p->paths.spectra;
   struct um_optics_work *work = p->paths.work;
   for (int i = 0; i < p->n; i++) {
-    const double *of = gathered(p, i);
+    const double *of = um_optics_bundle_gathered(p, i);
     for (size_t k = 0; k < spectra->nband; k++) {
-      double sum = 0.0;
-      for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++) {
+      double sum = um_optics_band_sum(spectra, k, of);
+      for (size_t b = spectra->first[k]; b < spectra->first[k + 1]; b++)
         work->reflected[b] += share * of[b];
-        sum += of[b] * spectra->transmission[b] * spectra->width[b];
-      }
       work->band[k] += share * sum;
       work->band_variance[k] += share * sum * sum;
     }
   }
 }
 
-/* Which mirrors throw sunlight on the middle of the surface; is there any? */
-static bool look_for_glints(struct bundle *p, size_t surface)
+bool um_optics_interreflection(const struct um_optics_paths *paths,
+                               struct um_optics_photons *photons, size_t surface, double seen)
 {
-  static const double middle[2] = {4.0 / 9.0, 0.5}; /* weights of 1/3 */
-  const struct um_optics_set *set = p->paths.set;
+  const struct um_optics_spectra *spectra = paths->spectra;
+  const struct um_optics_scene *scene = paths->scene;
+  const struct um_optics_instant *instant = paths->instant;
+  const struct um_optics_set *set = paths->set;
+  struct um_optics_work *work = paths->work;
+  struct um_optics_bundle p = {.paths = *paths, .photons = photons};
   const struct um_geometry_mesh *mesh = set->exchange->mesh;
-  struct um_geometry_ray ray[UM_OPTICS_PLANES];
-  struct um_geometry_hit hit[UM_OPTICS_PLANES];
-  size_t n = p->paths.nglint;
-  bool any = false;
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, surface);
-  for (size_t k = 0; k < n; k++) {
-    ray[k] = um_optics_path_begin(mesh, set->pose, surface, middle);
-    ray[k].direction = um_vec3_scale(p->paths.glint[k].mirrored, -1.0);
-    if (!(um_vec3_dot(normal, ray[k].direction) > 0.0)) ray[k].limit = 0.0;
-  }
-  um_geometry_visibility_closest(set->visibility, ray, n, hit);
-  for (size_t k = 0; k < n; k++) {
-    p->shines[k] = ray[k].limit > 0.0 && hit[k].surface != UM_GEOMETRY_NONE &&
-                   hit[k].facet != UM_GEOMETRY_NONE &&
-                   um_vec3_dot(um_geometry_surface_normal(mesh, set->pose, hit[k].surface),
-                               p->paths.glint[k].normal) > 1.0 - 1e-6;
-    any = any || p->shines[k];
-  }
-  return any;
-}
-
-bool um_optics_interreflection(const struct um_optics_spectra *spectra,
-                               const struct um_optics_scene *scene,
-                               const struct um_optics_instant *instant,
-                               const struct um_optics_set *set, size_t surface, double seen,
-                               struct um_optics_work *work)
-{
-  struct bundle p = {
-      .paths = {.spectra = spectra, .scene = scene, .instant = instant, .set = set, .work = work}};
   int nsample = set->exchange->count[surface];
   uint64_t seed = scene->view != NULL ? scene->view->seed : 0;
   if (nsample == 0) return false;
   p.key = um_core_hash(um_core_hash(um_core_hash(KEY_RAY, seed), surface), instant->time);
-  um_optics_paths_glints(&p.paths);
-  if (look_for_glints(&p, surface)) nsample *= SHINING;
+  p.worth =
+      mesh->area[mesh->surface[surface].facet] / nsample *
+      um_vec3_dot(um_geometry_surface_normal(mesh, set->pose, surface), instant->observer_body);
   memset(work->reflected, 0, spectra->nbin * sizeof *work->reflected);
   memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
   memset(work->band, 0, spectra->nband * sizeof *work->band);
@@ -345,6 +253,7 @@ bool um_optics_interreflection(const struct um_optics_spectra *spectra,
     trace(&p, surface, seen);
     add_paths(&p, 1.0 / nsample);
   }
+  um_optics_bundle_add_seen_photons(&p, surface, seen);
   /* variance of the mean: (<x^2> - <x>^2)/(N - 1); a single sample is as uncertain as it is large
    */
   if (nsample == 1) return true;

@@ -9,6 +9,8 @@
 
 /* What of a pose paths go by (paths_impl.h); nsample: paths of a surface at an instant. */
 struct um_optics_exchange;
+struct um_optics_paths;
+struct um_optics_photons; /* photons_impl.h */
 
 enum um_status um_optics_exchange_create(struct um_context *context,
                                          const struct um_geometry_mesh *mesh,
@@ -27,12 +29,10 @@ struct um_geometry_ray um_optics_path_begin(const struct um_geometry_mesh *mesh,
 
 /* Mean radiance per bin that a surface of the set sends to the observer by this way, over the share
  * of its points that the observer sees (seen < 1: traced) times that share; work->reflected holds
- * it [W/m^2/sr/m], work->band_variance the variance of each band's radiance. False, and neither is
- * touched: nothing stands before the surface. */
-bool um_optics_interreflection(const struct um_optics_spectra *spectra,
-                               const struct um_optics_scene *scene,
-                               const struct um_optics_instant *instant,
-                               const struct um_optics_set *set, size_t surface, double seen,
-                               struct um_optics_work *work);
+ * it [W/m^2/sr/m], work->band_variance the variance of each band's radiance by the choice of paths;
+ * that by the choice of photons is theirs to say when all surfaces are done. False, and nothing is
+ * touched: nothing stands before the surface. photons: of this instant. */
+bool um_optics_interreflection(const struct um_optics_paths *paths,
+                               struct um_optics_photons *photons, size_t surface, double seen);
 
 #endif

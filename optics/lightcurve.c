@@ -5,10 +5,10 @@
 #include <omp.h>
 #include <string.h>
 
+#include "optics/between_impl.h"
 #include "optics/coarse_impl.h"
 #include "optics/facing_impl.h"
 #include "optics/interreflection_impl.h"
-#include "optics/stage_impl.h"
 
 /* Tables in some bins, and scratch for them. */
 struct resolution {
@@ -20,8 +20,9 @@ struct resolution {
 struct job {
   const struct um_optics_scene *scene;
   struct um_optics_lightcurve *curve;
-  struct resolution full, coarse;  /* that of the bands; for weights of errors */
-  struct um_optics_facing *facing; /* [nthread] */
+  struct resolution full, coarse;    /* that of the bands; for errors and light between surfaces */
+  struct um_optics_facing *facing;   /* [nthread] */
+  struct um_optics_between *between; /* [nthread] */
 };
 
 /* One time of it, on one thread. */
@@ -30,6 +31,7 @@ struct task {
   struct um_optics_instant now;
   const struct um_optics_spectra *spectra, *coarse;
   struct um_optics_work *work, *coarse_work;
+  struct um_optics_between *between;
 };
 
 static enum um_status curve_create(struct um_context *context,
@@ -99,25 +101,27 @@ static void error_add(const struct task *task, size_t surface, const struct um_o
   }
 }
 
-static void interreflection_add(const struct task *task, const struct um_optics_set *set, size_t s)
+/* Light between all surfaces that are seen. */
+static void between_add(const struct um_context *context, const struct task *task,
+                        const struct um_optics_set *set)
 {
-  const struct job *job = task->job;
-  const struct um_optics_view *view = job->scene->view;
-  const struct um_optics_spectra *spectra = task->spectra;
+  const struct um_optics_spectra *few = task->coarse, *all = task->spectra;
   struct um_optics_work *work = task->work;
-  size_t time = task->now.time, at = time * view->nsurface + s;
-  if (!um_optics_interreflection(spectra, job->scene, &task->now, set, s, (double)view->seen[at],
-                                 work))
-    return;
-  double projected = view->area[s] * (double)view->cos_observer[at];
-  memset(work->spectral, 0, spectra->nbin * UM_MECHANISM_COUNT * sizeof *work->spectral);
-  for (size_t b = 0; b < spectra->nbin; b++)
-    work->spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_INTERREFLECTED] =
-        projected * work->reflected[b];
-  spectrum_keep(job, time, view->material[s], work->spectral);
-  for (size_t k = 0; k < spectra->nband; k++)
-    job->curve->stderr_[time * spectra->nband + k] +=
-        projected * projected * work->band_variance[k];
+  const struct um_optics_paths paths = {.spectra = few,
+                                        .scene = task->job->scene,
+                                        .instant = &task->now,
+                                        .set = set,
+                                        .work = task->coarse_work};
+  um_optics_between_compute(context, &paths, task->between);
+  memset(work->spectral, 0, all->nbin * UM_MECHANISM_COUNT * sizeof *work->spectral);
+  for (size_t m = 0; m < all->nmaterial; m++) {
+    um_optics_coarse_expand(few, all, task->between->sum + m * few->nbin, work->row);
+    for (size_t b = 0; b < all->nbin; b++)
+      work->spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_INTERREFLECTED] = work->row[b];
+    spectrum_keep(task->job, task->now.time, m, work->spectral);
+  }
+  for (size_t k = 0; k < all->nband; k++)
+    task->job->curve->stderr_[task->now.time * all->nband + k] += task->between->variance[k];
 }
 
 /* The tables for a time, of this thread where materials age; what is the same for all surfaces into
@@ -143,7 +147,6 @@ static void surfaces_add(const struct um_context *context, const struct task *ta
 {
   const struct um_optics_scene *scene = task->job->scene;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
-  const float *seen = scene->view->seen + task->now.time * mesh->nsurface;
   struct um_optics_earth_shares shares;
   um_optics_facing_fill(task->spectra, scene, task->now.time, task->work, facing);
   for (size_t g = 0; g < facing->ngroup && !um_core_stopped(context); g++) {
@@ -155,10 +158,7 @@ static void surfaces_add(const struct um_context *context, const struct task *ta
     for (size_t i = first; i < end; i++)
       error_add(task, facing->surface[i], &facing->sight[i], &shares);
   }
-  for (size_t i = 0; set != NULL && i < facing->count && !um_core_stopped(context); i++) {
-    size_t s = facing->surface[i];
-    if (seen[s] > 0.0F) interreflection_add(task, set, s);
-  }
+  if (set != NULL) between_add(context, task, set);
 }
 
 static void compute_time(const struct um_context *context, const struct job *job,
@@ -168,7 +168,8 @@ static void compute_time(const struct um_context *context, const struct job *job
   struct task task = {.job = job,
                       .now = um_optics_instant(job->scene, time),
                       .work = &job->full.work[thread],
-                      .coarse_work = &job->coarse.work[thread]};
+                      .coarse_work = &job->coarse.work[thread],
+                      .between = &job->between[thread]};
   task.spectra = spectra_at(context, job, &job->full, &task.now, thread);
   task.coarse = spectra_at(context, job, &job->coarse, &task.now, thread);
   const struct um_optics_spectra *spectra = task.spectra;
@@ -194,9 +195,12 @@ static enum um_status compute_all(struct um_context *context, const struct job *
   int nray = scene->interreflection_samples;
   for (size_t from = 0; from < ntime; from += UM_OPTICS_BLOCK) {
     size_t count = ntime - from < UM_OPTICS_BLOCK ? ntime - from : UM_OPTICS_BLOCK;
-    if (nray > 0)
+    if (nray > 0) {
       UM_TRY(um_optics_stage_prepare(context, scene->geometry, scene->samples + from, count, nray,
                                      stage));
+      UM_TRY(um_optics_between_reserve(context, job->coarse.spectra, stage,
+                                       (size_t)um_core_context_threads(context), job->between));
+    }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t i = 0; i < count; i++)
       compute_time(context, job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i);
@@ -244,10 +248,11 @@ static enum um_status job_create(struct um_context *context, const struct um_opt
   UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
   UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
                             &transmission));
-  UM_CHECK(resolution_create(context, scene, bands, nband, nray, &job->full));
+  UM_CHECK(resolution_create(context, scene, bands, nband, 0, &job->full));
   um_optics_coarse_bands(bands, nband, coarse, transmission);
-  UM_CHECK(resolution_create(context, scene, coarse, nband, 0, &job->coarse));
+  UM_CHECK(resolution_create(context, scene, coarse, nband, nray, &job->coarse));
   UM_CHECK(um_core_allocate(context, nthread, sizeof *job->facing, &job->facing));
+  UM_CHECK(um_optics_between_create(context, job->coarse.spectra, nthread, &job->between));
   for (size_t k = 0; k < nthread; k++)
     UM_CHECK(um_optics_facing_create(context, scene->view->nsurface, &job->facing[k]));
   UM_CHECK(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
@@ -266,6 +271,7 @@ static void job_clear(struct um_context *context, struct job *job)
   for (size_t k = 0; job->facing != NULL && k < nthread; k++)
     um_optics_facing_clear(context, &job->facing[k]);
   um_core_free(context, job->facing);
+  um_optics_between_destroy(context, nthread, &job->between);
   um_optics_lightcurve_destroy(context, &job->curve);
 }
 

@@ -6,33 +6,15 @@
 #include "optics/radiance_impl.h"
 #include "optics/set_impl.h"
 
-#define UM_OPTICS_PLANES 12 /* flat mirrors whose sunlight is looked for */
-
-/* Surfaces of one material that lie in planes of one direction. */
-struct um_optics_plane {
-  size_t surface; /* one of them */
-  struct um_vec3 normal;
-  double area; /* of all [m^2] */
-};
-
 /* What of a pose paths go by, whatever the optics are. */
 struct um_optics_exchange {
   const struct um_geometry_mesh *mesh;
   uint8_t *closed; /* [nsurface] no ray leaves it to the sky */
   int *count;      /* [nsurface] paths of a surface at an instant; 0: nothing stands before it */
-  size_t nplane;
-  struct um_optics_plane plane[UM_OPTICS_PLANES]; /* the largest that other surfaces can see */
 };
 
-/* A flat mirror in sunlight: where it throws it. */
-struct um_optics_glint {
-  struct um_materials_lobe lobe; /* widened by the Sun's disc */
-  struct um_vec3 along, across, normal;
-  struct um_vec3 sun;      /* in that frame */
-  struct um_vec3 mirrored; /* body frame */
-  double toward;           /* um_materials_lobe_toward of the Sun */
-  double radius;           /* 1 - cosine of the Sun's [1] */
-};
+/* A direction into the Sun's disc by two numbers of [0, 1). */
+struct um_vec3 um_optics_disc_direction(const struct um_optics_instant *instant, const double u[2]);
 
 /* Everything that paths of one instant have in common. */
 struct um_optics_paths {
@@ -41,27 +23,22 @@ struct um_optics_paths {
   const struct um_optics_instant *instant;
   const struct um_optics_set *set;
   struct um_optics_work *work;
-  size_t nglint;
-  struct um_optics_glint glint[UM_OPTICS_PLANES];
 };
-void um_optics_paths_glints(struct um_optics_paths *paths);
+
+/* Is a lobe so narrow that chance does not find what it shows? */
+bool um_optics_is_mirror(const struct um_materials_lobe *lobe);
 
 /* A point of a surface, seen from a direction. */
 struct um_optics_vertex {
   size_t surface, skin, at; /* at: of the scene's [ntime][nsurface] */
   struct um_vec3 point, along, across, normal;
-  struct um_vec3 o;               /* where it is seen from, in its frame */
-  double toward;                  /* um_materials_lobe_toward of o */
-  bool soft;                      /* sunlight through a lobe that is widened */
-  double p_flat, p_lobe, p_glint; /* how often each way on is taken; sum 1 */
-  int nglint;                     /* of the paths' that can shine on it */
-  uint8_t glint[UM_OPTICS_PLANES];
-  double share[UM_OPTICS_PLANES]; /* of p_glint; sum 1 */
+  struct um_vec3 o; /* where it is seen from, in its frame */
+  double toward;    /* um_materials_lobe_toward of o */
+  bool mirror;      /* um_optics_is_mirror */
 };
-/* `from`: unit, body frame, toward where it is seen from, before the surface. shines[nglint]: the
- * mirrors of which something is known to shine on it; NULL: nothing is known. */
+/* `from`: unit, body frame, toward where it is seen from, before the surface. */
 void um_optics_vertex_place(const struct um_optics_paths *paths, size_t surface,
-                            struct um_vec3 point, struct um_vec3 from, const bool *shines,
+                            struct um_vec3 point, struct um_vec3 from,
                             struct um_optics_vertex *vertex);
 
 /* Light that comes from a direction and goes on to where the vertex is seen from:
@@ -73,23 +50,30 @@ struct um_optics_turn {
   double flat; /* cos_i/p [sr] */
   double lobe; /* f cos_i/p [1] */
 };
-/* A direction by three numbers of [0, 1): `which` takes the lobe, the flat part or a glint. Its
- * density is that of the mixture (balance heuristic, Veach 1997), so that each direction counts
- * once whichever way it was found; a true mirror's direction stands alone. False: no light comes
- * this way. */
+/* A direction by three numbers of [0, 1): `which` takes the lobe or the flat part. Its density is
+ * that of both (balance heuristic, Veach 1997), so that each direction counts once whichever way it
+ * was found; a true mirror's direction stands alone. False: no light comes this way. */
 bool um_optics_vertex_sample(const struct um_optics_paths *paths,
                              const struct um_optics_vertex *vertex, double which, const double u[2],
                              struct um_optics_turn *turn);
-/* Did the turn that `which` made come of a lobe so narrow that no other way would find it? */
-bool um_optics_vertex_is_narrow(const struct um_optics_paths *paths,
-                                const struct um_optics_vertex *vertex, double which);
+/* A direction into which a mirror throws what comes to it from o; flat is 0. sunlight: what comes
+ * is the Sun's disc about o, of which a true mirror takes o alone. */
+bool um_optics_vertex_mirror(const struct um_optics_paths *paths,
+                             const struct um_optics_vertex *vertex, bool sunlight,
+                             const double u[2], struct um_optics_turn *turn);
+/* Light of unit irradiance that comes from a direction; flat 1, lobe f, of a mirror 0. False:
+ * behind the surface. */
+bool um_optics_vertex_lit(const struct um_optics_paths *paths,
+                          const struct um_optics_vertex *vertex, struct um_vec3 direction,
+                          struct um_optics_turn *turn);
 /* Sunlight, of the disc's mean direction; false where it stands behind the surface. */
 bool um_optics_vertex_sun(const struct um_optics_paths *paths,
                           const struct um_optics_vertex *vertex, struct um_optics_turn *turn);
-/* f_r cos_i/p per bin; lobe_only: without the flat part. */
+/* f_r cos_i/p per bin, of some of its parts. */
+enum um_optics_parts { UM_OPTICS_FLAT = 1, UM_OPTICS_LOBE = 2, UM_OPTICS_WHOLE = 3 };
 void um_optics_vertex_row(const struct um_optics_paths *paths,
                           const struct um_optics_vertex *vertex, const struct um_optics_turn *turn,
-                          bool lobe_only, double *row);
+                          enum um_optics_parts parts, double *row);
 /* Radiance that leaves a vertex without any further turn, per bin: its emission, and the Earth that
  * its flat parts reflect; emissivity and black body are left in the scratch. */
 void um_optics_vertex_glow(const struct um_optics_paths *paths,

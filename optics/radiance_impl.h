@@ -67,11 +67,11 @@ struct um_optics_work {
   struct um_optics_sum *sum;     /* [nskin] */
   struct um_optics_sum single;   /* for one surface */
   double *incoming, *row;        /* [nbin] inter-reflection */
-  double *throughput, *gathered; /* [nray][nbin] inter-reflection */
-  double *reflected;             /* [nbin] inter-reflection */
-  double *band, *band_variance;  /* [nband] */
-  struct um_geometry_ray *ray;   /* [nray] */
-  uint8_t *occluded, *hidden;    /* [nray] */
+  double *throughput, *mirrored, *gathered; /* [nray][nbin] inter-reflection */
+  double *reflected;                        /* [nbin] inter-reflection */
+  double *band, *band_variance;             /* [nband] */
+  struct um_geometry_ray *ray;              /* [nray] */
+  uint8_t *occluded, *hidden;               /* [nray] */
   double *angle;            /* [njoint] of the current instant, where a lobe has a grain [rad] */
   struct um_quat *rotation; /* [npart] body to part, likewise */
 };

@@ -134,6 +134,7 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
                           &s->masked));
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
   UM_TRY(um_core_allocate(context, n, sizeof *s->masks, &s->masks));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->lobe_share, &s->lobe_share));
   UM_TRY(um_core_allocate(context, n, sizeof *s->lobe, &s->lobe));
   UM_TRY(um_core_allocate(context, n, sizeof *s->flat, &s->flat));
   UM_TRY(um_core_allocate(context, n, sizeof *s->facets, &s->facets));
@@ -160,6 +161,26 @@ static void lobe_fill(const struct um_context *context, const struct um_material
     for (int k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
       fresnel[(size_t)k * s->nbin + b] = um_materials_specular_reflectance(
           record, adjustment, s->wavelength[b], um_optics_fresnel_node(k));
+}
+
+/* How often a path goes on by the lobe rather than by the flat parts: by what both reflect at
+ * normal incidence, the mean of the bands. Three steps, so that a parameter that is moved a little
+ * leaves the paths where they are. */
+static double lobe_share(const struct um_optics_spectra *s, size_t m)
+{
+  double mean = 0.0;
+  if (s->lobe[m].kind == NULL) return 0.0;
+  const double *f =
+      s->fresnel + (m * UM_OPTICS_FRESNEL_NODES + UM_OPTICS_FRESNEL_NODES - 1) * s->nbin;
+  for (size_t k = 0; k < s->nband; k++) {
+    double lobe = 0.0, flat = 0.0;
+    for (size_t b = s->first[k]; b < s->first[k + 1]; b++) {
+      lobe += f[b] * s->width[b];
+      flat += s->diffuse[m * s->nbin + b] * s->width[b];
+    }
+    if (lobe > 0.0) mean += lobe / (lobe + flat) / (double)s->nband;
+  }
+  return mean < 0.25 ? 0.2 : mean < 0.75 ? 0.5 : 0.85;
 }
 
 static enum um_status materials_check(struct um_context *context,
@@ -216,6 +237,7 @@ void um_optics_spectra_materials(const struct um_context *context,
             um_materials_masked_reflectance(record, adjustment, wavelength, u * u);
       }
     }
+    s->lobe_share[m] = lobe_share(s, m);
   }
 }
 
@@ -226,6 +248,7 @@ enum um_status um_optics_spectra_share(struct um_context *context,
   *to = *from;
   to->diffuse = to->emissivity = to->masked = to->masked_mean = NULL;
   to->diffuse_emitter = to->masks = NULL;
+  to->lobe_share = NULL;
   to->lobe = to->flat = NULL;
   to->facets = NULL;
   to->half = NULL;
@@ -238,7 +261,7 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
   void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
                           shared->lobe,    shared->masked,     shared->masked_mean,
                           shared->masks,   shared->facets,     shared->half,
-                          shared->fresnel, shared->flat};
+                          shared->fresnel, shared->flat,       shared->lobe_share};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -283,7 +306,7 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
       s->wavelength, s->width,   s->from,         s->to,      s->band,       s->first,
       s->sun,        s->share,   s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
       s->lobe,       s->masked,  s->masked_mean,  s->masks,   s->planck,     s->facets,
-      s->half,       s->fresnel, s->transmission, s->flat};
+      s->half,       s->fresnel, s->transmission, s->flat,    s->lobe_share};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -37,6 +37,7 @@ struct um_optics_spectra {
   double *masked_mean;            /* [nskin][nbin] its hemispherical mean [1] */
   bool *masks;                    /* [nskin] M is not 0 */
   struct um_materials_lobe *lobe; /* [nskin], of kind NULL where there is none */
+  double *lobe_share;             /* [nskin] how often a path takes the lobe [1] */
   struct um_materials_lobe *flat; /* [nskin] the same on one patch of a creased surface */
   const struct um_optics_creases *creases; /* of the scene; NULL: nothing is creased */
   bool grain;                              /* a lobe is anisotropic, or there are patches */
@@ -56,6 +57,14 @@ static inline size_t um_optics_skin(const struct um_optics_spectra *spectra,
 static inline size_t um_optics_material(const struct um_optics_spectra *spectra, size_t skin)
 {
   return spectra->creases != NULL ? spectra->creases->material[skin] : skin;
+}
+
+/* Rows of F around cos_d, one behind the other, and their weights[4]. */
+static inline const double *um_optics_fresnel_at(const struct um_optics_spectra *spectra,
+                                                 size_t skin, double cos_d, double *weight)
+{
+  size_t first = skin * UM_OPTICS_FRESNEL_NODES + (size_t)um_optics_fresnel_weights(cos_d, weight);
+  return spectra->fresnel + first * spectra->nbin;
 }
 
 /* Tables for the surfaces' temperatures of samples [first, first + count) of the scene. Refuses bad

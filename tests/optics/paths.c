@@ -9,7 +9,7 @@
 #include "core/planck.h"
 #include "fixture.h"
 #include "optics/interreflection_impl.h"
-#include "optics/paths_impl.h"
+#include "optics/photons_impl.h"
 #include "optics/stage_impl.h"
 
 #define WIDE 4000.0 /* side of plates 1 m apart [m]: the share near the edges is 1e-3 */
@@ -23,6 +23,8 @@ struct bench {
   struct um_optics_stage *stage;
   struct um_optics_work *work;
   struct um_optics_instant now;
+  struct um_optics_photons photons;
+  struct um_optics_paths paths;
 };
 
 static void bench_create(struct fixture *f, const struct um_optics_band *band, int nsample,
@@ -36,10 +38,15 @@ static void bench_create(struct fixture *f, const struct um_optics_band *band, i
   b->now = um_optics_instant(&f->scene, 0);
   um_optics_light(b->spectra, &f->scene, &b->now, b->work);
   um_optics_turn(b->spectra, &f->scene, &b->now, b->work);
+  FIXTURE_OK(f,
+             um_optics_photons_reserve(f->context, b->spectra, &b->stage->set[0], 1, &b->photons));
+  b->paths = (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work};
+  um_optics_photons_trace(&b->paths, 0, &b->photons);
 }
 
 static void bench_destroy(struct fixture *f, struct bench *b)
 {
+  um_optics_photons_clear(f->context, &b->photons);
   um_optics_work_destroy(f->context, 1, &b->work);
   um_optics_stage_clear(f->context, b->stage);
   um_core_free(f->context, b->stage);
@@ -116,8 +123,7 @@ static void enclosure_is_black(void **state)
     bench_create(&f, &thermal, 24, &b);
     size_t s = surface_of(&f, (size_t)k, name[k]),
            skin_of = um_geometry_mesh(f.geometry)->surface[s].material;
-    assert_true(
-        um_optics_interreflection(b.spectra, &f.scene, &b.now, &b.stage->set[0], s, 1.0, b.work));
+    assert_true(um_optics_interreflection(&b.paths, &b.photons, s, 1.0));
     double cosine = um_vec3_dot(f.samples[0].to_observer, inward), planck[4], row[4];
     um_optics_spectra_planck(b.spectra, 300.0, planck);
     const double *emissivity = um_optics_spectra_emissivity(b.spectra, skin_of, cosine, row);
@@ -164,8 +170,7 @@ static void parallel_plates(void **state)
     const struct um_optics_band band = {"lwir", 8e-6, 12e-6, 1, NULL};
     bench_create(&f, &band, 4096, &b);
     size_t s = surface_of(&f, 0, "shiny");
-    assert_true(
-        um_optics_interreflection(b.spectra, &f.scene, &b.now, &b.stage->set[0], s, 1.0, b.work));
+    assert_true(um_optics_interreflection(&b.paths, &b.photons, s, 1.0));
     double b1 = um_core_planck_band(8e-6, 12e-6, 200.0),
            b2 = um_core_planck_band(8e-6, 12e-6, 300.0);
     double j2 = (0.2 * b2 + 0.8 * 0.1 * b1) / (1.0 - 0.8 * 0.9);
@@ -268,8 +273,7 @@ static void mirrored_earth(void **state)
   f.environment.earthshine_on = false;
   bench_create(&f, &band, 4096, &b);
   b.stage->set[0].exchange->count[surface_of(&f, 0, "floor")] = 4096; /* small beside the wall */
-  assert_true(um_optics_interreflection(b.spectra, &f.scene, &b.now, &b.stage->set[0],
-                                        surface_of(&f, 0, "floor"), 1.0, b.work));
+  assert_true(um_optics_interreflection(&b.paths, &b.photons, surface_of(&f, 0, "floor"), 1.0));
   double factor = um_environment_plate_view_factor(7.0e6 / f.environment.earth_radius, 0.5 * UM_PI);
   within("the Earth in a mirror", b.work->reflected[0] * 4e-6,
          0.5 * factor * um_core_planck_band(8e-6, 12e-6, f.environment.brightness_temperature),
