@@ -5,6 +5,7 @@
 #include "app/app.h"
 #include "environment/environment.h"
 #include "materials/lobe.h"
+#include "materials/measured.h"
 
 #define ROOM 300.0 /* temperature of the emittances [K] */
 
@@ -55,6 +56,14 @@ static void print_one(const struct um_materials_record *r)
       printf(" (%g of %s, alpha %.4f, and of %s, alpha %.4f)", lobe.mixture->share,
              lobe.mixture->of[0].kind->name, lobe.alpha * lobe.mixture->of[0].ratio,
              lobe.mixture->of[1].kind->name, lobe.alpha * lobe.mixture->of[1].ratio);
+    if (lobe.measured != NULL) {
+      struct um_materials_measured_found found = um_materials_measured_found(lobe.measured);
+      printf(
+          ", albedo %.4f at normal incidence, at most %.4f; measured both ways round to %.3g rms "
+          "of ln f, at most %.3g",
+          um_materials_measured_albedo(lobe.measured, 1.0),
+          um_materials_measured_albedo_most(lobe.measured), found.asymmetry, found.largest);
+    }
     if (um_materials_lobe_is_anisotropic(&lobe)) printf(", across %.4f", lobe.alpha_across);
     if (lobe.correlated) printf(", height-correlated masking");
     printf("; F at 30 deg and 0.4 to 0.8 um:");

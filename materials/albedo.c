@@ -58,8 +58,7 @@ static double round_about(const struct um_materials_lobe *lobe, double cosine)
   return sum;
 }
 
-/* Of one row, at u = sqrt(cos). */
-static double along(const double row[COSINES], double u)
+double um_materials_along_cosines(const double row[COSINES], double u)
 {
   double x = u * (COSINES - 1);
   size_t j = (size_t)x;
@@ -74,7 +73,9 @@ static double along(const double row[COSINES], double u)
 double um_materials_albedo(const struct um_materials_record *record,
                            const struct um_materials_lobe *lobe, double cosine)
 {
-  if (lobe->kind == NULL || (!lobe->kind->rough && record->albedo == NULL)) return 1.0;
+  if (lobe->kind == NULL) return 1.0;
+  if (lobe->kind->absorbs) return um_materials_lobe_albedo(lobe, cosine);
+  if (!lobe->kind->rough && record->albedo == NULL) return 1.0;
   if (record->albedo == NULL)
     return um_materials_lobe_is_anisotropic(lobe) ? round_about(lobe, cosine)
                                                   : um_materials_lobe_albedo(lobe, cosine);
@@ -85,7 +86,8 @@ double um_materials_albedo(const struct um_materials_record *record,
   double t = y - (double)k;
   for (size_t p = 0; p < 4; p++) {
     size_t node = k + p > 0 ? k + p - 1 : 0;
-    value[p] = along(record->albedo + (node < SCALES ? node : SCALES - 1) * COSINES, u);
+    value[p] = um_materials_along_cosines(
+        record->albedo + (node < SCALES ? node : SCALES - 1) * COSINES, u);
   }
   double a = value[1], b = value[2], low = 0.5 * (b - value[0]), high = 0.5 * (value[3] - a);
   return fmax(0.0, fmin(1.0, a + t * (low + t * (3.0 * (b - a) - 2.0 * low - high +

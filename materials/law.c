@@ -36,13 +36,14 @@ enum um_status um_materials_check_length(struct um_context *context, const struc
 }
 
 static enum um_status check_reflectance(struct um_context *context,
-                                        const struct um_materials_reflectance_input *r)
+                                        const struct um_materials_reflectance_input *r,
+                                        bool measured)
 {
   UM_TRY(um_materials_check_wavelengths(context, &r->at, &r->wavelength_um));
   UM_TRY(um_materials_check_length(context, &r->at, "diffuse", &r->diffuse, &r->wavelength_um));
   if (r->specular.count == 0) return UM_OK;
   UM_TRY(um_materials_check_length(context, &r->at, "specular", &r->specular, &r->wavelength_um));
-  for (size_t i = 0; i < r->diffuse.count; i++) {
+  for (size_t i = 0; i < r->diffuse.count && !measured; i++) { /* held to its albedo when read */
     double sum = numbers(&r->diffuse)[i] + numbers(&r->specular)[i];
     if (!(sum <= 1.0 + 1e-12))
       return um_document_mark_fail(
@@ -94,7 +95,8 @@ enum um_status um_materials_reflectance_read(struct um_context *context,
                                              struct um_materials_record *record)
 {
   const struct um_materials_reflectance_input *r = in->reflectance;
-  UM_TRY(check_reflectance(context, r));
+  bool measured = in->lobe != NULL && um_materials_lobe_kind_at((size_t)in->lobe->kind)->absorbs;
+  UM_TRY(check_reflectance(context, r, measured));
   if (in->surface != NULL &&
       (!isnan(in->surface->diffuse_fraction) || !isnan(in->surface->absorption_factor)))
     return um_document_mark_fail(

@@ -8,6 +8,7 @@
 #include "core/constants.h"
 #include "materials/bsdf.h"
 #include "materials/lobe_impl.h"
+#include "materials/measured.h"
 
 #define UM_LOBE(name) &um_materials_lobe_##name,
 static const struct um_materials_lobe_kind *const kinds[] = {
@@ -101,5 +102,6 @@ double um_materials_lobe_albedo(const struct um_materials_lobe *lobe, double cos
   assert(lobe->kind != NULL);
   if (um_materials_lobe_is_tabulated(lobe))
     return um_materials_beckmann_albedo_tabulated(lobe->alpha, cosine);
+  if (lobe->measured != NULL) return um_materials_measured_albedo(lobe->measured, cosine);
   return fmin(1.0, um_materials_lobe_mean(lobe, c, 384, 24, NULL, NULL));
 }

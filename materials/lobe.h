@@ -19,6 +19,7 @@
 struct um_materials_lobe_kind;
 
 struct um_materials_mixture;
+struct um_materials_measured;
 
 struct um_materials_lobe {
   const struct um_materials_lobe_kind *kind; /* NULL: the surface has no lobe */
@@ -27,6 +28,7 @@ struct um_materials_lobe {
   const struct um_materials_mixture *mixture; /* of kind mixture, borrowed; NULL of others */
   double tilted; /* of kind mixture: mean square slope that creases add to both, twice that per axis
                     [1] */
+  const struct um_materials_measured *measured; /* of kind measured, borrowed; NULL of others */
 };
 
 /* Two lobes at once, f = share f_1 + (1 - share) f_2, each alike all round. */
@@ -66,6 +68,8 @@ struct um_materials_lobe_kind {
   bool anisotropic; /* alpha_across may differ from alpha */
   bool delta;       /* a mirror: f is no number, sunlit is */
   bool mixed;       /* made of others: needs a mixture */
+  bool absorbs; /* what its albedo lacks of 1 is absorbed, not kept back by masking: f is a whole
+                   BRDF, F a factor of it */
   /* f [1/sr]; 0 where a cosine is not positive. Reciprocal. */
   double (*evaluate)(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair);
   /* Mean of f over a disc of angular radius [rad] about the source: what a point Sun of that
@@ -140,7 +144,8 @@ double um_materials_lobe_quadrature(const struct um_materials_lobe *lobe, struct
 double um_materials_lobe_mean(const struct um_materials_lobe *lobe, double cosine, int nu, int nv,
                               um_materials_lobe_sink sink, void *self);
 /* Directional albedo toward a cosine, the mean over azimuths; of the Beckmann lobe with separable
- * masking from its table (2e-4, roughness to 1.5, constant above). Never above 1. */
+ * masking from its table (2e-4, roughness to 1.5, constant above). Never above 1, but of a measured
+ * table that is. */
 double um_materials_lobe_albedo(const struct um_materials_lobe *lobe, double cosine);
 
 #endif

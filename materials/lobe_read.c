@@ -1,6 +1,8 @@
 /* The lobe of a record: its kind, masking and roughness, from the keys that may state them. */
 #include <math.h>
 
+#include "core/constants.h"
+#include "core/file.h"
 #include "materials/bsdf.h"
 #include "materials/lobe_impl.h"
 #include "materials/record_impl.h"
@@ -58,7 +60,7 @@ static enum um_status mixed_alpha(struct um_context *context,
                                                 .alpha_across = NAN,
                                                 .exponent = in->exponent,
                                                 .exponent_across = NAN};
-  if (kind->mixed || kind->delta)
+  if (kind->mixed || kind->delta || kind->absorbs)
     return um_document_mark_fail(context, &in->at,
                                  "kind %s cannot be part of a mixture; accepted: beckmann, ggx, "
                                  "phong, ashikhmin_shirley, lambert",
@@ -109,6 +111,68 @@ static enum um_status read_mixture(struct um_context *context,
   return um_materials_albedo_build(context, record);
 }
 
+/* How far the table was from reciprocal, and whether more comes back than arrives. */
+static void say_found(struct um_context *context, const struct um_materials_lobe_input *in,
+                      const struct um_materials_measured *m)
+{
+  const struct um_materials_measured_found f = um_materials_measured_found(m);
+  um_core_log(context, UM_LOG_INFO,
+              "%s: both ways round differ by %.3g rms of ln f, most by %.3g at incidence %g, "
+              "reflection %g, azimuth %g deg; right and left by %.3g rms; their mean is taken",
+              in->file, f.asymmetry, f.largest, f.largest_at[0] / UM_DEG, f.largest_at[1] / UM_DEG,
+              f.largest_at[2] / UM_DEG, f.sides);
+  if (f.albedo > 1.0)
+    um_core_log(
+        context, UM_LOG_WARNING, "%s:%d: lobe: %s reflects %.4f of what arrives from %.1f deg%s",
+        in->at.file, in->at.line, in->file, f.albedo, f.albedo_at / UM_DEG,
+        f.renormalised ? "; renormalised to 1" : "; kept, renormalise: true brings it to 1");
+}
+
+/* rho_d + F E <= 1 at every wavelength; what the table itself has above 1 was said. */
+static enum um_status check_room(struct um_context *context,
+                                 const struct um_materials_reflectance_input *r,
+                                 const struct um_materials_measured *m)
+{
+  const double *diffuse = r->diffuse.items, *specular = r->specular.items,
+               *wavelength = r->wavelength_um.items;
+  double most = fmin(1.0, um_materials_measured_albedo_most(m));
+  for (size_t i = 0; i < r->specular.count; i++)
+    if (!(diffuse[i] + specular[i] * most <= 1.0 + 1e-9))
+      return um_document_mark_fail(
+          context, &r->at,
+          "diffuse + specular times the table's albedo of %.4f is %g at wavelength_um %g; "
+          "accepted: at most 1",
+          most, diffuse[i] + specular[i] * most, wavelength[i]);
+  return UM_OK;
+}
+
+static enum um_status read_measured(struct um_context *context,
+                                    const struct um_materials_input *whole,
+                                    struct um_materials_record *record)
+{
+  const struct um_materials_lobe_input *in = whole->lobe;
+  struct um_materials_measured_grid grid = {0};
+  enum um_status status = UM_OK;
+  char *path = NULL;
+  if (whole->reflectance == NULL)
+    return um_document_mark_fail(context, &in->at,
+                                 "kind measured is a whole BRDF; accepted: beside the key "
+                                 "reflectance, of which specular is a factor of it");
+  if (in->file == NULL)
+    return um_document_mark_fail(context, &in->at,
+                                 "file is missing; accepted: the table of kind measured");
+  UM_CHECK(um_core_path_resolve(context, in->at.file, in->file, &path));
+  UM_CHECK(um_materials_measured_read(context, path, &grid));
+  UM_CHECK(um_materials_measured_create(context, &grid, in->renormalise, &record->measured));
+  record->lobe.measured = record->measured;
+  say_found(context, in, record->measured);
+  UM_CHECK(check_room(context, whole->reflectance, record->measured));
+done:
+  um_materials_measured_grid_free(context, &grid);
+  um_core_free(context, path);
+  return status;
+}
+
 enum um_status um_materials_lobe_read(struct um_context *context,
                                       const struct um_materials_input *whole, double stated,
                                       struct um_materials_record *record)
@@ -127,6 +191,11 @@ enum um_status um_materials_lobe_read(struct um_context *context,
     return um_document_mark_fail(context, &in->at,
                                  "of belongs to kind mixture; accepted beside kind %s: without it",
                                  kind->name);
+  if (!kind->absorbs && (in->file != NULL || in->renormalise))
+    return um_document_mark_fail(context, &in->at,
+                                 "file and renormalise belong to kind measured; accepted beside "
+                                 "kind %s: without them",
+                                 kind->name);
   if (!kind->rough) {
     if (!isnan(stated))
       return um_document_mark_fail(context, &in->at,
@@ -134,7 +203,8 @@ enum um_status um_materials_lobe_read(struct um_context *context,
                                    "rq_um and tau_um",
                                    kind->name);
     lobe->alpha = lobe->alpha_across = 0.0;
-    return um_materials_albedo_build(context, record);
+    return kind->absorbs ? read_measured(context, whole, record)
+                         : um_materials_albedo_build(context, record);
   }
   double own = !isnan(in->exponent) ? alpha_of(kind, in->exponent) : in->alpha;
   if (isnan(own) == isnan(stated))

@@ -207,6 +207,7 @@ void um_materials_record_destroy(struct um_materials_record **record)
   um_materials_layers_free(context, &r->layers);
   um_materials_bulk_free(r);
   um_core_free(context, r->albedo);
+  um_materials_measured_destroy(context, &r->measured);
   um_core_free(context, r->explicit_values.bands);
   um_core_free(context, r->name);
   um_core_free(context, r->summary);

@@ -9,6 +9,9 @@
  *   absorptance_shift a, below 2.5 um:  rho_d - a; what rho_d cannot give is taken from F.
  *   emittance scales s, from 2.5 um up: emissivity s (1 - R). With phi = rho_d/(rho_d + mean F)
  *       rho_d' = phi (1 - s) + s rho_d,  F' = (1 - phi)(1 - s) + s F,  so 1 - R' = s (1 - R).
+ * A measured BRDF, whose F has no angle and whose lobe reflects F E(o), is scaled with phi = 1;
+ * what rho_d cannot give is taken from F over the mean of E, so that hemispherical emissivity and
+ * absorptance are what was asked and reflected and emitted make 1 in every direction.
  * A tilt d of the emissivity adds d eps_h (1 - 21 (1 - cos)^5) / 20, whose hemispherical mean is 0:
  * (1 - cos)^5 is Schlick's (1994) approach of Fresnel's law to grazing, of mean 1/21.
  * diffuse_scale, specular_scale, roughness_scale and slope_variance change what is reflected only.
@@ -97,20 +100,38 @@ static double grey_specular(const struct um_materials_record *record,
 /* An adjustment at one wavelength: rho_d = described, F' = scale F + offset. */
 struct changed {
   double diffuse, scale, offset;
+  double most; /* F that leaves nothing to absorb beside no Lambert part */
 };
 
-static struct changed change(const struct um_materials_spectrum *s,
+/* A Lambert part of a measured record, which no angle may bring above 1; what is below 0 is F's. */
+static void change_whole(const struct um_materials_measured *m, double diffuse, struct changed *c)
+{
+  double most = fmin(1.0, fmax(um_materials_measured_albedo_most(m), 1e-9));
+  double mean = fmax(um_materials_measured_albedo_mean(m), 1e-9);
+  c->diffuse = unit_clamp(diffuse);
+  c->offset = fmin(0.0, diffuse) / mean;
+  c->most = 1.0 / most;
+}
+
+static struct changed change(const struct um_materials_record *record,
                              const struct um_materials_adjustment *a, double wavelength, size_t i,
                              double t)
 {
+  const struct um_materials_spectrum *s = &record->spectrum;
   double diffuse = linear(s->diffuse, i, t);
-  struct changed c = {diffuse, 1.0, 0.0};
+  struct changed c = {diffuse, 1.0, 0.0, 1.0};
   if (wavelength < UM_MATERIALS_SPLIT) {
     c.diffuse = fmax(0.0, diffuse - a->absorptance_shift);
     c.offset = -fmax(0.0, a->absorptance_shift - diffuse);
+    if (record->measured) change_whole(record->measured, diffuse - a->absorptance_shift, &c);
     return c;
   }
   double scale = emissivity_scale(a, wavelength);
+  if (record->measured) {
+    c.scale = scale;
+    change_whole(record->measured, 1.0 - scale + scale * diffuse, &c);
+    return c;
+  }
   double reflectance = diffuse + linear(s->lobe_mean, i, t);
   double phi = reflectance > 0.0 ? diffuse / reflectance : 1.0;
   c.diffuse = unit_clamp(phi * (1.0 - scale) + scale * diffuse);
@@ -121,7 +142,18 @@ static struct changed change(const struct um_materials_spectrum *s,
 
 static double apply(const struct changed *c, double f)
 {
-  return fmax(0.0, fmin(c->scale * f + c->offset, 1.0 - c->diffuse));
+  return fmax(0.0, fmin(c->scale * f + c->offset, (1.0 - c->diffuse) * c->most));
+}
+
+/* What the lobe reflects toward a cosine; f: F averaged over the facets that it uses there. */
+static double reflected(const struct um_materials_record *record, const struct changed *c, size_t i,
+                        double t, double f, double cosine)
+{
+  const struct um_materials_measured *m = record->measured;
+  if (m == NULL) return apply(c, f);
+  const struct um_materials_spectrum *s = &record->spectrum;
+  return apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0)) *
+         um_materials_measured_albedo(m, cosine);
 }
 
 /* Lambert part of an adjusted record. */
@@ -130,17 +162,17 @@ static double adjusted_lambert(const struct um_materials_spectrum *s, const stru
                                double t)
 {
   double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
-  double normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0));
+  double normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0)) / c->most;
   return fmax(0.0, fmin(c->diffuse * scale, 1.0 - normal));
 }
 
 /* F of a facet, or its mean, with the optics-only scale: what stands beside the Lambert part. */
-static double adjusted_facet(const struct um_materials_spectrum *s, double f,
+static double adjusted_facet(const struct um_materials_record *record, double f,
                              const struct um_materials_adjustment *a, double wavelength, size_t i,
                              double t)
 {
-  struct changed c = change(s, a, wavelength, i, t);
-  double room = 1.0 - adjusted_lambert(s, &c, a, wavelength, i, t);
+  struct changed c = change(record, a, wavelength, i, t);
+  double room = (1.0 - adjusted_lambert(&record->spectrum, &c, a, wavelength, i, t)) * c.most;
   return fmax(0.0, fmin(fmin(apply(&c, f), room) * a->specular_scale, room));
 }
 
@@ -152,7 +184,7 @@ static double spectral_specular(const struct um_materials_record *record,
   double t;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->facet, i, t, cos_h);
-  return a == NULL ? f : adjusted_facet(s, f, a, wavelength, i, t);
+  return a == NULL ? f : adjusted_facet(record, f, a, wavelength, i, t);
 }
 
 /* M(o) = Fbar(o) (1 - E(o)). */
@@ -162,10 +194,11 @@ static double spectral_masked(const struct um_materials_record *record,
 {
   const struct um_materials_spectrum *s = &record->spectrum;
   struct um_materials_lobe shape = um_materials_lobe(record, a);
+  if (record->measured) return 0.0;
   double t;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->lobe, i, t, cos_o);
-  if (a != NULL) f = adjusted_facet(s, f, a, wavelength, i, t);
+  if (a != NULL) f = adjusted_facet(record, f, a, wavelength, i, t);
   return f * (1.0 - um_materials_albedo(record, &shape, cos_o));
 }
 
@@ -188,7 +221,7 @@ static double spectral_diffuse(const struct um_materials_record *record,
   double t;
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   if (a == NULL) return linear(s->diffuse, i, t) + linear(s->masked_mean, i, t);
-  struct changed c = change(s, a, wavelength, i, t);
+  struct changed c = change(record, a, wavelength, i, t);
   return adjusted_lambert(s, &c, a, wavelength, i, t) + spectral_masked_mean(record, a, wavelength);
 }
 
@@ -202,8 +235,8 @@ static double spectral_emissivity(const struct um_materials_record *record,
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = um_materials_spectrum_angular(s, s->lobe, i, t, cos_o);
   if (a == NULL) return unit_clamp(1.0 - linear(s->diffuse, i, t) - f);
-  struct changed c = change(s, a, wavelength, i, t);
-  return unit_clamp(1.0 - c.diffuse - apply(&c, f));
+  struct changed c = change(record, a, wavelength, i, t);
+  return unit_clamp(1.0 - c.diffuse - reflected(record, &c, i, t, f, cos_o));
 }
 
 static double spectral_hemispherical(const struct um_materials_record *record,
@@ -214,7 +247,10 @@ static double spectral_hemispherical(const struct um_materials_record *record,
   size_t i = um_materials_spectrum_locate(s, wavelength, &t);
   double f = linear(s->lobe_mean, i, t);
   if (a == NULL) return linear(s->diffuse, i, t) + f;
-  struct changed c = change(s, a, wavelength, i, t);
+  struct changed c = change(record, a, wavelength, i, t);
+  if (record->measured)
+    return c.diffuse + apply(&c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0)) *
+                           um_materials_measured_albedo_mean(record->measured);
   return c.diffuse + apply(&c, f);
 }
 

@@ -10,6 +10,7 @@
 #include "materials/bsdf.h"
 #include "materials/lobe.h"
 #include "materials/materials.h"
+#include "materials/measured.h"
 
 #define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
 #define UM_MATERIALS_COSINES      49   /* nodes of the angular grid, cos = u^2, u uniform in 0..1 */
@@ -76,6 +77,7 @@ struct um_materials_record {
   struct um_materials_mixture mixture; /* of a lobe of that kind */
   double *albedo; /* [UM_MATERIALS_SCALES][UM_MATERIALS_COSINES] of the lobe; NULL where
                      um_materials_lobe_albedo has a table of its own */
+  struct um_materials_measured *measured; /* of a lobe of that kind; NULL of others */
   struct um_materials_catalogue catalogue;
   struct um_materials_bulk bulk;
   struct um_materials_table specific_heat, conductivity;            /* [J/kg/K], [W/m/K] */
@@ -123,6 +125,8 @@ void um_materials_layers_free(struct um_context *context, struct um_materials_la
 /* Fill record->albedo, where its lobe needs it. UM_ERR_MEMORY. */
 enum um_status um_materials_albedo_build(struct um_context *context,
                                          struct um_materials_record *record);
+/* A row of values at the cosines of the angular grid, by cubics at u = sqrt(cos), 0..1. */
+double um_materials_along_cosines(const double row[UM_MATERIALS_COSINES], double u);
 /* Directional albedo of a record's lobe, with F = 1, toward a cosine. */
 double um_materials_albedo(const struct um_materials_record *record,
                            const struct um_materials_lobe *lobe, double cosine);

@@ -198,6 +198,13 @@ static const struct um_schema_field lobe_fields[] = {
              .help = "Exponent across the grain, of ashikhmin_shirley."),
     UM_FIELD(struct um_materials_lobe_input, of, "of", UM_SCHEMA_LIST, .object = &mixed_object,
              .help = "The two lobes of kind mixture."),
+    UM_FIELD(struct um_materials_lobe_input, file, "file", UM_SCHEMA_TEXT, .file = true,
+             .help = "Table of kind measured: CSV of incidence_deg, scattering_deg, azimuth_deg, "
+                     "brdf_1_sr."),
+    UM_FIELD(struct um_materials_lobe_input, renormalise, "renormalise", UM_SCHEMA_BOOL,
+             .default_value = 0.0,
+             .help = "Is a measured table that sends back more than arrives from a direction "
+                     "brought to 1 there? Default false: it is said and kept."),
 };
 static const struct um_schema_object lobe_object = {
     .name = "lobe",

@@ -51,6 +51,8 @@ struct um_materials_lobe_input {
   int masking;                      /* 0 separable, 1 height-correlated; -1: not given */
   double alpha, alpha_across;       /* [1] */
   double exponent, exponent_across; /* [1] */
+  const char *file;                 /* of kind measured */
+  bool renormalise;
 };
 
 struct um_materials_by_temperature_input {

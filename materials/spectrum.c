@@ -12,7 +12,9 @@
  * and what the lobe misses, M(o) = Fbar(o) (1 - E(o)), is given back by a second lobe,
  *   f_M(i, o) = M(i) M(o) / (pi Mbar),  Mbar = 2 int M(o) cos_o dcos_o,
  * which is reciprocal and reflects M(i) of what arrives from i (after Kulla & Conty 2017; M carries
- * F itself, so that the sum is exact at every wavelength and angle). */
+ * F itself, so that the sum is exact at every wavelength and angle).
+ * A measured BRDF is whole: what it lacks was absorbed. It reflects rho_d + F E(o), F a factor
+ * without angle, emits the rest, and M = 0 (docs/decisions/0012-measured-brdfs.md). */
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -160,7 +162,7 @@ static void add_sample(void *self, double cos_oh, double weight)
 
 static void weigh_facets(const struct um_materials_lobe *lobe, struct facet_weights *out)
 {
-  bool mirror = lobe->kind == NULL || lobe->kind->delta ||
+  bool mirror = lobe->kind == NULL || lobe->kind->delta || lobe->kind->absorbs || /* F is even */
                 (lobe->kind->rough && fmax(lobe->alpha, lobe->alpha_across) < smallest_alpha);
   memset(out, 0, sizeof *out);
   for (size_t o = 0; o < COSINES; o++) {
@@ -174,9 +176,10 @@ static void weigh_facets(const struct um_materials_lobe *lobe, struct facet_weig
   }
 }
 
-/* Fbar and the means of Fbar and M at one wavelength. */
+/* Fbar, of what absorbs Fbar E, and the means of it and of M at one wavelength. */
 static void average_facets(struct um_materials_spectrum *spectrum, size_t i,
-                           const struct facet_weights *weights, const double albedo[COSINES])
+                           const struct facet_weights *weights, const double albedo[COSINES],
+                           bool absorbs)
 {
   const double *facet = spectrum->facet + i * spectrum->ncos;
   double *lobe = spectrum->lobe + i * spectrum->ncos;
@@ -186,10 +189,11 @@ static void average_facets(struct um_materials_spectrum *spectrum, size_t i,
     if (spectrum->ncos > 1) {
       mean = 0.0;
       for (size_t h = 0; h < COSINES; h++) mean += weights->share[o][h] * facet[h];
+      if (absorbs) mean *= albedo[o];
       mean = fmin(fmax(mean, 0.0), 1.0 - spectrum->diffuse[i]);
       lobe[o] = mean;
     }
-    masked[o] = mean * (1.0 - albedo[o]);
+    masked[o] = absorbs ? 0.0 : mean * (1.0 - albedo[o]);
   }
   if (spectrum->ncos == 1) lobe[0] = facet[0];
   spectrum->lobe_mean[i] = um_materials_hemispherical_mean(lobe, spectrum->ncos);
@@ -226,7 +230,8 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
 {
   struct um_materials_spectrum *s = &record->spectrum;
   s->n = place_nodes(law, NULL);
-  s->ncos = law->angular && law->diffuse_fraction < 1.0 ? COSINES : 1;
+  bool absorbs = record->lobe.kind != NULL && record->lobe.kind->absorbs;
+  s->ncos = absorbs || (law->angular && law->diffuse_fraction < 1.0) ? COSINES : 1;
   assert(s->n >= 2);
   UM_TRY(allocate_grid(context, s));
   place_nodes(law, s->wavelength);
@@ -244,7 +249,8 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
       split_reflectance(law, s->wavelength[i], &s->diffuse[i], facet, s->ncos);
     else
       facet[0] = law->reflectance(law->self, s->wavelength[i], 1.0, &s->diffuse[i]);
-    average_facets(s, i, weights, albedo);
+    for (size_t j = 1; j < s->ncos && !law->angular; j++) facet[j] = facet[0];
+    average_facets(s, i, weights, albedo, absorbs);
   }
   um_core_free(context, weights);
   return UM_OK;

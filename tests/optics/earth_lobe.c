@@ -6,6 +6,7 @@
 #include "core/constants.h"
 #include "fixture.h"
 #include "materials/bsdf.h"
+#include "tests/materials/table.h"
 
 #define H_RATIO ((6378.137 + 765.0) / 6378.137)
 #define RINGS   2000 /* as the table was made */
@@ -51,7 +52,7 @@ static struct um_optics_earth_before before(struct um_vec3 nadir, struct um_vec3
 static struct um_materials_lobe beckmann(double alpha)
 {
   return (struct um_materials_lobe){
-      um_materials_lobe_kind_find("beckmann"), alpha, alpha, false, NULL, 0.0};
+      um_materials_lobe_kind_find("beckmann"), alpha, alpha, false, NULL, 0.0, NULL};
 }
 
 static struct um_vec3 toward(double zenith, double azimuth)
@@ -135,6 +136,28 @@ static double lit_by_directions(struct um_vec3 nadir, struct um_vec3 observer, s
   return sum * rho / RING * 2.0 * UM_PI / AROUND;
 }
 
+static struct um_context *context;
+static struct um_materials_measured *measured; /* 0.2/pi + 0.6 f of a lobe */
+
+static int table_create(void **state)
+{
+  const struct test_brdf brdf = {beckmann(0.4), 0.2, 0.6};
+  struct um_materials_measured_grid grid = test_grid(&brdf, 5.0, 85.0, 5.0);
+  (void)state;
+  if (um_core_context_create(NULL, &context) != UM_OK) return -1;
+  enum um_status status = um_materials_measured_create(context, &grid, false, &measured);
+  test_grid_free(&grid);
+  return status == UM_OK ? 0 : -1;
+}
+
+static int table_destroy(void **state)
+{
+  (void)state;
+  um_materials_measured_destroy(context, &measured);
+  um_core_context_destroy(&context);
+  return 0;
+}
+
 static void lit_part(void **state)
 {
   static const struct {
@@ -149,12 +172,13 @@ static void lit_part(void **state)
        {um_materials_lobe_kind_find("ggx"), 0.4, true}}};
   const struct um_materials_lobe lobes[] = {
       beckmann(0.3),
-      {um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &mixture, 0.0},
-      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true, NULL, 0.0},
-      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false, NULL, 0.0},
-      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false, NULL, 0.0},
-      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false, NULL, 0.0},
-      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false, NULL, 0.0}};
+      {um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &mixture, 0.0, NULL},
+      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true, NULL, 0.0, NULL},
+      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false, NULL, 0.0, NULL},
+      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false, NULL, 0.0, NULL},
+      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false, NULL, 0.0, NULL},
+      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false, NULL, 0.0, NULL},
+      {um_materials_lobe_kind_find("measured"), 0.0, 0.0, false, NULL, 0.0, measured}};
   (void)state;
   for (size_t l = 0; l < sizeof lobes / sizeof lobes[0]; l++)
     for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
@@ -200,7 +224,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(as_printed),
       cmocka_unit_test(with_few_facets),
-      cmocka_unit_test(lit_part),
+      cmocka_unit_test_setup_teardown(lit_part, table_create, table_destroy),
       cmocka_unit_test(whole_lobe),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

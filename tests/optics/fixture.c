@@ -9,6 +9,7 @@
 
 #include "core/constants.h"
 #include "core/sampling.h"
+#include "tests/materials/table.h"
 #include "tests/support/temporary.h"
 
 const struct um_optics_band fixture_vis = {"vis", 0.38e-6, 0.78e-6, 20, NULL};
@@ -79,6 +80,23 @@ void fixture_metal(struct fixture *f, const char *name, double n, double k, doub
            "surface:\n  beckmann_alpha: %.17g\n",
            name, n, n, k, k, alpha);
   fixture_record(f, text);
+}
+
+void fixture_measured(struct fixture *f, const char *name)
+{
+  const struct um_materials_lobe_kind *ggx = um_materials_lobe_kind_find("ggx");
+  const struct test_brdf b = {{.kind = ggx, .alpha = 0.3, .alpha_across = 0.3}, 0.15, 0.5};
+  struct um_materials_measured_grid grid = test_grid(&b, 2.5, 85.0, 2.5);
+  char path[UM_TEST_PATH], text[512];
+  um_test_file_create(path, "", 0);
+  test_grid_write(&grid, path);
+  test_grid_free(&grid);
+  snprintf(text, sizeof text,
+           "name: %s\nsummary: test\ncitation: test\nreflectance: {wavelength_um: [0.2, 50], "
+           "diffuse: [0, 0], specular: [1, 1]}\nlobe: {kind: measured, file: %s}\n",
+           name, path);
+  fixture_record(f, text);
+  unlink(path);
 }
 
 struct um_geometry_part_spec fixture_part(const char *name, enum um_geometry_shape shape,
