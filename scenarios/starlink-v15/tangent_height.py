@@ -104,4 +104,5 @@ def main():
             35 * x for x in trend([(h, r - zero) for h, r in data if 5 <= h < 40])))
 
 
-main()
+if __name__ == "__main__":
+    main()
