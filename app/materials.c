@@ -63,6 +63,9 @@ static void print_one(const struct um_materials_record *r)
           "of ln f, at most %.3g",
           um_materials_measured_albedo(lobe.measured, 1.0),
           um_materials_measured_albedo_most(lobe.measured), found.asymmetry, found.largest);
+      if (found.left_out > 0.0)
+        printf(", %zu incidences that follow from each other to %.3g", found.incidences,
+               found.left_out);
     }
     if (um_materials_lobe_is_anisotropic(&lobe)) printf(", across %.4f", lobe.alpha_across);
     if (lobe.correlated) printf(", height-correlated masking");

@@ -58,18 +58,6 @@ static double round_about(const struct um_materials_lobe *lobe, double cosine)
   return sum;
 }
 
-double um_materials_along_cosines(const double row[COSINES], double u)
-{
-  double x = u * (COSINES - 1);
-  size_t j = (size_t)x;
-  j = j < 1 ? 1 : (j > COSINES - 3 ? COSINES - 3 : j);
-  double s = x - (double)j;
-  return -s * (s - 1.0) * (s - 2.0) / 6.0 * row[j - 1] +
-         (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 * row[j] -
-         (s + 1.0) * s * (s - 2.0) / 2.0 * row[j + 1] +
-         (s + 1.0) * s * (s - 1.0) / 6.0 * row[j + 2];
-}
-
 double um_materials_albedo(const struct um_materials_record *record,
                            const struct um_materials_lobe *lobe, double cosine)
 {

@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "materials/bsdf.h"
 #include "materials/lobe_impl.h"
+#include "materials/measured.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 
@@ -121,6 +122,11 @@ static void say_found(struct um_context *context, const struct um_materials_lobe
               "reflection %g, azimuth %g deg; right and left by %.3g rms; their mean is taken",
               in->file, f.asymmetry, f.largest, f.largest_at[0] / UM_DEG, f.largest_at[1] / UM_DEG,
               f.largest_at[2] / UM_DEG, f.sides);
+  if (f.left_out > 0.0)
+    um_core_log(context, UM_LOG_INFO,
+                "%s: %zu incidences; each but the outermost follows from the others to %.3g rms of "
+                "ln f",
+                in->file, f.incidences, f.left_out);
   if (f.albedo > 1.0)
     um_core_log(
         context, UM_LOG_WARNING, "%s:%d: lobe: %s reflects %.4f of what arrives from %.1f deg%s",
@@ -163,7 +169,13 @@ static enum um_status read_measured(struct um_context *context,
                                  "file is missing; accepted: the table of kind measured");
   UM_CHECK(um_core_path_resolve(context, in->at.file, in->file, &path));
   UM_CHECK(um_materials_measured_read(context, path, &grid));
-  UM_CHECK(um_materials_measured_create(context, &grid, in->renormalise, &record->measured));
+  status = um_materials_measured_create(context, &grid, in->renormalise, &record->measured);
+  if (status == UM_ERR_NUMERIC)
+    status = um_document_mark_fail(context, &in->at,
+                                   "%s jumps so that renormalising did not converge; accepted: a "
+                                   "smoother table",
+                                   in->file);
+  UM_CHECK(status);
   record->lobe.measured = record->measured;
   say_found(context, in, record->measured);
   UM_CHECK(check_room(context, whole->reflectance, record->measured));

@@ -18,8 +18,8 @@
 
 /* --- interpolation --------------------------------------------------------------------------- */
 
-/* Of nodes x[n] whose first lies before the range, the last beyond it where `beyond`. */
-static struct um_materials_stencil stencil_at(const double *x, size_t n, bool beyond, double at)
+struct um_materials_stencil um_materials_stencil_at(const double *x, size_t n, bool beyond,
+                                                    double at)
 {
   size_t low = 1, high = beyond ? n - 2 : n - 1;
   double last = x[high];
@@ -59,13 +59,13 @@ static struct um_materials_stencil stencil_at(const double *x, size_t n, bool be
 struct um_materials_stencil um_materials_measured_polar(const struct um_materials_measured *m,
                                                         double polar)
 {
-  return stencil_at(m->polar, m->npolar, false, polar);
+  return um_materials_stencil_at(m->polar, m->npolar, false, polar);
 }
 
 struct um_materials_stencil um_materials_measured_azimuth(const struct um_materials_measured *m,
                                                           double azimuth)
 {
-  return stencil_at(m->azimuth, m->nazimuth, true, azimuth);
+  return um_materials_stencil_at(m->azimuth, m->nazimuth, true, azimuth);
 }
 
 double um_materials_measured_at(const struct um_materials_measured *m,
@@ -84,7 +84,7 @@ double um_materials_measured_at(const struct um_materials_measured *m,
     }
     sum += i->weight[p] * row;
   }
-  return exp(sum);
+  return exp(um_materials_measured_bounded(sum));
 }
 
 double um_materials_measured_evaluate(const struct um_materials_measured *m, double cos_i,
@@ -109,13 +109,18 @@ static double of(const struct um_materials_measured_grid *grid, size_t a, size_t
   return grid->f[(a * grid->npolar + b) * grid->nazimuth + k];
 }
 
+static bool known(const struct um_materials_measured_grid *grid, size_t a)
+{
+  return grid->known == NULL || grid->known[a];
+}
+
 static void find_asymmetry(const struct um_materials_measured_grid *grid,
                            struct um_materials_measured_found *found)
 {
   double squares = 0.0, count = 0.0;
   for (size_t a = 0; a < grid->npolar; a++)
     for (size_t b = a + 1; b < grid->npolar; b++)
-      for (size_t k = 0; k < grid->nazimuth; k++) {
+      for (size_t k = 0; k < grid->nazimuth && known(grid, a) && known(grid, b); k++) {
         double difference = log(of(grid, a, b, k) / of(grid, b, a, k));
         squares += difference * difference;
         count += 1.0;
@@ -129,16 +134,23 @@ static void find_asymmetry(const struct um_materials_measured_grid *grid,
   found->sides = grid->sides;
 }
 
-/* Both ways round in the mean; along the normal over all azimuths, by trapezia. */
+/* Both ways round in the mean, or the one that was measured. */
+static double both_ways(const struct um_materials_measured_grid *grid, size_t a, size_t b, size_t k)
+{
+  if (!known(grid, a)) return of(grid, b, a, k);
+  if (!known(grid, b)) return of(grid, a, b, k);
+  return 0.5 * (of(grid, a, b, k) + of(grid, b, a, k));
+}
+
+/* The same; along the normal over all azimuths, by trapezia. */
 static double reciprocal(const struct um_materials_measured_grid *grid, size_t a, size_t b,
                          size_t k)
 {
-  if (a > 0 && b > 0) return 0.5 * (of(grid, a, b, k) + of(grid, b, a, k));
+  if (a > 0 && b > 0) return both_ways(grid, a, b, k);
   double sum = 0.0;
   for (size_t j = 0; j + 1 < grid->nazimuth; j++) {
     double width = (grid->azimuth[j + 1] - grid->azimuth[j]) / UM_PI;
-    sum += 0.25 * width *
-           (of(grid, a, b, j) + of(grid, b, a, j) + of(grid, a, b, j + 1) + of(grid, b, a, j + 1));
+    sum += 0.5 * width * (both_ways(grid, a, b, j) + both_ways(grid, a, b, j + 1));
   }
   return sum;
 }
@@ -161,7 +173,22 @@ static void go_through(struct um_materials_measured *m)
   }
 }
 
-static void fill(const struct um_materials_measured_grid *grid, struct um_materials_measured *m)
+/* What lies beyond 0 and pi of the azimuth, and beyond the normal. */
+static void surround(struct um_materials_measured *m)
+{
+  size_t na = m->nazimuth;
+  for (size_t a = 1; a < m->npolar; a++)
+    for (size_t b = 1; b < m->npolar; b++) {
+      double *row = um_materials_measured_row(m, a, b);
+      row[0] = row[2];
+      row[na - 1] = row[na - 3];
+    }
+  go_through(m);
+}
+
+static enum um_status fill(struct um_context *context,
+                           const struct um_materials_measured_grid *grid,
+                           struct um_materials_measured *m)
 {
   size_t n = grid->npolar, na = grid->nazimuth;
   for (size_t a = 0; a < n; a++) m->polar[a + 1] = grid->polar[a];
@@ -172,11 +199,15 @@ static void fill(const struct um_materials_measured_grid *grid, struct um_materi
   for (size_t a = 0; a < n; a++)
     for (size_t b = 0; b < n; b++) {
       double *row = um_materials_measured_row(m, a + 1, b + 1);
-      for (size_t k = 0; k < na; k++) row[k + 1] = log(reciprocal(grid, a, b, k));
-      row[0] = row[2];
-      row[na + 1] = row[na - 1];
+      for (size_t k = 0; k < na && (known(grid, a) || known(grid, b)); k++)
+        row[k + 1] = log(reciprocal(grid, a, b, k));
     }
-  go_through(m);
+  surround(m);
+  for (size_t a = 0; a < n; a++) m->found.incidences += known(grid, a);
+  if (m->found.incidences == n) return UM_OK;
+  UM_TRY(um_materials_measured_fill(context, grid, m));
+  surround(m);
+  return UM_OK;
 }
 
 /* --- life ------------------------------------------------------------------------------------ */
@@ -191,7 +222,7 @@ static enum um_status build(struct um_context *context,
   UM_TRY(um_core_allocate(context, m->nazimuth, sizeof *m->azimuth, &m->azimuth));
   UM_TRY(
       um_core_allocate(context, m->npolar * m->npolar * m->nazimuth, sizeof *m->log_f, &m->log_f));
-  fill(grid, m);
+  UM_TRY(fill(context, grid, m));
   find_asymmetry(grid, &m->found);
   UM_TRY(um_materials_measured_energy(context, renormalised, m));
   um_materials_measured_shares(m);

@@ -83,10 +83,9 @@ static void scale(struct um_materials_measured *m, const double *log_s)
     }
 }
 
-static enum um_status renormalise(struct um_context *context, struct um_materials_measured *m)
+/* At the nodes; false: some are above 1 after all rounds. */
+static bool settle(struct um_materials_measured *m, double *log_s)
 {
-  double *log_s;
-  UM_TRY(um_core_allocate(context, m->npolar, sizeof *log_s, &log_s));
   for (int round = 0; round < ROUNDS; round++) {
     bool above = false;
     for (size_t a = 1; a < m->npolar; a++) {
@@ -94,15 +93,27 @@ static enum um_status renormalise(struct um_context *context, struct um_material
       log_s[a] = e > 1.0 ? -0.5 * log(e) : 0.0;
       above = above || e > 1.0 + CLOSE;
     }
-    if (!above) break;
+    if (!above) return true;
     scale(m, log_s);
   }
+  return false;
+}
+
+static enum um_status renormalise(struct um_context *context, struct um_materials_measured *m)
+{
+  double *log_s;
+  UM_TRY(um_core_allocate(context, m->npolar, sizeof *log_s, &log_s));
+  bool settled = settle(m, log_s);
   find_albedo(m); /* between the nodes what is left is spread over all */
   for (size_t a = 0; a < m->npolar; a++) log_s[a] = m->most > 1.0 ? -0.5 * log(m->most) : 0.0;
   scale(m, log_s);
   find_albedo(m);
   um_core_free(context, log_s);
-  return UM_OK;
+  if (settled && m->most <= 1.0 + CLOSE) return UM_OK;
+  return um_core_fail(context, UM_ERR_NUMERIC,
+                      "a BRDF that reflects %g of what arrives could not be renormalised in %d "
+                      "rounds; accepted: smoother tables",
+                      m->found.albedo, ROUNDS);
 }
 
 double um_materials_measured_albedo(const struct um_materials_measured *m, double cosine)

@@ -89,6 +89,14 @@ static enum um_status check_grid(struct um_context *context, struct table *t)
   return UM_OK;
 }
 
+/* Place of an angle among those of reflection; their count where it is none. */
+static size_t place_of(const struct table *t, double angle)
+{
+  size_t n = t->count[SCATTERING], k = 0;
+  while (k < n && fabs(at(t, k * t->count[AZIMUTH], SCATTERING) - angle) > SAME) k++;
+  return k;
+}
+
 static enum um_status check_angles(struct um_context *context, const struct table *t)
 {
   size_t n = t->count[SCATTERING], na = t->count[AZIMUTH], block = n * na;
@@ -107,16 +115,18 @@ static enum um_status check_angles(struct um_context *context, const struct tabl
     return um_core_csv_fail(context, t->csv, na - 1, t->column[AZIMUTH],
                             "the last is %g; accepted: from 0 to 180, or around to 360 [deg]",
                             turn);
-  for (size_t k = 0; k < t->count[INCIDENCE] || k < n; k++) {
-    bool has = k < t->count[INCIDENCE], wanted = k < n;
-    double incidence = has ? at(t, k * block, INCIDENCE) : NAN;
-    double scattering = wanted ? at(t, k * na, SCATTERING) : NAN;
-    if (has && wanted && fabs(incidence - scattering) <= SAME) continue;
-    return um_core_csv_fail(context, t->csv, has ? k * block : t->nrow - 1, t->column[INCIDENCE],
-                            "%s %g deg: angles of incidence and of reflection differ; accepted: "
-                            "the same, so that both ways round were measured",
-                            has ? "incidence" : "there is none of", has ? incidence : scattering);
-  }
+  double from = at(t, t->nrow - 1, INCIDENCE);
+  if (t->count[INCIDENCE] < 4 || !(from >= UM_MATERIALS_MEASURED_FROM))
+    return um_core_csv_fail(context, t->csv, t->nrow - 1, t->column[INCIDENCE],
+                            "%zu incidences to %g; accepted: 4 or more, to %g deg or more",
+                            t->count[INCIDENCE], from, UM_MATERIALS_MEASURED_FROM);
+  for (size_t k = 0; k < t->count[INCIDENCE]; k++)
+    if (place_of(t, at(t, k * block, INCIDENCE)) == n)
+      return um_core_csv_fail(
+          context, t->csv, k * block, t->column[INCIDENCE],
+          "%g is no angle of reflection; accepted: incidences that are, so that "
+          "both ways round were measured [deg]",
+          at(t, k * block, INCIDENCE));
   return UM_OK;
 }
 
@@ -149,19 +159,23 @@ static enum um_status fold(struct um_context *context, const struct table *t,
   out->nazimuth = half;
   UM_TRY(um_core_allocate(context, n, sizeof *out->polar, &out->polar));
   UM_TRY(um_core_allocate(context, half, sizeof *out->azimuth, &out->azimuth));
+  UM_TRY(um_core_allocate(context, n, sizeof *out->known, &out->known));
   UM_TRY(um_core_allocate(context, n * n * half, sizeof *out->f, &out->f));
   for (size_t a = 0; a < n; a++) out->polar[a] = at(t, a * na, SCATTERING) * UM_DEG;
   for (size_t k = 0; k < half; k++) out->azimuth[k] = at(t, k, AZIMUTH) * UM_DEG;
   out->azimuth[half - 1] = UM_PI;
   double squares = 0.0;
-  for (size_t p = 0; p < n * n; p++)
+  for (size_t p = 0; p < t->count[INCIDENCE] * n; p++) {
+    size_t from = place_of(t, at(t, p * na, INCIDENCE));
+    out->known[from] = true;
     for (size_t k = 0; k < half; k++) {
       double right = at(t, p * na + k, VALUE);
       double left = both ? at(t, p * na + mirrored(t, k), VALUE) : right;
-      out->f[p * half + k] = 0.5 * (right + left);
+      out->f[(from * n + p % n) * half + k] = 0.5 * (right + left);
       squares += log(right / left) * log(right / left);
     }
-  out->sides = sqrt(squares / (double)(n * n * half));
+  }
+  out->sides = sqrt(squares / (double)(t->count[INCIDENCE] * n * half));
   return UM_OK;
 }
 
@@ -193,5 +207,6 @@ void um_materials_measured_grid_free(struct um_context *context,
   um_core_free(context, grid->polar);
   um_core_free(context, grid->azimuth);
   um_core_free(context, grid->f);
+  um_core_free(context, grid->known);
   *grid = (struct um_materials_measured_grid){0};
 }

@@ -2,8 +2,10 @@
 #ifndef UMBRA_MATERIALS_MEASURED_IMPL_H
 #define UMBRA_MATERIALS_MEASURED_IMPL_H
 
+#include <math.h>
+
+#include "materials/cosines_impl.h"
 #include "materials/measured.h"
-#include "materials/record_impl.h"
 
 #define UM_MATERIALS_MEASURED_BINS 256 /* of half vectors, theta_h = pi/2 s^2, s uniform */
 
@@ -37,6 +39,15 @@ static inline double *um_materials_measured_row(const struct um_materials_measur
 {
   return m->log_f + (a * m->npolar + b) * m->nazimuth;
 }
+/* ln f that cubics through absurd values, of uneven steps, may not leave: e^60 is no BRDF. */
+static inline double um_materials_measured_bounded(double log_f)
+{
+  return fmax(-60.0, fmin(60.0, log_f));
+}
+/* Of nodes x[n] whose first lies before the range, the last beyond it where `beyond`; n 4 or more.
+ */
+struct um_materials_stencil um_materials_stencil_at(const double *x, size_t n, bool beyond,
+                                                    double at);
 struct um_materials_stencil um_materials_measured_polar(const struct um_materials_measured *m,
                                                         double polar);
 struct um_materials_stencil um_materials_measured_azimuth(const struct um_materials_measured *m,
@@ -46,7 +57,12 @@ double um_materials_measured_at(const struct um_materials_measured *m,
                                 const struct um_materials_stencil *i,
                                 const struct um_materials_stencil *o,
                                 const struct um_materials_stencil *phi);
-/* Find the albedo, and bring it to 1 where it is above. UM_ERR_MEMORY. */
+/* Set ln f of pairs of which neither angle was one of incidence, and found.left_out.
+ * UM_ERR_MEMORY. */
+enum um_status um_materials_measured_fill(struct um_context *context,
+                                          const struct um_materials_measured_grid *grid,
+                                          struct um_materials_measured *m);
+/* Find the albedo, and bring it to 1 where it is above. UM_ERR_NUMERIC, UM_ERR_MEMORY. */
 enum um_status um_materials_measured_energy(struct um_context *context, bool renormalised,
                                             struct um_materials_measured *m);
 /* Fill `below` and `density`. */

@@ -4,6 +4,7 @@
 
 #include "document/schema.h"
 #include "materials/bsdf.h"
+#include "materials/measured.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 

@@ -19,6 +19,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "materials/measured.h"
 #include "materials/record_impl.h"
 
 const struct um_materials_adjustment um_materials_no_adjustment = {

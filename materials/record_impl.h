@@ -8,17 +8,16 @@
 
 #include "core/context.h"
 #include "materials/bsdf.h"
+#include "materials/cosines_impl.h"
 #include "materials/lobe.h"
 #include "materials/materials.h"
-#include "materials/measured.h"
 
 #define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
-#define UM_MATERIALS_COSINES      49   /* nodes of the angular grid, cos = u^2, u uniform in 0..1 */
-#define UM_MATERIALS_BUCKETS      1024 /* of the wavelength index, uniform in log */
-#define UM_MATERIALS_TEMPERATURES 49   /* nodes of the emittance tables, uniform in log T */
-#define UM_MATERIALS_INCIDENCES   25   /* nodes of the solar absorptance, cos = u^2, u uniform */
-#define UM_MATERIALS_SCALES       25   /* of roughness that albedos of lobes are tabulated at */
-#define UM_MATERIALS_COLDEST      40.0 /* [K] first node; constant below */
+#define UM_MATERIALS_BUCKETS      1024   /* of the wavelength index, uniform in log */
+#define UM_MATERIALS_TEMPERATURES 49     /* nodes of the emittance tables, uniform in log T */
+#define UM_MATERIALS_INCIDENCES   25     /* nodes of the solar absorptance, cos = u^2, u uniform */
+#define UM_MATERIALS_SCALES       25     /* of roughness that albedos of lobes are tabulated at */
+#define UM_MATERIALS_COLDEST      40.0   /* [K] first node; constant below */
 #define UM_MATERIALS_HOTTEST      1280.0 /* [K] last node; constant above */
 
 struct um_materials_band {
@@ -110,9 +109,6 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
                                            struct um_materials_record *record,
                                            const struct um_materials_law *law);
 void um_materials_spectrum_free(struct um_context *context, struct um_materials_spectrum *spectrum);
-/* Nodes of the angular grid, and 2 int x cos dcos of values at them; ncos 1: constant. */
-double um_materials_node_cosine(size_t j);
-double um_materials_hemispherical_mean(const double *x, size_t ncos);
 /* Interval and fraction of a wavelength, clamped to the grid. */
 size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum, double wavelength,
                                     double *fraction);
@@ -125,8 +121,6 @@ void um_materials_layers_free(struct um_context *context, struct um_materials_la
 /* Fill record->albedo, where its lobe needs it. UM_ERR_MEMORY. */
 enum um_status um_materials_albedo_build(struct um_context *context,
                                          struct um_materials_record *record);
-/* A row of values at the cosines of the angular grid, by cubics at u = sqrt(cos), 0..1. */
-double um_materials_along_cosines(const double row[UM_MATERIALS_COSINES], double u);
 /* Directional albedo of a record's lobe, with F = 1, toward a cosine. */
 double um_materials_albedo(const struct um_materials_record *record,
                            const struct um_materials_lobe *lobe, double cosine);

@@ -28,26 +28,6 @@ static const double largest_step = 1.02;
 /* Lobes below this alpha are treated as a mirror in the averages over facets. */
 static const double smallest_alpha = 1e-3;
 
-double um_materials_node_cosine(size_t j)
-{
-  double u = (double)j / (COSINES - 1);
-  return u * u;
-}
-
-/* 4 int_0^1 X u^3 du by Simpson's rule, exact for constant X. */
-double um_materials_hemispherical_mean(const double *x, size_t ncos)
-{
-  if (ncos == 1) return x[0];
-  double sum = 0.0, weights = 0.0;
-  for (size_t j = 0; j < COSINES; j++) {
-    double u = (double)j / (COSINES - 1);
-    double w = (j == 0 || j == COSINES - 1 ? 1.0 : (j % 2 == 1 ? 4.0 : 2.0)) * u * u * u;
-    sum += w * x[j];
-    weights += w;
-  }
-  return sum / weights;
-}
-
 size_t um_materials_spectrum_locate(const struct um_materials_spectrum *spectrum, double wavelength,
                                     double *fraction)
 {

@@ -58,11 +58,20 @@ static inline void test_grid_write(const struct um_materials_measured_grid *g, c
   if (file == NULL) abort();
   fprintf(file, "# made by a test\nincidence_deg,scattering_deg,azimuth_deg,brdf_1_sr\n");
   for (size_t a = 0; a < g->npolar; a++)
-    for (size_t c = 0; c < g->npolar; c++)
+    for (size_t c = 0; c < g->npolar && (g->known == NULL || g->known[a]); c++)
       for (size_t k = 0; k < g->nazimuth; k++)
         fprintf(file, "%.12g,%.12g,%.12g,%.17g\n", g->polar[a] / UM_DEG, g->polar[c] / UM_DEG,
                 g->azimuth[k] / UM_DEG, g->f[(a * g->npolar + c) * g->nazimuth + k]);
   if (fclose(file) != 0) abort();
+}
+
+/* Every so many of the polar angles to `last` [deg] was an angle of incidence. */
+static inline void test_grid_thin(struct um_materials_measured_grid *g, size_t every, double last)
+{
+  g->known = calloc(g->npolar, sizeof *g->known);
+  for (size_t a = 0; a < g->npolar; a += every) g->known[a] = g->polar[a] <= (last + 1e-6) * UM_DEG;
+  for (size_t k = 0; k < g->npolar * g->npolar * g->nazimuth; k++)
+    if (!g->known[k / g->nazimuth / g->npolar]) g->f[k] = 0.0;
 }
 
 static inline void test_grid_free(struct um_materials_measured_grid *g)
@@ -70,6 +79,7 @@ static inline void test_grid_free(struct um_materials_measured_grid *g)
   free(g->polar);
   free(g->azimuth);
   free(g->f);
+  free(g->known);
 }
 
 #endif
