@@ -246,7 +246,7 @@ static void on_the_nodes(void **state)
 /* Incidences every 15 deg to 75 among reflections every 2.5 deg to 85: to 75 deg within 1 % rms of
  * the closed form between all nodes, as reciprocity gives what lies on either and the rest goes
  * with the mirror direction. Each incidence from its neighbours 30 deg apart is worse, which is
- * what left_out says: it bounds the error. Read from a file the grid is the same. */
+ * what left_out says. Read from a file the grid is the same. */
 static void incidences_between(void **state)
 {
   static const struct {
