@@ -18,6 +18,7 @@
 #define UM_SOLAR_RADIUS      695700.0e3     /* nominal [m], IAU 2015 B3 */
 #define UM_SOLAR_TEMPERATURE 5772.0         /* effective [K], IAU 2015 B3 */
 #define UM_AU                149597870700.0 /* [m], IAU 2012 B2 */
+#define UM_LUNAR_RADIUS      1737.4e3 /* mean [m], Archinal et al. 2011, Celest. Mech. 109:101 */
 
 #define UM_EARTH_RADIUS     6378137.0             /* WGS-84 a [m] */
 #define UM_EARTH_FLATTENING (1.0 / 298.257223563) /* WGS-84 f */

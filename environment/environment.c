@@ -37,6 +37,7 @@ void um_environment_defaults(struct um_environment *out)
       .planet_on = true,
       .earthshine_on = true,
       .earth_reflection_on = true,
+      .moonlight_on = true,
       .earthshine_factor = 1.0,
       .earth_reflection_factor = 1.0,
       .earthlight_lobe_on = true,

@@ -52,6 +52,7 @@ struct um_environment {
   bool albedo_on, planet_on; /* heat loads */
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */
+  bool moonlight_on;         /* sunlight reflected by the Moon, in the optics */
   double earthshine_factor, earth_reflection_factor; /* of those two [1] */
   bool earthlight_lobe_on; /* lobes reflect the Earth where they look; or as diffuse surfaces do */
   bool multiple_scattering_on; /* what facets keep back of a lobe goes on to other facets */

@@ -5,13 +5,17 @@
 #include "core/vec.h"
 
 struct um_environment_sample {
-  double t_tai;               /* satellite time [s] */
-  struct um_vec3 r, v;        /* satellite, GCRS [m], [m/s] */
-  struct um_vec3 sun;         /* apparent unit vector, satellite to Sun, GCRS */
-  double sun_distance;        /* [m] */
-  struct um_vec3 pole;        /* Earth's pole, unit, GCRS */
-  struct um_vec3 greenwich;   /* where prime meridian and equator meet, unit, GCRS */
-  double sunlit_fraction;     /* [1] */
+  double t_tai;             /* satellite time [s] */
+  struct um_vec3 r, v;      /* satellite, GCRS [m], [m/s] */
+  struct um_vec3 sun;       /* apparent unit vector, satellite to Sun, GCRS */
+  double sun_distance;      /* [m] */
+  struct um_vec3 pole;      /* Earth's pole, unit, GCRS */
+  struct um_vec3 greenwich; /* where prime meridian and equator meet, unit, GCRS */
+  double sunlit_fraction;   /* [1] */
+  /* Geometric unit vector, satellite to Moon, GCRS, and distance [m]; zero where the Moon lights
+   * nothing that is seen (um_environment_moon_place) */
+  struct um_vec3 moon;
+  double moon_distance;
   struct um_quat q;           /* GCRS to body */
   struct um_vec3 to_observer; /* unit, GCRS; zero when nobody looks at this instant */
   double range;               /* [m]; NaN when nobody looks */
