@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "environment/moonlight.h"
 #include "model/effects_impl.h"
 #include "orbit/sun.h"
 
@@ -118,6 +119,7 @@ static enum um_status sample_of_look(struct um_context *context, const struct um
                                         .to_observer = look->to_observer,
                                         .range = look->range};
   light_of(model, out);
+  um_environment_moon_place(&model->environment, um_orbit_moon_position(out->t_tai), out);
   return attitude_of(context, model, out);
 }
 

@@ -14,6 +14,7 @@ enum um_status um_optics_facing_create(struct um_context *context, size_t nsurfa
 {
   UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->sight, &facing->sight));
   UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->surface, &facing->surface));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->lit_error, &facing->lit_error));
   UM_TRY(um_core_allocate(context, nsurface + 1, sizeof *facing->first, &facing->first));
   UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->of, &facing->of));
   return um_core_allocate(context, nsurface, sizeof *facing->seen, &facing->seen);
@@ -23,9 +24,24 @@ void um_optics_facing_clear(struct um_context *context, struct um_optics_facing 
 {
   um_core_free(context, facing->sight);
   um_core_free(context, facing->surface);
+  um_core_free(context, facing->lit_error);
   um_core_free(context, facing->first);
   um_core_free(context, facing->of);
   um_core_free(context, facing->seen);
+}
+
+/* Where an instant stands in the arrays of a view. */
+struct rows {
+  const struct um_optics_lit *by;
+  size_t view, lit; /* of its first surface */
+};
+
+static struct rows rows_of(const struct um_optics_view *view, const struct um_optics_instant *now)
+{
+  size_t n = view->nsurface;
+  if (now->lamp.name == UM_LAMP_MOON)
+    return (struct rows){&view->moon, now->time * n, view->moon_row[now->time] * n};
+  return (struct rows){&view->sun, now->time * n, now->time * n};
 }
 
 static bool alone(const struct um_optics_spectra *spectra, size_t surface)
@@ -34,12 +50,15 @@ static bool alone(const struct um_optics_spectra *spectra, size_t surface)
   return c != NULL && c->patches->first[surface + 1] > c->patches->first[surface];
 }
 
-static bool same(const struct um_optics_view *view, size_t a, size_t b)
+static bool same(const struct um_optics_view *view, const struct rows *rows, size_t surface,
+                 size_t other)
 {
+  size_t a = rows->view + surface, b = rows->view + other;
+  size_t i = rows->lit + surface, j = rows->lit + other;
   return fabsf(view->cos_observer[a] - view->cos_observer[b]) <= SAME &&
-         fabsf(view->cos_sun[a] - view->cos_sun[b]) <= SAME &&
+         fabsf(rows->by->cosine[i] - rows->by->cosine[j]) <= SAME &&
          fabsf(view->cos_nadir[a] - view->cos_nadir[b]) <= SAME &&
-         fabs(view->cos_half[a] - view->cos_half[b]) <= SAME_HALF;
+         fabs(rows->by->cos_half[i] - rows->by->cos_half[j]) <= SAME_HALF;
 }
 
 /* Of surfaces of an anisotropic lobe. */
@@ -53,15 +72,18 @@ static bool same_grain(const struct um_optics_spectra *spectra, const struct um_
          um_vec3_norm(um_vec3_sub(of[0].across, of[1].across)) <= SAME_GRAIN;
 }
 
-static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size_t at, size_t s)
+static struct um_optics_sight sight_of(const struct um_optics_scene *scene, const struct rows *rows,
+                                       size_t s)
 {
   const struct um_optics_view *view = scene->view;
+  size_t at = rows->view + s, lit = rows->lit + s;
   return (struct um_optics_sight){
       .area_seen = view->area[s] * (double)view->seen[at],
-      .area_lit = view->area[s] * (double)view->lit[at],
+      .area_lit = view->area[s] * (double)rows->by->share[lit],
       .cos_observer = (double)view->cos_observer[at],
-      .cos_sun = (double)view->cos_sun[at],
-      .cos_half = view->cos_half[at],
+      .cos_lamp = (double)rows->by->cosine[lit],
+      .cos_half = rows->by->cos_half[lit],
+      .cos_sun = (double)view->sun.cosine[at],
       .cos_nadir = (double)view->cos_nadir[at],
       .temperature = scene->temperature[at],
       .albedo = (double)scene->albedo[at],
@@ -71,19 +93,18 @@ static struct um_optics_sight sight_of(const struct um_optics_scene *scene, size
 
 /* The group of a surface among the last of them, each known by its first member. */
 static size_t group_of(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
-                       size_t time, size_t surface, const struct um_optics_work *work,
+                       const struct rows *rows, size_t surface, const struct um_optics_work *work,
                        struct um_optics_facing *f)
 {
-  const struct um_optics_view *view = scene->view;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
-  size_t row = time * view->nsurface, skin = um_optics_skin(spectra, mesh, surface);
+  size_t skin = um_optics_skin(spectra, mesh, surface);
   size_t down_to = f->ngroup > LOOK_BACK ? f->ngroup - LOOK_BACK : 0;
   bool single = alone(spectra, surface);
   bool grain = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
   for (size_t g = f->ngroup; !single && g-- > down_to;) {
     size_t other = f->first[g]; /* a surface, until all groups are known */
     if (um_optics_skin(spectra, mesh, other) == skin && !alone(spectra, other) &&
-        same(view, row + surface, row + other) &&
+        same(scene->view, rows, surface, other) &&
         (!grain || same_grain(spectra, scene, surface, other, work)))
       return g;
   }
@@ -92,16 +113,17 @@ static size_t group_of(const struct um_optics_spectra *spectra, const struct um_
 }
 
 void um_optics_facing_fill(const struct um_optics_spectra *spectra,
-                           const struct um_optics_scene *scene, size_t time,
+                           const struct um_optics_scene *scene, const struct um_optics_instant *now,
                            const struct um_optics_work *work, struct um_optics_facing *f)
 {
   const struct um_optics_view *view = scene->view;
+  struct rows rows = rows_of(view, now);
   f->count = f->ngroup = 0;
   for (size_t s = 0; s < view->nsurface; s++) {
-    size_t at = time * view->nsurface + s;
-    bool uncertain = view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F;
+    size_t at = rows.view + s;
+    bool uncertain = view->seen_error[at] > 0.0F || rows.by->error[rows.lit + s] > 0.0F;
     if (!(view->cos_observer[at] > 0.0F) || !(view->seen[at] > 0.0F || uncertain)) continue;
-    f->of[f->count] = (uint32_t)group_of(spectra, scene, time, s, work, f);
+    f->of[f->count] = (uint32_t)group_of(spectra, scene, &rows, s, work, f);
     f->seen[f->count++] = (uint32_t)s;
   }
   for (size_t g = 0; g <= f->ngroup; g++) f->first[g] = 0;
@@ -110,7 +132,8 @@ void um_optics_facing_fill(const struct um_optics_spectra *spectra,
   for (size_t i = 0; i < f->count; i++) {
     size_t s = f->seen[i], place = f->first[f->of[i]]++; /* moves to where the next group begins */
     f->surface[place] = (uint32_t)s;
-    f->sight[place] = sight_of(scene, time * view->nsurface + s, s);
+    f->sight[place] = sight_of(scene, &rows, s);
+    f->lit_error[place] = rows.by->error[rows.lit + s];
     um_optics_sight_turn(spectra, scene, s, work, &f->sight[place]);
   }
   for (size_t g = f->ngroup; g > 0; g--) f->first[g] = f->first[g - 1];

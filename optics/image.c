@@ -57,6 +57,7 @@ static enum um_status render_begin(struct um_context *context, struct render *r)
   frame->mesh = um_geometry_mesh(scene->geometry);
   frame->set = &r->stage->set[0];
   frame->now = um_optics_instant(scene, r->time);
+  if (!frame->now.lamp.shines) um_optics_instant_moon(scene, &frame->now);
   frame->samples = samples;
   UM_TRY(um_optics_camera_create(context, width, r->options->up_gcrs, frame->mesh, frame->set->pose,
                                  sample->q, frame->now.observer_body, &frame->camera));

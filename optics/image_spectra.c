@@ -41,8 +41,9 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
       .area_seen = 1.0 / cos_o,
       .area_lit = 1.0 / cos_o,
       .cos_observer = cos_o,
+      .cos_lamp = um_vec3_dot(normal, now->lamp.body),
+      .cos_half = um_vec3_dot(normal, now->lamp.half),
       .cos_sun = um_vec3_dot(normal, now->sun_body),
-      .cos_half = um_vec3_dot(normal, now->half_body),
       .cos_nadir = um_vec3_dot(normal, now->nadir_body),
       .temperature = scene->temperature[at],
       .albedo = (double)scene->albedo[at],
@@ -56,7 +57,7 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
   um_optics_sum_spectrum(p->spectra, scene, now, skin, &work->single, work, work->spectral);
   for (size_t b = 0; b < n; b++) {
     const double *from = work->spectral + b * UM_MECHANISM_COUNT;
-    sun[b] = (float)from[UM_MECHANISM_SUN];
+    sun[b] = (float)(from[UM_MECHANISM_SUN] + from[UM_MECHANISM_OTHER]);
     dark[b] = (float)(from[UM_MECHANISM_EARTH] + from[UM_MECHANISM_EMITTED]);
   }
   if (p->frame->set->exchange == NULL) return;

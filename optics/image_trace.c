@@ -93,10 +93,10 @@ void um_optics_tracer_destroy(struct um_context *context, struct um_optics_trace
 static void shadow_rays(const struct um_optics_exposure *frame, uint64_t key, size_t n,
                         struct pencil *pencil)
 {
-  const struct um_optics_instant *now = &frame->now;
+  const struct um_optics_lamp *lamp = &frame->now.lamp;
   struct um_vec3 t, b;
-  um_core_vec3_frame(now->sun_body, &t, &b);
-  double size = tan(now->sun_radius);
+  um_core_vec3_frame(lamp->body, &t, &b);
+  double size = tan(lamp->radius);
   for (size_t i = 0; i < n; i++) {
     const struct um_geometry_hit *hit = &pencil->hit[i];
     struct um_vec3 p = um_vec3(0.0, 0.0, 0.0);
@@ -106,7 +106,7 @@ static void shadow_rays(const struct um_optics_exposure *frame, uint64_t key, si
     double u[4], xy[2];
     um_optics_sample_4d(key, i, u);
     um_core_sample_disc(u + 2, xy);
-    struct um_vec3 d = um_vec3_axpy(now->sun_body, size * xy[0], t);
+    struct um_vec3 d = um_vec3_axpy(lamp->body, size * xy[0], t);
     d = um_vec3_unit(um_vec3_axpy(d, size * xy[1], b));
     pencil->ray[i] = (struct um_geometry_ray){p, d, INFINITY, hit->facet};
   }
@@ -132,7 +132,7 @@ static size_t trace_pixel(const struct um_optics_exposure *frame, int x, int y,
   }
   if (!any) return 0;
   memset(pencil->occluded, 1, n);
-  if (frame->now.sun > 0.0) {
+  if (frame->now.lamp.shines) {
     shadow_rays(frame, key, n, pencil);
     um_geometry_visibility_occluded(frame->set->visibility, pencil->ray, n, pencil->occluded);
   }

@@ -75,19 +75,20 @@ static void spectrum_keep(const struct job *job, size_t time, size_t material,
 }
 
 /* Variance from the traced fractions: the intensity that a standard error of area would add. */
-static void error_add(const struct task *task, size_t surface, const struct um_optics_sight *sight,
+static void error_add(const struct task *task, const struct um_optics_facing *facing, size_t i,
                       const struct um_optics_earth_shares *shares)
 {
+  size_t surface = facing->surface[i];
   const struct um_optics_scene *scene = task->job->scene;
   const struct um_optics_view *view = scene->view;
   const struct um_optics_spectra *spectra = task->coarse;
   struct um_optics_work *work = task->coarse_work;
   size_t time = task->now.time, at = time * view->nsurface + surface,
          skin = um_optics_skin(spectra, um_geometry_mesh(scene->geometry), surface);
-  if (!(view->seen_error[at] > 0.0F || view->lit_error[at] > 0.0F)) return;
-  struct um_optics_sight error = *sight;
+  if (!(view->seen_error[at] > 0.0F || facing->lit_error[i] > 0.0F)) return;
+  struct um_optics_sight error = facing->sight[i];
   error.area_seen = view->area[surface] * (double)view->seen_error[at];
-  error.area_lit = view->area[surface] * (double)view->lit_error[at];
+  error.area_lit = view->area[surface] * (double)facing->lit_error[i];
   um_optics_sum_clear(spectra, &work->single);
   um_optics_sum_add(spectra, &task->now, skin, &error, 1, shares, work, &work->single);
   um_optics_sum_spectrum(spectra, scene, &task->now, skin, &work->single, work, work->spectral);
@@ -137,7 +138,6 @@ static const struct um_optics_spectra *spectra_at(const struct um_context *conte
     spectra = &resolution->aged[thread];
     um_optics_spectra_materials(context, job->scene, now->time, spectra);
   }
-  memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
   um_optics_light(spectra, job->scene, now, work);
   return spectra;
 }
@@ -148,17 +148,31 @@ static void surfaces_add(const struct um_context *context, const struct task *ta
   const struct um_optics_scene *scene = task->job->scene;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
   struct um_optics_earth_shares shares;
-  um_optics_facing_fill(task->spectra, scene, task->now.time, task->work, facing);
+  um_optics_facing_fill(task->spectra, scene, &task->now, task->work, facing);
   for (size_t g = 0; g < facing->ngroup && !um_core_stopped(context); g++) {
     size_t first = facing->first[g], end = facing->first[g + 1];
     size_t skin = um_optics_skin(task->spectra, mesh, facing->surface[first]);
     um_optics_earth_shares(task->spectra, &task->now, skin, &facing->sight[first], &shares);
     um_optics_sum_add(task->spectra, &task->now, skin, &facing->sight[first], end - first, &shares,
                       task->work, &task->work->sum[skin]);
-    for (size_t i = first; i < end; i++)
-      error_add(task, facing->surface[i], &facing->sight[i], &shares);
+    for (size_t i = first; i < end; i++) error_add(task, facing, i, &shares);
   }
   if (set != NULL) between_add(context, task, set);
+}
+
+/* Surfaces by the instant's lamp, into the curve. */
+static void lamp_add(const struct um_context *context, const struct task *task,
+                     const struct um_optics_set *set, struct um_optics_facing *facing)
+{
+  const struct um_optics_spectra *spectra = task->spectra;
+  struct um_optics_work *work = task->work;
+  for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
+  surfaces_add(context, task, set, facing);
+  for (size_t m = 0; m < spectra->nskin; m++) {
+    um_optics_sum_spectrum(spectra, task->job->scene, &task->now, m, &work->sum[m], work,
+                           work->spectral);
+    spectrum_keep(task->job, task->now.time, um_optics_material(spectra, m), work->spectral);
+  }
 }
 
 static void compute_time(const struct um_context *context, const struct job *job,
@@ -175,11 +189,13 @@ static void compute_time(const struct um_context *context, const struct job *job
   const struct um_optics_spectra *spectra = task.spectra;
   struct um_optics_work *work = task.work;
   um_optics_turn(spectra, job->scene, &task.now, work);
-  for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
-  surfaces_add(context, &task, set, &job->facing[thread]);
-  for (size_t m = 0; m < spectra->nskin; m++) {
-    um_optics_sum_spectrum(spectra, job->scene, &task.now, m, &work->sum[m], work, work->spectral);
-    spectrum_keep(job, time, um_optics_material(spectra, m), work->spectral);
+  lamp_add(context, &task, set, &job->facing[thread]);
+  if (job->scene->view->moon_row[time] != SIZE_MAX && !job->scene->sunlight_only) {
+    um_optics_instant_moon(job->scene, &task.now);
+    task.now.sunlight_only = true;
+    um_optics_light(spectra, job->scene, &task.now, work);
+    um_optics_light(task.coarse, job->scene, &task.now, task.coarse_work);
+    lamp_add(context, &task, NULL, &job->facing[thread]);
   }
   for (size_t k = 0; k < spectra->nband; k++) {
     double *variance = &job->curve->stderr_[time * spectra->nband + k];

@@ -3,7 +3,7 @@
 #define UMBRA_OPTICS_OPTICS_H
 
 #include "environment/environment.h"
-#include "environment/shadow_light.h"
+#include "environment/moonlight.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
 #include "materials/materials.h"
@@ -35,37 +35,50 @@ void um_optics_sunlight_at(const struct um_environment *environment,
 /* Spectral irradiance at a wavelength [m], of that at 1 au above all air; both [W/m^2/m]. */
 double um_optics_sunlight(const struct um_optics_sunlight *light, double solar, double wavelength);
 
+/* What shines on the satellite from far away. */
+enum um_optics_lamp_name { UM_LAMP_SUN, UM_LAMP_MOON };
+
 enum um_optics_mechanism {
   UM_MECHANISM_SUN,   /* sunlight reflected once */
   UM_MECHANISM_EARTH, /* earthshine and reflected Earth radiation */
   UM_MECHANISM_EMITTED,
   UM_MECHANISM_INTERREFLECTED, /* light that left one surface and was reflected by another */
-  UM_MECHANISM_OTHER,
+  UM_MECHANISM_OTHER,          /* moonlight reflected once */
   UM_MECHANISM_COUNT
+};
+
+/* What a lamp lights of what the observer sees, by instants that it shines at. */
+struct um_optics_lit {
+  size_t nrow;
+  float *share;  /* [nrow][nsurface] fraction that the observer sees and the lamp lights; of a Sun
+                    that  does not shine, beside a Moon that does, 0 */
+  float *error;  /* [nrow][nsurface] its standard error */
+  float *cosine; /* [nrow][nsurface] of the surface normal to the lamp; <= 0: away */
+  /* [nrow][nsurface] cosine of the normal to the lamp-observer bisector; double, because narrow
+   * lobes depend on 1 - cos; 0 where the lamp stands opposite to the observer */
+  double *cos_half;
 };
 
 /* Geometry of sight, traced once per timeline; no optical property acts on it. */
 struct um_optics_view {
   size_t ntime, nsurface;
   uint64_t seed;
-  int *nsample; /* [ntime] points per facet of surfaces that something can hide */
-  float *seen;  /* [ntime][nsurface] fraction of the area that the observer sees */
-  float *lit;   /* [ntime][nsurface] fraction that the observer sees and the Sun lights */
-  float *seen_error, *lit_error; /* [ntime][nsurface] standard errors of those fractions */
-  float *cos_observer, *cos_sun; /* [ntime][nsurface] cosines of the surface normal; <= 0: away */
-  /* [ntime][nsurface] cosine of the normal to the Sun-observer bisector; double, because narrow
-   * lobes depend on 1 - cos; 0 where the Sun stands opposite to the observer */
-  double *cos_half;
+  int *nsample;        /* [ntime] points per facet of surfaces that something can hide */
+  float *seen;         /* [ntime][nsurface] fraction of the area that the observer sees */
+  float *seen_error;   /* [ntime][nsurface] standard error of that fraction */
+  float *cos_observer; /* [ntime][nsurface] cosine of the surface normal; <= 0: away */
+  struct um_optics_lit sun, moon; /* of the Sun every instant is a row */
+  size_t *moon_row;          /* [ntime] row of an instant in `moon`; SIZE_MAX: it is not moonlit */
   float *cos_nadir;          /* [ntime][nsurface] cosine of the normal to the geocentre */
   double *area;              /* [nsurface] [m^2] */
   uint32_t *material, *part; /* [nsurface] */
 };
-/* Directions to the observer and to the Sun are turned into the body frame by each sample's
- * attitude, joints by its Sun; the Sun is a disc of its true angular radius. Samples whose
- * to_observer is zero are refused (UM_ERR_INPUT), as is nsample outside 1..UM_OPTICS_SAMPLES_MAX:
- * points per facet of surfaces that something can hide; open surfaces are exact. seed: another one
- * takes other points of the same kind. Same bytes for any number of threads. UM_ERR_MEMORY,
- * UM_ERR_LIBRARY, UM_ERR_CANCELLED. The caller destroys. */
+/* Directions to the observer, to the Sun and, where a sample has one, to the Moon are turned into
+ * the body frame by each sample's attitude, joints by its Sun; Sun and Moon are discs of their true
+ * angular radii. Samples whose to_observer is zero are refused (UM_ERR_INPUT), as is nsample
+ * outside 1..UM_OPTICS_SAMPLES_MAX: points per facet of surfaces that something can hide; open
+ * surfaces are exact. seed: another one takes other points of the same kind. Same bytes for any
+ * number of threads. UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED. The caller destroys. */
 #define UM_OPTICS_SAMPLES_MAX 65536
 enum um_status um_optics_view_trace(struct um_context *context, const struct um_geometry *geometry,
                                     const struct um_environment_sample *samples, size_t ntime,

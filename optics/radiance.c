@@ -1,6 +1,6 @@
 /* Radiance of surfaces toward the observer (D.1, D.3, D.5 of the physics notes):
  *
- *   sun      E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
+ *   lamp     E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
  *            and air leave of the Sun (environment/shadow_light.h)
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b), of
  *            which the lobe's part is what the lobe sees of the Earth (earth_lobe.c)
@@ -20,19 +20,35 @@
 
 #include "core/constants.h"
 
+static struct um_optics_lamp lamp_of(enum um_optics_lamp_name name, struct um_vec3 observer,
+                                     struct um_vec3 body, double radius, bool shines)
+{
+  struct um_optics_lamp lamp = {.name = name, .body = body, .radius = radius, .shines = shines};
+  struct um_vec3 both = um_vec3_add(observer, body);
+  double length = um_vec3_norm(both);
+  if (length > 1e-9) lamp.half = um_vec3_scale(both, 1.0 / length);
+  lamp.cos_half_phase = fmin(1.0, 0.5 * length);
+  return lamp;
+}
+
+void um_optics_instant_moon(const struct um_optics_scene *scene, struct um_optics_instant *now)
+{
+  const struct um_environment_sample *sample = &scene->samples[now->time];
+  bool there = sample->moon_distance > 0.0;
+  now->lamp = lamp_of(UM_LAMP_MOON, now->observer_body, um_quat_apply(sample->q, sample->moon),
+                      there ? um_environment_moon_radius(sample->moon_distance) : 0.0, there);
+}
+
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time)
 {
   const struct um_environment_sample *sample = &scene->samples[time];
   struct um_optics_instant now = {.time = time};
   now.observer_body = um_quat_apply(sample->q, sample->to_observer);
   now.sun_body = um_quat_apply(sample->q, sample->sun);
-  struct um_vec3 both = um_vec3_add(now.observer_body, now.sun_body);
-  double length = um_vec3_norm(both);
-  if (length > 1e-9) now.half_body = um_vec3_scale(both, 1.0 / length);
-  now.cos_half_phase = fmin(1.0, 0.5 * length);
   now.sun_radius = asin(UM_SOLAR_RADIUS / sample->sun_distance);
   double relative = UM_AU / sample->sun_distance;
   now.sun = sample->sunlit_fraction * relative * relative;
+  now.lamp = lamp_of(UM_LAMP_SUN, now.observer_body, now.sun_body, now.sun_radius, now.sun > 0.0);
   const struct um_environment *environment = scene->environment;
   now.earthshine = environment->earthshine_on ? environment->earthshine_factor : 0.0;
   now.earth_reflection =
@@ -142,8 +158,18 @@ double um_optics_sunlight(const struct um_optics_sunlight *light, double solar, 
 void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                      const struct um_optics_instant *instant, struct um_optics_work *work)
 {
+  const struct um_environment_sample *sample = &scene->samples[instant->time];
+  memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
+  if (instant->lamp.name == UM_LAMP_MOON) {
+    struct um_environment_moonlight moon;
+    um_environment_moonlight(scene->environment, sample, &moon);
+    for (size_t b = 0; b < spectra->nbin; b++)
+      work->sunlight[b] =
+          spectra->sun[b] * um_environment_moonlight_at(&moon, spectra->wavelength[b]);
+    return;
+  }
   struct um_optics_sunlight light;
-  um_optics_sunlight_at(scene->environment, &scene->samples[instant->time], &light);
+  um_optics_sunlight_at(scene->environment, sample, &light);
   for (size_t b = 0; b < spectra->nbin; b++)
     work->sunlight[b] = um_optics_sunlight(&light, spectra->sun[b], spectra->wavelength[b]);
 }

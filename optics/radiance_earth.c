@@ -68,7 +68,7 @@ void um_optics_earth_shares(const struct um_optics_spectra *spectra,
                             struct um_optics_earth_shares *shares)
 {
   shares->whole = 0.0;
-  if (!mirrors_earth(spectra, instant, skin)) return;
+  if (instant->sunlight_only || !mirrors_earth(spectra, instant, skin)) return;
   bool turned = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
   struct um_optics_frame grain;
   if (turned)

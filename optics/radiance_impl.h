@@ -5,17 +5,26 @@
 
 #include "optics/spectra_impl.h"
 
+/* Sun or Moon at one time, as surfaces reflect it once. */
+struct um_optics_lamp {
+  enum um_optics_lamp_name name;
+  struct um_vec3 body;   /* unit */
+  struct um_vec3 half;   /* unit, body frame: between lamp and observer; zero where opposite */
+  double cos_half_phase; /* cosine of half the angle between them [1] */
+  double radius;         /* angular, of the disc [rad] */
+  bool shines;
+};
+
 /* What is the same for all surfaces at one time. */
 struct um_optics_instant {
   size_t time;                            /* of the scene */
   struct um_vec3 observer_body, sun_body; /* unit */
-  struct um_vec3 half_body;               /* unit bisector; zero where they are opposite */
-  double cos_half_phase;                  /* cosine of half the phase angle [1] */
+  struct um_optics_lamp lamp;             /* that is added up: the Sun, unless asked otherwise */
   double sun_radius;                      /* angular, of the disc [rad] */
   double sun;                             /* sunlit fraction (1 au / d)^2 [1] */
   double earthshine, earth_reflection;    /* factors, 0 where they are off [1] */
   bool earth_varies;                      /* every surface has an Earth of its own before it */
-  bool sunlight_only;                     /* nothing but the Sun is added up */
+  bool sunlight_only;                     /* nothing but the lamp is added up */
   bool earth_lobe;                        /* lobes reflect it, where they look */
   struct um_vec3 nadir_body;              /* unit */
   double h_ratio;                         /* of the geocentre's distance [1] */
@@ -23,19 +32,22 @@ struct um_optics_instant {
   double earth_radiance; /* of the Earth under an overhead Sun, all wavelengths [W/m^2/sr] */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
+/* The same instant with the Moon for a lamp, which shines where the sample has one. */
+void um_optics_instant_moon(const struct um_optics_scene *scene, struct um_optics_instant *now);
 
 /* A surface, or a share of one, as seen. Areas are true areas, not projected. */
 struct um_optics_sight {
-  double area_seen, area_lit;             /* [m^2] */
-  double cos_observer, cos_sun, cos_half; /* [1] */
-  double cos_nadir;                       /* [1] */
-  double temperature;                     /* [K] */
-  double albedo;                          /* incident albedo flux [W/m^2] */
-  double view_factor;                     /* to the Earth [1] */
-  double brightness;                      /* of the Earth, where it varies [K] */
-  struct um_vec3 grain, across;           /* body frame, unit, with the normal right-handed; set for
-                                             anisotropic lobes and patches */
-  struct um_materials_patches patches;    /* of a creased surface; n 0: none */
+  double area_seen, area_lit;          /* [m^2] */
+  double cos_observer, cos_lamp;       /* [1] */
+  double cos_half, cos_sun;            /* to the bisector of lamp and observer; to the Sun [1] */
+  double cos_nadir;                    /* [1] */
+  double temperature;                  /* [K] */
+  double albedo;                       /* incident albedo flux [W/m^2] */
+  double view_factor;                  /* to the Earth [1] */
+  double brightness;                   /* of the Earth, where it varies [K] */
+  struct um_vec3 grain, across;        /* body frame, unit, with the normal right-handed; set for
+                                          anisotropic lobes and patches */
+  struct um_materials_patches patches; /* of a creased surface; n 0: none */
 };
 
 /* Sums over surfaces of one material. */
@@ -59,7 +71,8 @@ struct um_optics_work {
   struct um_optics_planck_sum bodies, far, clear; /* surfaces; the Earth before them, by view
                                                      factor and where it is not hidden */
   double *lobe_all, *lobe_earth; /* [nbin] a lobe, and what of it the Earth fills */
-  double *sunlight;              /* [nbin] before the satellite [W/m^2/m]: um_optics_light */
+  double *sunlight;              /* [nbin] of the lamp, before the satellite [W/m^2/m]:
+                                    um_optics_light */
   double *spectral;              /* [nbin][UM_MECHANISM_COUNT] */
   double *specular;              /* [nskin][nbin] F of the current instant, where known */
   bool *specular_known;          /* [nskin] */
@@ -81,8 +94,9 @@ enum um_status um_optics_work_create(struct um_context *context,
                                      size_t nwork, struct um_optics_work **out);
 void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_optics_work **work);
 
-/* Sunlight at an instant into the scratch: solar spectrum, distance, and what the shadow and the
- * Earth's air leave of each wavelength. */
+/* Light of the instant's lamp into the scratch: solar spectrum, distance, what the shadow and the
+ * Earth's air leave of each wavelength, and the Moon's reflectance. Forgets what the scratch knows
+ * of the lamp before. */
 void um_optics_light(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                      const struct um_optics_instant *instant, struct um_optics_work *work);
 

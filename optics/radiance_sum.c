@@ -16,13 +16,13 @@ void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_opti
   memset(sum->earthlit, 0, spectra->nbin * sizeof *sum->earthlit);
 }
 
-/* M(i) M(o) of sunlit surfaces. */
+/* M(i) M(o) of lit surfaces. */
 static void add_masked(const struct um_optics_spectra *spectra, size_t skin,
                        const struct um_optics_sight *sight, double projected,
                        struct um_optics_work *work, struct um_optics_sum *sum)
 {
   const double *toward = work->masked_observer, *from = work->masked_sun;
-  um_optics_spectra_masked(spectra, skin, sight->cos_sun, work->masked_sun);
+  um_optics_spectra_masked(spectra, skin, sight->cos_lamp, work->masked_sun);
   um_optics_spectra_masked(spectra, skin, sight->cos_observer, work->masked_observer);
   for (size_t b = 0; b < spectra->nbin; b++) sum->masked[b] += projected * from[b] * toward[b];
 }
@@ -31,21 +31,26 @@ static struct um_materials_pair pair_of(const struct um_optics_instant *instant,
                                         const struct um_materials_lobe *lobe,
                                         const struct um_optics_sight *sight)
 {
-  struct um_materials_pair pair = {
-      sight->cos_sun, sight->cos_observer, sight->cos_half, instant->cos_half_phase, 0.0, 0.0, 0.0};
+  struct um_materials_pair pair = {sight->cos_lamp,
+                                   sight->cos_observer,
+                                   sight->cos_half,
+                                   instant->lamp.cos_half_phase,
+                                   0.0,
+                                   0.0,
+                                   0.0};
   if (!um_materials_lobe_is_anisotropic(lobe) && sight->patches.n == 0) return pair;
-  pair.along_i = um_vec3_dot(sight->grain, instant->sun_body);
+  pair.along_i = um_vec3_dot(sight->grain, instant->lamp.body);
   pair.along_o = um_vec3_dot(sight->grain, instant->observer_body);
-  pair.along_h = um_vec3_dot(sight->grain, instant->half_body);
+  pair.along_h = um_vec3_dot(sight->grain, instant->lamp.half);
   return pair;
 }
 
-static void add_sunlight(const struct um_optics_spectra *spectra,
-                         const struct um_optics_instant *instant, size_t skin,
-                         const struct um_optics_sight *sight, double lit,
-                         struct um_optics_work *work, struct um_optics_sum *sum)
+static void add_lamp(const struct um_optics_spectra *spectra,
+                     const struct um_optics_instant *instant, size_t skin,
+                     const struct um_optics_sight *sight, double lit, struct um_optics_work *work,
+                     struct um_optics_sum *sum)
 {
-  double projected = lit * sight->cos_observer * sight->cos_sun;
+  double projected = lit * sight->cos_observer * sight->cos_lamp;
   const struct um_materials_lobe *lobe = &spectra->lobe[skin];
   sum->lambert += projected;
   if (spectra->masks[skin]) add_masked(spectra, skin, sight, projected, work, sum);
@@ -54,9 +59,9 @@ static void add_sunlight(const struct um_optics_spectra *spectra,
   sum->lobe +=
       projected * (sight->patches.n > 0
                        ? um_materials_lobe_patches(&spectra->flat[skin], lobe, &pair,
-                                                   um_vec3_dot(sight->across, instant->half_body),
-                                                   instant->sun_radius, &sight->patches)
-                       : lobe->kind->sunlit(lobe, &pair, instant->sun_radius));
+                                                   um_vec3_dot(sight->across, instant->lamp.half),
+                                                   instant->lamp.radius, &sight->patches)
+                       : lobe->kind->sunlit(lobe, &pair, instant->lamp.radius));
 }
 
 void um_optics_sum_add(const struct um_optics_spectra *spectra,
@@ -72,8 +77,8 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
     lit += sight[i].area_lit;
     seen += sight[i].area_seen * cos_o;
   }
-  if (instant->sun > 0.0 && lit > 0.0 && sight->cos_sun > 0.0)
-    add_sunlight(spectra, instant, skin, sight, lit, work, sum);
+  if (instant->lamp.shines && lit > 0.0 && sight->cos_lamp > 0.0)
+    add_lamp(spectra, instant, skin, sight, lit, work, sum);
   if (!(seen > 0.0) || instant->sunlight_only) return;
   for (size_t i = 0; i < count; i++) {
     double area = sight[i].area_seen * cos_o;
@@ -107,8 +112,9 @@ const double *um_optics_specular(const struct um_optics_spectra *spectra,
   const struct um_materials_adjustment *adjustment =
       um_optics_adjustment(scene, instant->time, material);
   for (size_t b = 0; b < spectra->nbin; b++)
-    row[b] = um_materials_specular_reflectance(scene->material[material], adjustment,
-                                               spectra->wavelength[b], instant->cos_half_phase);
+    row[b] =
+        um_materials_specular_reflectance(scene->material[material], adjustment,
+                                          spectra->wavelength[b], instant->lamp.cos_half_phase);
   work->specular_known[skin] = true;
   return row;
 }
@@ -124,18 +130,18 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
   const double *diffuse = spectra->diffuse + skin * n;
   const double *emissivity = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
   bool diffuse_emitter = spectra->diffuse_emitter[skin];
-  if (instant->sun > 0.0 && sum->lambert > 0.0) {
+  size_t by = instant->lamp.name == UM_LAMP_MOON ? UM_MECHANISM_OTHER : UM_MECHANISM_SUN;
+  if (instant->lamp.shines && sum->lambert > 0.0) {
     const double *mean = spectra->masked_mean + skin * n;
     for (size_t b = 0; b < n; b++) {
       double scattered = (diffuse[b] - mean[b]) * sum->lambert;
       if (mean[b] > 0.0) scattered += sum->masked[b] / mean[b];
-      spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] = work->sunlight[b] * scattered / UM_PI;
+      spectral[b * UM_MECHANISM_COUNT + by] = work->sunlight[b] * scattered / UM_PI;
     }
     if (sum->lobe > 0.0) {
       const double *specular = um_optics_specular(spectra, scene, instant, skin, work);
       for (size_t b = 0; b < n; b++)
-        spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] +=
-            work->sunlight[b] * specular[b] * sum->lobe;
+        spectral[b * UM_MECHANISM_COUNT + by] += work->sunlight[b] * specular[b] * sum->lobe;
     }
   }
   double albedo = instant->earthshine * sum->albedo / UM_PI;

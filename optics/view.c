@@ -33,8 +33,32 @@ static enum um_status check(struct um_context *context, const struct um_environm
   return UM_OK;
 }
 
+static enum um_status lit_create(struct um_context *context, size_t nrow, size_t nsurface,
+                                 struct um_optics_lit *lit)
+{
+  size_t all = nrow * nsurface;
+  lit->nrow = nrow;
+  UM_TRY(um_core_allocate(context, all, sizeof *lit->share, &lit->share));
+  UM_TRY(um_core_allocate(context, all, sizeof *lit->error, &lit->error));
+  UM_TRY(um_core_allocate(context, all, sizeof *lit->cosine, &lit->cosine));
+  return um_core_allocate(context, all, sizeof *lit->cos_half, &lit->cos_half);
+}
+
+/* Rows of the instants that have a Moon. */
+static enum um_status moon_create(struct um_context *context,
+                                  const struct um_environment_sample *samples,
+                                  struct um_optics_view *view)
+{
+  size_t nrow = 0;
+  UM_TRY(um_core_allocate(context, view->ntime, sizeof *view->moon_row, &view->moon_row));
+  for (size_t t = 0; t < view->ntime; t++)
+    view->moon_row[t] = samples[t].moon_distance > 0.0 ? nrow++ : SIZE_MAX;
+  return lit_create(context, nrow, view->nsurface, &view->moon);
+}
+
 static enum um_status view_create(struct um_context *context, const struct um_geometry_mesh *mesh,
-                                  size_t ntime, uint64_t seed, struct um_optics_view *view)
+                                  const struct um_environment_sample *samples, size_t ntime,
+                                  uint64_t seed, struct um_optics_view *view)
 {
   size_t n = mesh->nsurface, all = ntime * n;
   if (n != 0 && ntime > SIZE_MAX / n)
@@ -45,12 +69,10 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
   view->seed = seed;
   UM_TRY(um_core_allocate(context, ntime, sizeof *view->nsample, &view->nsample));
   UM_TRY(um_core_allocate(context, all, sizeof *view->seen, &view->seen));
-  UM_TRY(um_core_allocate(context, all, sizeof *view->lit, &view->lit));
   UM_TRY(um_core_allocate(context, all, sizeof *view->seen_error, &view->seen_error));
-  UM_TRY(um_core_allocate(context, all, sizeof *view->lit_error, &view->lit_error));
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_observer, &view->cos_observer));
-  UM_TRY(um_core_allocate(context, all, sizeof *view->cos_sun, &view->cos_sun));
-  UM_TRY(um_core_allocate(context, all, sizeof *view->cos_half, &view->cos_half));
+  UM_TRY(lit_create(context, ntime, n, &view->sun));
+  UM_TRY(moon_create(context, samples, view));
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_nadir, &view->cos_nadir));
   UM_TRY(um_core_allocate(context, n, sizeof *view->area, &view->area));
   UM_TRY(um_core_allocate(context, n, sizeof *view->material, &view->material));
@@ -70,35 +92,63 @@ struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample)
   return um_quat_apply(sample->q, um_vec3_scale(sample->r, -1.0 / r));
 }
 
+/* How surfaces stand to a lamp, into a row. */
+static void turn_to(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
+                    struct um_vec3 observer, struct um_vec3 lamp, size_t row,
+                    struct um_optics_lit *out)
+{
+  struct um_vec3 half = um_vec3_add(observer, lamp);
+  double length = um_vec3_norm(half);
+  half = um_vec3_scale(half, length > 1e-9 ? 1.0 / length : 0.0);
+  for (size_t i = 0; i < mesh->nsurface; i++) {
+    struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, i);
+    out->cosine[row * mesh->nsurface + i] = (float)um_vec3_dot(normal, lamp);
+    out->cos_half[row * mesh->nsurface + i] = um_vec3_dot(normal, half);
+  }
+}
+
+/* What a lamp lights, into a row, and with it what the observer sees. scratch [4][nsurface]. */
+static void trace_lamp(const struct um_optics_set *set, struct um_vec3 observer,
+                       struct um_vec3 lamp, double radius, size_t time, size_t row, double *scratch,
+                       const struct um_optics_view *view, struct um_optics_lit *out)
+{
+  size_t n = view->nsurface;
+  double *seen = scratch, *lit = seen + n, *seen_error = lit + n, *lit_error = seen_error + n;
+  um_geometry_visibility_toward_both(set->visibility, observer, lamp, radius, view->nsample[time],
+                                     view->seed, seen, lit, seen_error, lit_error);
+  for (size_t i = 0; i < n; i++) {
+    out->share[row * n + i] = (float)lit[i];
+    out->error[row * n + i] = (float)lit_error[i];
+    view->seen[time * n + i] = (float)seen[i];
+    view->seen_error[time * n + i] = (float)seen_error[i];
+  }
+}
+
 /* scratch [4][nsurface]; once for each time */
 static void trace_time(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
                        const struct um_environment_sample *sample, int nsample, double *scratch,
                        size_t time, struct um_optics_view *view)
 {
-  size_t n = mesh->nsurface;
+  size_t n = mesh->nsurface, row = view->moon_row[time];
   view->nsample[time] = nsample;
   struct um_vec3 o = um_quat_apply(sample->q, sample->to_observer);
-  struct um_vec3 s = um_quat_apply(sample->q, sample->sun);
-  struct um_vec3 half = um_vec3_add(o, s);
+  struct um_vec3 sun = um_quat_apply(sample->q, sample->sun);
+  struct um_vec3 moon = um_quat_apply(sample->q, sample->moon);
   struct um_vec3 nadir = um_optics_nadir(sample);
-  double length = um_vec3_norm(half);
-  half = um_vec3_scale(half, length > 1e-9 ? 1.0 / length : 0.0);
-  double *seen = scratch, *lit = seen + n, *seen_error = lit + n, *lit_error = seen_error + n;
-  um_geometry_visibility_toward_both(set->visibility, o, s,
-                                     asin(UM_SOLAR_RADIUS / sample->sun_distance), nsample,
-                                     view->seed, seen, lit, seen_error, lit_error);
+  turn_to(mesh, set, o, sun, time, &view->sun);
   for (size_t i = 0; i < n; i++) {
-    size_t at = time * n + i;
     struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, i);
-    view->seen[at] = (float)seen[i];
-    view->lit[at] = (float)lit[i];
-    view->seen_error[at] = (float)seen_error[i];
-    view->lit_error[at] = (float)lit_error[i];
-    view->cos_observer[at] = (float)um_vec3_dot(normal, o);
-    view->cos_sun[at] = (float)um_vec3_dot(normal, s);
-    view->cos_half[at] = um_vec3_dot(normal, half);
-    view->cos_nadir[at] = (float)um_vec3_dot(normal, nadir);
+    view->cos_observer[time * n + i] = (float)um_vec3_dot(normal, o);
+    view->cos_nadir[time * n + i] = (float)um_vec3_dot(normal, nadir);
   }
+  if (row != SIZE_MAX) {
+    turn_to(mesh, set, o, moon, row, &view->moon);
+    trace_lamp(set, o, moon, um_environment_moon_radius(sample->moon_distance), time, row, scratch,
+               view, &view->moon);
+    if (!(sample->sunlit_fraction > 0.0)) return; /* a Sun that does not shine needs no rays */
+  }
+  trace_lamp(set, o, sun, asin(UM_SOLAR_RADIUS / sample->sun_distance), time, time, scratch, view,
+             &view->sun);
 }
 
 /* Times whose number of points is not nsample[time] yet. */
@@ -134,7 +184,7 @@ enum um_status um_optics_view_trace(struct um_context *context, const struct um_
   UM_CHECK(um_core_allocate(context, ntime, sizeof *all, &all));
   for (size_t t = 0; t < ntime; t++) all[t] = nsample;
   UM_CHECK(um_core_allocate(context, 1, sizeof *view, &view));
-  UM_CHECK(view_create(context, um_geometry_mesh(geometry), ntime, seed, view));
+  UM_CHECK(view_create(context, um_geometry_mesh(geometry), samples, ntime, seed, view));
   UM_CHECK(um_optics_view_retrace(context, geometry, samples, all, view));
   *out = view;
   view = NULL;
@@ -170,9 +220,11 @@ void um_optics_view_destroy(struct um_context *context, struct um_optics_view **
 {
   if (view == NULL || *view == NULL) return;
   struct um_optics_view *v = *view;
-  void *const blocks[] = {v->seen,         v->lit,     v->seen_error, v->lit_error,
-                          v->cos_observer, v->cos_sun, v->cos_half,   v->area,
-                          v->material,     v->part,    v->cos_nadir,  v->nsample};
+  void *const blocks[] = {v->seen,         v->seen_error, v->cos_observer, v->cos_nadir,
+                          v->area,         v->material,   v->part,         v->nsample,
+                          v->moon_row,     v->sun.share,  v->sun.error,    v->sun.cosine,
+                          v->sun.cos_half, v->moon.share, v->moon.error,   v->moon.cosine,
+                          v->moon.cos_half};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, v);
   *view = NULL;

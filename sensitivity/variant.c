@@ -43,8 +43,8 @@ static bool same_light(const struct um_environment *a, const struct um_environme
   return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
          a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
          a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
-         a->limb_darkening == b->limb_darkening && a->gas_density_factor == b->gas_density_factor &&
-         same_air(a, b) && same_earth(a, b) &&
+         a->limb_darkening == b->limb_darkening && a->moonlight_on == b->moonlight_on &&
+         a->gas_density_factor == b->gas_density_factor && same_air(a, b) && same_earth(a, b) &&
          (a->specular_exchange_on || !b->specular_exchange_on); /* paths by mirrors are there */
 }
 

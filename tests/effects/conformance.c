@@ -44,6 +44,7 @@ static const struct entry cases[] = {
     {"specular_exchange", NULL, 0.0, "bus", "a switch"},
     {"multiple_scattering", NULL, 0.0, "bus", "a switch"},
     {"inter_reflection", NULL, 0.0, "bus", "a switch"},
+    {"moonlight", NULL, 0.0, "bus", "a switch"},
     {"internal_power", "bus", 5.0, "vis", NULL},
     {"heater", "bus.+x", 20.0, "vis", "a heater does not cool"},
     {"stored_heat", "bus", 5.0, "vis", NULL},

@@ -104,7 +104,8 @@ static const struct {
                 {"solar_multiple_reflection", true, true},
                 {"specular_exchange", false, true},
                 {"multiple_scattering", true, false},
-                {"inter_reflection", false, true}};
+                {"inter_reflection", false, true},
+                {"moonlight", true, false}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

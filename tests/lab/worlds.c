@@ -78,6 +78,12 @@ static const struct lab_world worlds[] = {
      .set = {"optics.interreflection_samples=32", "parts.bus.outside=white_paint",
              "parts.array.back=white_paint", "parts.array.pose.position_m=[0, 1.4, 0]"}},
 
+    /* A night after full Moon, the whole pass in the umbra. */
+    {.name = "dusk-moonlight",
+     DUSK,
+     .without = "moonlight",
+     .set = {"time.start_utc=2026-03-04T22:37:30Z", "time.stop_utc=2026-03-04T22:49:54Z"}},
+
     /* Rough metal, whose facets throw light at each other. */
     {.name = "dusk-multiple_scattering",
      DUSK,

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "environment/moonlight.h"
 #include "model/bands.h"
 #include "model/build.h"
 #include "model/model.h"
@@ -139,6 +140,36 @@ static void umbra_is_dark_in_vis_alone(void **state)
   assert_true(dark >= 31 && umbra >= 33 && lit >= 30);
 }
 
+/* In the umbra VIS is moonlight alone. The Moon's last quarter is 37.5 h later (2016-09-23 09:56
+ * UTC, US Naval Observatory) and its elongation falls by 12.2 to 14.4 deg a day near perigee (361
+ * 900 km on the 18th): 67 to 71 deg of phase. Light at that phase by V = -12.73 + 0.026 g + 4e-9
+ * g^4 at 384 400 km against the Sun's -26.74 (Krisciunas & Schaefer 1991), within 0.25 mag: 0.1
+ * between the models, 0.07 for the waning side, 0.08 for the width of VIS. */
+static void the_moon_lights_the_umbra(void **state)
+{
+  struct pass *pass = *state;
+  size_t vis = um_model_band_find(pass->model, "vis"), moonlit = 0;
+  for (size_t k = 0; k < pass->precomputed->nobs; k++) {
+    const struct um_environment_sample *s = &pass->precomputed->sample[k];
+    double moon = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_OTHER);
+    double all = um_model_result_intensity(pass->result, k, vis, -1);
+    assert_true((s->moon_distance > 0.0) == (s->sunlit_fraction < 0.004));
+    assert_true((moon > 0.0) == (s->moon_distance > 0.0));
+    if (s->sunlit_fraction > 0.0) continue;
+    assert_true(moon > (1.0 - 1e-12) * all);
+    struct um_environment_moonlight light;
+    um_environment_moonlight(&pass->model->environment, s, &light);
+    double g = light.phase / UM_DEG, near = 384400e3 / s->moon_distance;
+    double law = pow(10.0, -0.4 * (-12.73 + 0.026 * g + 4e-9 * pow(g, 4) + 26.74)) * near * near;
+    double off = -2.5 * log10(um_environment_moonlight_at(&light, 0.55e-6) / law);
+    if (moonlit++ == 0)
+      print_message("phase %.1f deg, %.2e of the Sun, %.2f mag from the law\n", g,
+                    um_environment_moonlight_at(&light, 0.55e-6), off);
+    assert_true(g > 67.0 && g < 71.0 && light.longitude < 0.0 && fabs(off) < 0.25);
+  }
+  assert_true(moonlit >= 31);
+}
+
 /* Spectra, mechanisms and materials are three cuts of one intensity. */
 static void sums_agree(void **state)
 {
@@ -201,6 +232,7 @@ int main(void)
       cmocka_unit_test(light_returns_behind_an_oblate_earth),
       cmocka_unit_test(light_returns_behind_a_sphere),
       cmocka_unit_test(umbra_is_dark_in_vis_alone),
+      cmocka_unit_test(the_moon_lights_the_umbra),
       cmocka_unit_test(sums_agree),
       cmocka_unit_test(the_panel_carries_most_of_the_lwir),
       cmocka_unit_test(run_is_consistent),

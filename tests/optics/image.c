@@ -90,6 +90,36 @@ static void test_sum(void **state)
   fixture_destroy(&f);
 }
 
+/* In the umbra the picture's lamp is the Moon: of the Sun's size and where the Sun stood, it makes
+ * the same picture, dimmer. */
+static void test_moonlight(void **state)
+{
+  (void)state;
+  struct fixture f;
+  scene(&f);
+  struct um_environment_sample *s = f.samples;
+  size_t n = um_geometry_mesh(f.geometry)->nsurface;
+  for (size_t i = 0; i < 2 * n; i++) f.albedo[i] = f.view_factor[i] = 0.0F;
+  f.environment.shadow = UM_SHADOW_NONE;
+  s[1] = s[0];
+  s[1].moon = s[0].sun;
+  s[1].moon_distance = UM_LUNAR_RADIUS * s[0].sun_distance / UM_SOLAR_RADIUS;
+  s[1].sun = um_vec3(0.0, 0.6, -0.8);
+  s[1].sunlit_fraction = 0.0;
+  struct um_optics_band narrow = {"narrow", 0.5499e-6, 0.5501e-6, 1, NULL};
+  struct um_optics_image_options options = {60, 4, um_vec3(0.0, 1.0, 0.0)};
+  struct um_optics_image *image[2];
+  struct um_environment_moonlight light;
+  um_environment_moonlight(&f.environment, &s[1], &light);
+  for (size_t t = 0; t < 2; t++)
+    FIXTURE_OK(&f, um_optics_image_render(f.context, &f.scene, t, &narrow, 1, &options, &image[t]));
+  fixture_close("picture by moonlight, of that by sunlight",
+                image_sum(image[1], 0) / image_sum(image[0], 0),
+                um_environment_moonlight_at(&light, 0.55e-6), 1e-6);
+  for (size_t t = 0; t < 2; t++) um_optics_image_destroy(f.context, &image[t]);
+  fixture_destroy(&f);
+}
+
 /* What a pixel sees is not told by wavelength: a band of a picture of several is the picture of
  * that band alone, bit by bit, and the expanded radiances add up to weighted spectra (float
  * precision). */
@@ -230,9 +260,8 @@ static void test_orientation(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_sum),
-      cmocka_unit_test(test_factors),
-      cmocka_unit_test(test_estimate),
+      cmocka_unit_test(test_sum),         cmocka_unit_test(test_moonlight),
+      cmocka_unit_test(test_factors),     cmocka_unit_test(test_estimate),
       cmocka_unit_test(test_orientation),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

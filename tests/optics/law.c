@@ -134,8 +134,8 @@ static void test_threads(void **state)
       const struct um_optics_view *v = one.view, *w = many.view;
       size_t ns = v->ntime * v->nsurface;
       assert_memory_equal(v->seen, w->seen, ns * sizeof *v->seen);
-      assert_memory_equal(v->lit, w->lit, ns * sizeof *v->lit);
-      assert_memory_equal(v->cos_half, w->cos_half, ns * sizeof *v->cos_half);
+      assert_memory_equal(v->sun.share, w->sun.share, ns * sizeof *v->sun.share);
+      assert_memory_equal(v->sun.cos_half, w->sun.cos_half, ns * sizeof *v->sun.cos_half);
       assert_memory_equal(a->spectral, b->spectral,
                           a->ntime * a->nbin * UM_MECHANISM_COUNT * sizeof *a->spectral);
       assert_memory_equal(a->intensity, b->intensity,

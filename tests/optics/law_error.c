@@ -41,8 +41,8 @@ struct pooled {
 static void pool(const struct um_optics_view *v, const struct um_optics_view *truth, bool lit,
                  struct pooled *out)
 {
-  const float *f = lit ? v->lit : v->seen, *t = lit ? truth->lit : truth->seen;
-  const float *e = lit ? v->lit_error : v->seen_error;
+  const float *f = lit ? v->sun.share : v->seen, *t = lit ? truth->sun.share : truth->seen;
+  const float *e = lit ? v->sun.error : v->seen_error;
   for (size_t i = 0; i < v->nsurface; i++) {
     double error = (double)f[i] - (double)t[i];
     out->error += error * error;
