@@ -71,7 +71,7 @@ static const struct {
     {"dusk-air", NULL, {"aerosol", "", NULL, 0, NAN, 0.2}},
     {"dusk-air", "dawn-air", {"cirrus", "", "", 0, NAN, 0.1}},
     {"dusk-camera", NULL, {"nonlinearity", "vis", NULL, 0, -0.02, 0.03}},
-    {"dusk-creases", "dawn-creases", {"mli_creases", "bus", "bus", 0, -6.0, 9.0}},
+    {"dusk-creases", "dawn-creases", {"mli_creases", "bus", "bus", 0, -16.0, 25.0}},
     {"dusk-films", "dawn-films", {"thin_film", "mli_kapton", "mli_kapton", 0, 0.7, 1.4}},
     {"days", NULL, {"contamination", "white", NULL, 0, -0.015, 0.02}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
