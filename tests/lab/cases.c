@@ -45,7 +45,6 @@ static const struct entry entries[] = {
     {"array_angle", "array", "array", 0, -3.0, 4.0},
     {"attitude_offset", "", "", 1, -2.0, 2.0},
     {"spin_period", "", NULL, 0, -0.005, 0.005},
-    {"nutation", "", NULL, 0, -3.0, 4.0},
     {"time_tag", "", "", 0, -0.5, 0.5},
     {"along_track", "", "", 0, -1.5, 1.5},
     {"exposure", "", NULL, 0, NAN, 16.0},
@@ -73,6 +72,7 @@ static const struct {
     {"dusk-camera", NULL, {"nonlinearity", "vis", NULL, 0, -0.02, 0.03}},
     {"dusk-creases", "dawn-creases", {"mli_creases", "bus", "bus", 0, -16.0, 25.0}},
     {"dusk-films", "dawn-films", {"thin_film", "mli_kapton", "mli_kapton", 0, 0.7, 1.4}},
+    {"dusk-nutation", NULL, {"nutation", "", NULL, 0, -3.0, 4.0}},
     {"days", NULL, {"contamination", "white", NULL, 0, -0.015, 0.02}},
     {"dusk-dense", "dawn-dense", {"heater", "bus.-x", "bus.-x", 0, NAN, 60.0}},
 };

@@ -125,6 +125,10 @@ static const struct lab_world worlds[] = {
     {.name = "dusk-creases", DUSK, .set = {CREASES}},
     {.name = "dawn-creases", DAWN, PLACES, .set = {CREASES, "parts.bus.outside=mli_kapton"}},
 
+    /* Of a body that has no axis of its own (inertia_ratio 1) nutation is a tip that stays, which
+     * is an attitude offset. One that is flat along its axis nutates faster than it turns. */
+    {.name = "dusk-nutation", DUSK, .set = {"attitude.0.spin.inertia_ratio=1.5"}},
+
     /* Films are parts of records with optical constants. */
     {.name = "dusk-films", DUSK, SPECTRA},
     {.name = "dawn-films", DAWN, PLACES, SPECTRA},
