@@ -27,6 +27,12 @@
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
 #define SPECTRA                                                                                    \
   .set = {"parts.bus.outside=mli_kapton", "parts.array.front=cell_silicon", "parts.array.back=cfrp"}
+/* The array close to the bus: they shade and warm parts of each other, so that one temperature a
+ * face and the usual samples would cost the analyst a chi-square of 1100 where hidden light between
+ * white walls is worth 360. On facets it is 17. */
+#define CLOSE                                                                                      \
+  "parts.array.pose.position_m=[0, 1.4, 0]", "parts.bus.lumped=false", "parts.array.lumped=false", \
+      "thermal.facet_size_m=0.7", "optics.samples=25"
 #define CREASES "parts.bus.creases={tilt_rms_deg: 5, patch_m: 0.1}"
 #define SPECTRAL(s)                                                                                \
   {                                                                                                \
@@ -64,24 +70,20 @@ static const struct lab_world worlds[] = {
     SPECTRAL("earthlight_lobe"),
     {.name = "dawn-earthlight_lobe", DAWN, PLACES, .without = "earthlight_lobe", SPECTRA},
 
-    /* Mirrors beside each other: a bus of silvered FEP, the array close to it. */
+    /* Mirrors beside each other: a bus of silvered FEP. */
     {.name = "dawn-specular_exchange",
      DAWN,
      PLACES,
      .without = "specular_exchange",
-     .set = {"parts.bus.outside=fep_silver", "parts.array.pose.position_m=[0, 1.4, 0]"}},
+     .set = {"parts.bus.outside=fep_silver", CLOSE}},
 
-    /* White walls beside each other: the array close to the bus, as of paint. They shade and warm
-     * parts of each other, so that one temperature a face and the usual samples would cost the
-     * analyst a chi-square of 1100, where what is hidden is worth 360. On facets it is 17. */
+    /* White walls beside each other, as of paint. */
     {.name = "dawn-inter_reflection",
      DAWN,
      PLACES,
      .without = "inter_reflection",
      .set = {"optics.interreflection_samples=32", "parts.bus.outside=white_paint",
-             "parts.array.back=white_paint", "parts.array.pose.position_m=[0, 1.4, 0]",
-             "parts.bus.lumped=false", "parts.array.lumped=false", "thermal.facet_size_m=0.7",
-             "optics.samples=25"}},
+             "parts.array.back=white_paint", CLOSE}},
 
     /* A night after full Moon, the whole pass in the umbra. */
     {.name = "dusk-moonlight",
