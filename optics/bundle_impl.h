@@ -3,7 +3,6 @@
 #define UMBRA_OPTICS_BUNDLE_IMPL_H
 
 #include "core/sampling.h"
-#include "optics/interreflection_impl.h"
 #include "optics/photons_impl.h"
 
 struct um_optics_bundle {

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "core/sampling.h"
-#include "optics/interreflection_impl.h"
+#include "optics/exchange_impl.h"
 #include "optics/paths_impl.h"
 #include "optics/sampling_impl.h"
 

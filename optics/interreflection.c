@@ -24,6 +24,7 @@
 
 #include "core/constants.h"
 #include "optics/bundle_impl.h"
+#include "optics/exchange_impl.h"
 #include "optics/sampling_impl.h"
 
 #define LEAST   1e-5 /* [1] */

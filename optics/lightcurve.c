@@ -8,7 +8,6 @@
 #include "optics/between_impl.h"
 #include "optics/coarse_impl.h"
 #include "optics/facing_impl.h"
-#include "optics/interreflection_impl.h"
 
 /* Tables in some bins, and scratch for them. */
 struct resolution {

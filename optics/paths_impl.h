@@ -6,6 +6,8 @@
 #include "optics/radiance_impl.h"
 #include "optics/set_impl.h"
 
+#define UM_OPTICS_PATHS 16 /* that are traced together */
+
 /* What of a pose paths go by, whatever the optics are. */
 struct um_optics_exchange {
   const struct um_geometry_mesh *mesh;

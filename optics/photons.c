@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "optics/interreflection_impl.h"
+#include "optics/exchange_impl.h"
 #include "optics/sampling_impl.h"
 
 #define EACH     2    /* ways of a mirror, of the paths of a surface */

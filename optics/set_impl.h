@@ -4,7 +4,7 @@
 
 #include "optics/optics.h"
 
-struct um_optics_exchange; /* interreflection_impl.h */
+struct um_optics_exchange; /* paths_impl.h */
 
 struct um_optics_set {
   double *angle; /* [njoint] [rad] */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "optics/interreflection_impl.h"
+#include "optics/exchange_impl.h"
 
 static void set_clear(struct um_context *context, struct um_optics_set *set)
 {
