@@ -23,6 +23,7 @@
 #include <stdbool.h>
 
 #include "core/constants.h"
+#include "environment/earth_moments_impl.h"
 #include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"
 
@@ -227,21 +228,68 @@ static double lit_flux(const struct lit_cap *cap, struct um_vec3 normal)
   return sum < 0.0 ? 0.0 : sum;
 }
 
+static void scale(double *x, double factor)
+{
+  for (int k = 0; k < UM_ANGULAR_MOMENTS; k++) x[k] *= factor;
+}
+
+/* Moments of the uniform Earth whose fluxes a plate gets. */
+static void uniform_moments(const struct lit_cap *cap, struct um_vec3 normal, double albedo,
+                            double planet, struct um_environment_earth_moments *out)
+{
+  um_environment_earth_moments(&cap->view, normal, albedo > 0.0, out);
+  scale(out->albedo, albedo);
+  scale(out->planet, planet);
+}
+
 /* The uniform Earth of the cap's means, and cell by cell what differs from it. */
 static void varied_flux(const struct um_environment_ground_view *ground, const struct lit_cap *cap,
                         double irradiance, const struct um_vec3 *normals, size_t n,
-                        struct um_environment_earth_flux *out)
+                        struct um_environment_earth_flux *out,
+                        struct um_environment_earth_moments *moments)
 {
   struct um_environment_varied varied;
   um_environment_varied_make(&cap->view, ground, &varied);
   for (size_t i = 0; i < n; i++) {
     double albedo, planet;
     um_environment_varied_plate(&varied, normals[i], &albedo, &planet, &out[i].brightness);
-    albedo += varied.albedo * lit_flux(cap, normals[i]);
+    double uniform = varied.albedo * lit_flux(cap, normals[i]);
+    albedo += uniform;
     out[i].albedo = irradiance / UM_PI * (albedo < 0.0 ? 0.0 : albedo);
     out[i].view_factor = plate_view_factor(cap->view.h, um_vec3_dot(normals[i], cap->view.nadir));
     planet += varied.longwave * out[i].view_factor;
     out[i].planet = planet < 0.0 || out[i].view_factor == 0.0 ? 0.0 : planet;
+    if (moments == NULL) continue;
+    uniform_moments(cap, normals[i], uniform, varied.longwave * out[i].view_factor, &moments[i]);
+    um_environment_varied_moments(&varied, normals[i], &moments[i]);
+    scale(moments[i].albedo, out[i].albedo > 0.0 ? irradiance / UM_PI : 0.0);
+    scale(moments[i].planet, out[i].planet > 0.0 ? 1.0 : 0.0);
+  }
+}
+
+void um_environment_earth_flux_by_angle(const struct um_environment *environment,
+                                        const struct um_environment_globe *globe, struct um_vec3 r,
+                                        struct um_vec3 sun, double distance,
+                                        const struct um_vec3 *normals, size_t n,
+                                        struct um_environment_earth_flux *out,
+                                        struct um_environment_earth_moments *moments)
+{
+  struct lit_cap cap = lit_cap(environment, r, sun);
+  double irradiance = um_environment_solar_irradiance(environment, distance);
+  if (globe != NULL && um_environment_earth_varies(environment)) {
+    struct um_environment_ground_view ground =
+        um_environment_ground_view(environment, globe, distance);
+    varied_flux(&ground, &cap, irradiance, normals, n, out, moments);
+    return;
+  }
+  double of_albedo = environment->albedo * irradiance / UM_PI;
+  for (size_t i = 0; i < n; i++) {
+    out[i].albedo = of_albedo * lit_flux(&cap, normals[i]);
+    out[i].view_factor = plate_view_factor(cap.view.h, um_vec3_dot(normals[i], cap.view.nadir));
+    out[i].planet = environment->outgoing_longwave * out[i].view_factor;
+    out[i].brightness = environment->brightness_temperature;
+    if (moments != NULL)
+      uniform_moments(&cap, normals[i], out[i].albedo, out[i].planet, &moments[i]);
   }
 }
 
@@ -250,19 +298,5 @@ void um_environment_earth_flux(const struct um_environment *environment,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,
                                size_t n, struct um_environment_earth_flux *out)
 {
-  struct lit_cap cap = lit_cap(environment, r, sun);
-  double irradiance = um_environment_solar_irradiance(environment, distance);
-  if (globe != NULL && um_environment_earth_varies(environment)) {
-    struct um_environment_ground_view ground =
-        um_environment_ground_view(environment, globe, distance);
-    varied_flux(&ground, &cap, irradiance, normals, n, out);
-    return;
-  }
-  double scale = environment->albedo * irradiance / UM_PI;
-  for (size_t i = 0; i < n; i++) {
-    out[i].albedo = scale * lit_flux(&cap, normals[i]);
-    out[i].view_factor = plate_view_factor(cap.view.h, um_vec3_dot(normals[i], cap.view.nadir));
-    out[i].planet = environment->outgoing_longwave * out[i].view_factor;
-    out[i].brightness = environment->brightness_temperature;
-  }
+  um_environment_earth_flux_by_angle(environment, globe, r, sun, distance, normals, n, out, NULL);
 }

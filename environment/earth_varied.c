@@ -95,3 +95,19 @@ void um_environment_varied_plate(const struct um_environment_varied *varied, str
   }
   *brightness = factor > 0.0 ? temperature_of(window / factor) : varied->brightness;
 }
+
+void um_environment_varied_moments(const struct um_environment_varied *varied,
+                                   struct um_vec3 normal,
+                                   struct um_environment_earth_moments *moments)
+{
+  for (int k = 0; k < UM_EARTH_VARIED_CELLS; k++) {
+    const struct um_environment_varied_cell *cell = &varied->cell[k];
+    double cosine = fmin(um_vec3_dot(normal, cell->direction), 1.0), p[UM_ANGULAR_MOMENTS];
+    if (!(cosine > 0.0)) continue;
+    um_environment_angular_polynomials(cosine, p);
+    for (int m = 0; m < UM_ANGULAR_MOMENTS; m++) {
+      moments->albedo[m] += cosine * cell->albedo * p[m];
+      moments->planet[m] += cosine * cell->planet * p[m];
+    }
+  }
+}

@@ -32,5 +32,9 @@ void um_environment_varied_make(const struct um_environment_earth_view *view,
  * [sr], planet [W/m^2]; and the brightness temperature of what it sees [K]. */
 void um_environment_varied_plate(const struct um_environment_varied *varied, struct um_vec3 normal,
                                  double *albedo, double *planet, double *brightness);
+/* Adds to moments what differs from the uniform Earth of the means, in those units. */
+void um_environment_varied_moments(const struct um_environment_varied *varied,
+                                   struct um_vec3 normal,
+                                   struct um_environment_earth_moments *moments);
 
 #endif

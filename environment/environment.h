@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "core/vec.h"
+#include "environment/angular_moments.h"
 #include "environment/clear_sky.h"
 #include "environment/ground.h"
 #include "materials/materials.h"
@@ -155,6 +156,19 @@ void um_environment_earth_flux(const struct um_environment *environment,
                                const struct um_environment_globe *globe, struct um_vec3 r,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,
                                size_t n, struct um_environment_earth_flux *out);
+/* The same, and at which angles it arrives: angular moments of both (angular_moments.h), accurate
+ * to 7e-5 of what a plate gets that faces the Earth with the Sun overhead, 2e-4 (at GEO
+ * 1e-3) where the terminator crosses the cap, from 200 km up. moments[n]; NULL: as above. Test:
+ * environment/earth_moments. */
+struct um_environment_earth_moments {
+  double albedo[UM_ANGULAR_MOMENTS], planet[UM_ANGULAR_MOMENTS]; /* E_1 to E_5 [W/m^2] */
+};
+void um_environment_earth_flux_by_angle(const struct um_environment *environment,
+                                        const struct um_environment_globe *globe, struct um_vec3 r,
+                                        struct um_vec3 sun, double distance,
+                                        const struct um_vec3 *normals, size_t n,
+                                        struct um_environment_earth_flux *out,
+                                        struct um_environment_earth_moments *moments);
 /* The same cap as directions, for what a plate cannot see because the satellite is in the way:
  * ndir unit directions from the satellite with solid-angle weights [sr], reflected solar radiance
  * and emitted radiance [W/m^2/sr]. capacity >= UM_EARTH_CAP_POINTS. Returns the number. */
