@@ -150,6 +150,45 @@ double um_materials_emittance(const struct um_materials_record *record,
   return scaled(value, adjustment);
 }
 
+/* eps(theta, T) over wavelengths as eps(T) is (emittance_at), at the nodes of the record's angles.
+ */
+static void directional_emittance(const struct um_materials_spectrum *s, double temperature,
+                                  double at[UM_MATERIALS_COSINES])
+{
+  double before = 0.0;
+  for (size_t j = 0; j < s->ncos; j++) at[j] = 0.0;
+  for (size_t i = 0; i <= s->n; i++) {
+    bool end = i == s->n;
+    double fraction = end ? 1.0 : um_core_planck_fraction(s->wavelength[i] * temperature);
+    size_t high = end ? i - 1 : i, low = i > 0 ? i - 1 : 0;
+    for (size_t j = 0; j < s->ncos; j++)
+      at[j] += (fraction - before) * (1.0 - 0.5 * (s->diffuse[low] + s->lobe[low * s->ncos + j] +
+                                                   s->diffuse[high] + s->lobe[high * s->ncos + j]));
+    before = fraction;
+  }
+}
+
+void um_materials_emittance_by_angle(const struct um_materials_record *record,
+                                     const struct um_materials_adjustment *adjustment,
+                                     double temperature, size_t n, double *out)
+{
+  double at[UM_MATERIALS_COSINES];
+  size_t ncos = record->grey ? 1 : record->spectrum.ncos;
+  if (ncos > 1)
+    directional_emittance(&record->spectrum, temperature, at);
+  else
+    at[0] = um_materials_emittance(record, NULL, temperature);
+  double tilt = adjustment != NULL ? adjustment->emissivity_tilt : 0.0;
+  double mean = um_materials_emittance(record, adjustment, temperature);
+  for (size_t k = 0; k < n; k++) {
+    double u = (double)k / (double)(n - 1);
+    double value = ncos > 1 ? cubic(at, ncos, u * (double)(ncos - 1)) : at[0];
+    value = scaled(value, adjustment);
+    if (tilt != 0.0) value += tilt * mean * (1.0 - 21.0 * pow(1.0 - u * u, 5.0)) / 20.0;
+    out[k] = fmax(0.0, fmin(1.0, value));
+  }
+}
+
 double um_materials_normal_emittance(const struct um_materials_record *record,
                                      const struct um_materials_adjustment *adjustment,
                                      double temperature)

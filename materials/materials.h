@@ -168,6 +168,13 @@ double um_materials_emittance(const struct um_materials_record *record,
 double um_materials_normal_emittance(const struct um_materials_record *record,
                                      const struct um_materials_adjustment *adjustment,
                                      double temperature);
+/* Directional total emittance at a temperature [K], at n > 1 angles evenly in the square root of
+ * the cosine, from grazing to normal: out[n]; 2 int of it cos dcos is um_materials_emittance to
+ * 1e-4 unless a tilt meets the bounds 0 and 1. One for all angles of a grey record that nothing
+ * tilts. Test: materials/integrals. */
+void um_materials_emittance_by_angle(const struct um_materials_record *record,
+                                     const struct um_materials_adjustment *adjustment,
+                                     double temperature, size_t n, double *out);
 /* Shares of what a record reflects that go in a lobe narrow enough (Beckmann alpha at most 0.1, see
  * mirror.c) to be taken as a mirror's where surfaces exchange heat; 0 for others. Adjustments do
  * not change them: they act on absorptance and emittance, which leave the rest to be shared. Test:

@@ -79,6 +79,20 @@ static void catalogue(void **state)
 }
 
 /* Planck-weighted emissivity over a range of wavelengths, midpoints in log wavelength. */
+static double emittance_toward(const struct um_materials_record *r,
+                               const struct um_materials_adjustment *a, double temperature,
+                               double cosine)
+{
+  const int n = 4000;
+  double sum = 0.0, weights = 0.0;
+  for (int i = 0; i < n; i++) {
+    double l = 0.2e-6 * pow(1e4, (i + 0.5) / n), w = um_core_planck_radiance(l, temperature) * l;
+    sum += w * um_materials_emissivity(r, a, l, cosine);
+    weights += w;
+  }
+  return sum / weights;
+}
+
 static double band_emittance(const struct um_materials_record *r, double from, double to,
                              double temperature, bool hemispherical)
 {
@@ -110,6 +124,37 @@ static void emittance_is_the_integral(void **state)
                  band_emittance(r, 0.2e-6, 2e-3, t, true), 1e-4);
       check_near(names[i], um_materials_normal_emittance(r, NULL, t),
                  band_emittance(r, 0.2e-6, 2e-3, t, false), 1e-4);
+    }
+}
+
+/* Toward a side against direct quadrature, as it is and with effects on it; 2 int of it mu dmu is
+ * the hemispherical one. */
+static void emittance_by_angle(void **state)
+{
+  (void)state;
+  enum { NODES = 97 };
+  struct um_materials_adjustment changed = um_materials_no_adjustment;
+  changed.emittance_scale = 0.9;
+  changed.emissivity_tilt = -0.1; /* meets no bound */
+  const struct um_materials_adjustment *const with[] = {NULL, &changed};
+  for (size_t m = 0; m < um_materials_library_count(library); m++)
+    for (size_t a = 0; a < 2; a++) {
+      const struct um_materials_record *r = um_materials_library_at(library, m);
+      double value[NODES], mean = 0.0;
+      if (um_materials_is_grey(r)) continue;
+      um_materials_emittance_by_angle(r, with[a], 254.0, NODES, value);
+      for (int i = 1; i < NODES; i++) {
+        double u = i / (NODES - 1.0);
+        mean += value[i] * u * u * u *
+                (i == NODES - 1 ? 2.0
+                 : i % 2 == 1   ? 8.0
+                                : 4.0) *
+                (2.0 / 3.0) / (NODES - 1.0);
+        if (i % 12 == 0)
+          check_near(um_materials_name(r), value[i], emittance_toward(r, with[a], 254.0, u * u),
+                     3e-4);
+      }
+      check_near(um_materials_name(r), mean, um_materials_emittance(r, with[a], 254.0), 1e-4);
     }
 }
 
@@ -279,6 +324,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(catalogue),
       cmocka_unit_test(emittance_is_the_integral),
+      cmocka_unit_test(emittance_by_angle),
       cmocka_unit_test(known_sheets),
       cmocka_unit_test(grid_reproduces_fresnel),
       cmocka_unit_test(solar_absorptance_over_e490),
