@@ -1,7 +1,8 @@
 /* Directional emissivity: eps(theta) = eps + d eps_h (1 - 21 (1 - cos theta)^5) / 20. Schlick's
  * dielectric 1 - R = (1 - R_0)(1 - (1 - cos)^5), divided by its hemispherical value (1 - R_0)
- * 20/21, is d = 1; emissivities of metals rise to grazing, d < 0. The hemispherical value is kept,
- * and with it every temperature; what is not emitted is reflected Earth. */
+ * 20/21, is d = 1; emissivities of metals rise to grazing, d < 0. The hemispherical value is kept;
+ * what is not emitted is reflected Earth, and what the Earth sends is absorbed alike
+ * (absorptance_angle), which moves temperatures of spectral records a little. */
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 

@@ -35,13 +35,15 @@ struct tracer {
   bool earth;          /* there is something of it to be traced */
   uint32_t *normal_of; /* [nsurface] class of surfaces of one part that share a normal */
   uint32_t *example;   /* [nnormal] a surface of each class */
+  uint32_t *order;     /* [nsurface] surfaces, class by class */
   size_t nnormal;
   bool *bright;                  /* [ntime] solar rays are wanted */
   struct um_thermal_scene fixed; /* when nothing moves; else the pose of the first sample */
   double *angles;                /* [njoint] scratch */
   double *fraction;              /* [BATCH][nsurface] scratch */
   struct um_vec3 *normal;        /* [BATCH][nnormal] scratch */
-  struct um_environment_earth_flux *flux; /* [BATCH][nnormal] scratch */
+  struct um_environment_earth_flux *flux;       /* [BATCH][nnormal] scratch */
+  struct um_environment_earth_moments *moments; /* [BATCH][nnormal] scratch; NULL: not asked for */
 };
 static void scene_destroy(struct tracer *t, struct um_thermal_scene *s)
 {
@@ -114,11 +116,24 @@ static void find_bright(struct tracer *t)
   }
 }
 
+/* After classify_normals. */
+static enum um_status order_by_normal(struct tracer *t)
+{
+  size_t nsurface = t->mesh->nsurface, *next = NULL;
+  UM_TRY(um_core_allocate(t->context, t->nnormal + 1, sizeof *next, &next));
+  for (size_t s = 0; s < nsurface; s++) next[t->normal_of[s] + 1]++;
+  for (size_t i = 0; i < t->nnormal; i++) next[i + 1] += next[i];
+  for (size_t s = 0; s < nsurface; s++) t->order[next[t->normal_of[s]]++] = (uint32_t)s;
+  um_core_free(t->context, next);
+  return UM_OK;
+}
+
 static enum um_status tracer_prepare(struct tracer *t)
 {
   size_t nsurface = t->mesh->nsurface;
   UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->normal_of, &t->normal_of));
   UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->example, &t->example));
+  UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->order, &t->order));
   UM_TRY(um_core_allocate(t->context, t->loads->ntime, sizeof *t->bright, &t->bright));
   UM_TRY(um_core_allocate(t->context, t->njoint, sizeof *t->angles, &t->angles));
   UM_TRY(um_core_allocate(t->context, BATCH * nsurface, sizeof *t->fraction, &t->fraction));
@@ -126,7 +141,10 @@ static enum um_status tracer_prepare(struct tracer *t)
   um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->angles);
   UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, t->earth && !t->moves, &t->fixed));
   UM_TRY(classify_normals(t, t->fixed.pose));
+  UM_TRY(order_by_normal(t));
   UM_TRY(um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->normal, &t->normal));
+  if (t->loads->planet_moments != NULL)
+    UM_TRY(um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->moments, &t->moments));
   return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
 }
 
@@ -157,20 +175,23 @@ static void trace_earth(const struct tracer *t, const struct um_environment_samp
   struct um_environment_globe globe = {.t_tai = sample->t_tai,
                                        .pole = um_quat_apply(sample->q, sample->pole),
                                        .greenwich = um_quat_apply(sample->q, sample->greenwich)};
-  um_environment_earth_flux(t->environment, &globe, r, sun, sample->sun_distance, normal,
-                            t->nnormal, flux);
+  bool by_angle = t->moments != NULL;
+  struct um_environment_earth_moments *moments = by_angle ? &t->moments[slot * t->nnormal] : NULL;
+  um_environment_earth_flux_by_angle(t->environment, &globe, r, sun, sample->sun_distance, normal,
+                                     t->nnormal, flux, moments);
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, &globe, r, sun, sample->sun_distance, cap.point);
   cap.varies = um_environment_earth_varies(t->environment);
   if (scene->row != NULL) um_irradiation_cap_spread(&cap);
   struct um_thermal_half half;
-  size_t halved = SIZE_MAX; /* normal of `half`: surfaces of one are mostly neighbours */
-  for (size_t s = 0; s < t->mesh->nsurface && !um_core_stopped(t->context); s++) {
-    size_t of = t->normal_of[s];
+  size_t halved = SIZE_MAX; /* normal of `half` */
+  for (size_t i = 0; i < t->mesh->nsurface && !um_core_stopped(t->context); i++) {
+    size_t s = t->order[i], of = t->normal_of[s];
     const struct um_environment_earth_flux *f = &flux[of];
-    struct um_thermal_shares share = {1.0, 1.0, 1.0};
+    struct um_thermal_shares share = {1.0, 1.0, 1.0, {0.0}, {0.0}};
     if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s)) {
-      if (of != halved) um_irradiation_cap_halve(&cap, normal[of], scene->row != NULL, &half);
+      if (of != halved)
+        um_irradiation_cap_halve(&cap, normal[of], scene->row != NULL, by_angle, &half);
       halved = of;
       um_irradiation_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &share);
     }
@@ -178,6 +199,12 @@ static void trace_earth(const struct tracer *t, const struct um_environment_samp
     out->planet[s] = (float)(f->planet * share.planet);
     out->view_factor[s] = (float)(f->view_factor * share.view_factor);
     if (out->brightness != NULL) out->brightness[s] = (float)f->brightness;
+    if (!by_angle) continue;
+    size_t m = s * UM_ANGULAR_MOMENTS;
+    um_irradiation_moments_set(moments[of].albedo, f->albedo, share.albedo, share.moved_albedo,
+                               &out->albedo_moments[m]);
+    um_irradiation_moments_set(moments[of].planet, f->planet, share.planet, share.moved_planet,
+                               &out->planet_moments[m]);
   }
 }
 
@@ -254,11 +281,13 @@ static void tracer_free(struct tracer *t)
   scene_destroy(t, &t->fixed);
   um_core_free(t->context, t->normal_of);
   um_core_free(t->context, t->example);
+  um_core_free(t->context, t->order);
   um_core_free(t->context, t->bright);
   um_core_free(t->context, t->angles);
   um_core_free(t->context, t->fraction);
   um_core_free(t->context, t->normal);
   um_core_free(t->context, t->flux);
+  um_core_free(t->context, t->moments);
   um_core_free(t->context, t->attitude);
   um_irradiation_loads_destroy(t->context, &t->one);
 }
@@ -303,6 +332,11 @@ static enum um_status columns_add(const struct tracer *t, struct um_irradiation_
     UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->brightness));
   if (t->environment->gas_density_factor > 0.0)
     UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->gas));
+  if (t->environment->absorptance_by_angle && t->earth) {
+    n *= UM_ANGULAR_MOMENTS;
+    UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->albedo_moments));
+    UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->planet_moments));
+  }
   return UM_OK;
 }
 

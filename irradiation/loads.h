@@ -25,6 +25,9 @@ struct um_irradiation_loads {
   float *view_factor; /* [ntime][nsurface] free view factor to the Earth [1] */
   float *brightness;  /* [ntime][nsurface] brightness temperature in 8-12 um of the Earth before the
                          surface [K]; NULL: the environment's, everywhere and always */
+  float *albedo_moments, *planet_moments; /* [ntime][nsurface][UM_ANGULAR_MOMENTS] by which angles
+                                             `albedo` and `planet` arrive: E_1 to E_5 of
+                                             environment/angular_moments.h [W/m^2]; NULL: unknown */
   float *gas; /* [ntime][nsurface] energy of the atmosphere that a surface takes [W/m^2]; NULL: none
                */
   double *edge; /* [nedge] times at which the integrator must stop: eclipse edges */
@@ -35,8 +38,9 @@ struct um_irradiation_loads {
  * Earth loads: exact unobstructed flux per normal times the free share of the cap (rigid body: its
  * sky; moving joints: rays in the pose of the sample; about 1 % of the hemisphere on covered
  * surfaces, exact on open ones); nothing of it is traced and left 0 where albedo, longwave and
- * brightness temperature are; Sun: rays, left 0 farther than 120 s and one sample from sunlight.
- * Parallel over times. Progress is reported. */
+ * brightness temperature are. Moments are there where the environment has absorptance_by_angle, of
+ * what is free of the Earth as its loads are (test: irradiation/angles). Sun: rays, left 0 farther
+ * than 120 s and one sample from sunlight. Parallel over times. Progress is reported. */
 enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const struct um_geometry *geometry,
                                           const struct um_environment *environment,

@@ -59,9 +59,10 @@ void um_irradiation_cap_spread(struct um_thermal_cap *cap)
 }
 
 void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
-                              struct um_thermal_half *out)
+                              bool by_angle, struct um_thermal_half *out)
 {
   out->n = 0;
+  out->by_angle = false;
   out->albedo = out->planet = out->longwave = 0.0;
   out->varies = cap->varies;
   for (size_t i = 0; i < cap->n; i++) {
@@ -79,6 +80,7 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
       if (um_vec3_dot(cap->four[i][j], normal) > 0.0)
         out->cell[k][out->ncell[k]++] = (uint16_t)cap->cell[i][j];
   }
+  if (by_angle) um_irradiation_half_by_angle(cap, normal, out);
 }
 
 /* How free the directions of the half are from a surface, by the sky of a rigid body. */
@@ -145,4 +147,5 @@ void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
   out->view_factor = half->planet > 0.0 ? open[1] / half->planet : 1.0;
   out->albedo = half->albedo > 0.0 ? open[0] / half->albedo : out->view_factor;
   out->planet = half->varies && half->longwave > 0.0 ? open[2] / half->longwave : out->view_factor;
+  if (half->by_angle) um_irradiation_shares_by_angle(half, free_of, out);
 }

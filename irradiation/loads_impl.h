@@ -8,6 +8,7 @@
 struct um_irradiation_row {
   float *sun, *incidence, *albedo, *planet, *view_factor; /* [nsurface] */
   float *brightness, *gas;                                /* [nsurface] or NULL */
+  float *albedo_moments, *planet_moments; /* [nsurface][UM_ANGULAR_MOMENTS] or NULL */
 };
 struct um_irradiation_row um_irradiation_row_of(const struct um_irradiation_loads *loads, size_t k);
 
@@ -49,7 +50,9 @@ struct um_thermal_half {
   uint16_t cell[UM_EARTH_CAP_POINTS][4];
   double albedo, planet; /* sums of weight times radiance, and of weight, over all */
   double longwave;       /* sum of weight times emitted, where the cap varies */
-  bool varies;
+  bool varies, by_angle; /* by_angle: what follows is there */
+  double polynomial[UM_EARTH_CAP_POINTS][UM_ANGULAR_MOMENTS]; /* P_1 to P_5 there [1] */
+  double moment_albedo[UM_ANGULAR_MOMENTS], moment_planet[UM_ANGULAR_MOMENTS]; /* sums over all */
 };
 
 /* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
@@ -58,19 +61,33 @@ enum um_status um_irradiation_scene_tabulate(struct um_context *context,
                                              struct um_thermal_scene *scene);
 /* Fill `four` and `cell` from the points. */
 void um_irradiation_cap_spread(struct um_thermal_cap *cap);
-/* The half of a cap before a unit normal; four: those were filled. */
+/* The half of a cap before a unit normal; four: those were filled; by_angle: with polynomials. */
 void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
-                              struct um_thermal_half *out);
+                              bool by_angle, struct um_thermal_half *out);
+/* Its polynomials, once all else is there. */
+void um_irradiation_half_by_angle(const struct um_thermal_cap *cap, struct um_vec3 normal,
+                                  struct um_thermal_half *half);
 /* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made: of
  * what the Earth reflects, of what it emits, and of its solid angle times cosine; 1 where nothing
  * of it lies before the surface. */
 struct um_thermal_shares {
   double albedo, planet, view_factor;
+  /* by_angle: how far the moments of what is free are from those shares of the whole half's, over
+     E_0 of the whole half [1] */
+  double moved_albedo[UM_ANGULAR_MOMENTS], moved_planet[UM_ANGULAR_MOMENTS];
 };
 void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
                                const struct um_thermal_scene *scene, size_t surface,
                                struct um_vec3 normal, const struct um_thermal_cap *cap,
                                const struct um_thermal_half *half, struct um_thermal_shares *out);
+
+/* loads_angles.c: moved_albedo and moved_planet of the shares, whose others are there; free_of [n
+ * of the half]: how free its directions are [1]. */
+void um_irradiation_shares_by_angle(const struct um_thermal_half *half, const double *free_of,
+                                    struct um_thermal_shares *shares);
+/* Moments of a surface from those of an unobstructed plate: to[UM_ANGULAR_MOMENTS] [W/m^2]. */
+void um_irradiation_moments_set(const double whole[UM_ANGULAR_MOMENTS], double load, double share,
+                                const double moved[UM_ANGULAR_MOMENTS], float *to);
 
 /* loads_gas.c: what the atmosphere brings before each surface at one time, gas[nsurface], which
  * starts zeroed; fraction [nsurface] is scratch. */

@@ -36,14 +36,17 @@ done:
 
 struct um_irradiation_row um_irradiation_row_of(const struct um_irradiation_loads *l, size_t k)
 {
-  size_t at = k * l->nsurface;
+  size_t at = k * l->nsurface, moments = at * UM_ANGULAR_MOMENTS;
   return (struct um_irradiation_row){l->sun + at,
                                      l->incidence + at,
                                      l->albedo + at,
                                      l->planet + at,
                                      l->view_factor + at,
                                      l->brightness != NULL ? l->brightness + at : NULL,
-                                     l->gas != NULL ? l->gas + at : NULL};
+                                     l->gas != NULL ? l->gas + at : NULL,
+                                     l->albedo_moments != NULL ? l->albedo_moments + moments : NULL,
+                                     l->planet_moments != NULL ? l->planet_moments + moments
+                                                               : NULL};
 }
 
 void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads)
@@ -61,6 +64,8 @@ void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiat
   um_core_free(context, l->view_factor);
   um_core_free(context, l->brightness);
   um_core_free(context, l->gas);
+  um_core_free(context, l->albedo_moments);
+  um_core_free(context, l->planet_moments);
   um_core_free(context, l->edge);
   um_core_free(context, l);
   *loads = NULL;

@@ -49,6 +49,8 @@ void um_irradiation_turn_add(const struct um_irradiation_loads *loads, size_t k,
   add(to.planet, weight, one->planet, n);
   add(to.view_factor, weight, one->view_factor, n);
   add(to.gas, weight, one->gas, n);
+  add(to.albedo_moments, weight, one->albedo_moments, n * UM_ANGULAR_MOMENTS);
+  add(to.planet_moments, weight, one->planet_moments, n * UM_ANGULAR_MOMENTS);
   for (size_t s = 0; s < n; s++)
     if (one->sun[s] > 0.0f)
       spread(by_cosine + s * UM_IRRADIATION_COSINES, (double)one->incidence[s],

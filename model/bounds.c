@@ -11,12 +11,13 @@
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */
 #define MEMORY_MOST    8e9 /* of one table [bytes] */
 
-/* Bytes of an instant of the loads: sample, grid, and five floats a surface (irradiation/loads.h).
- */
+/* Bytes of an instant of the loads: sample, grid, and fifteen floats a surface, five without angles
+ * of arrival (irradiation/loads.h). */
 static double load_row_bytes(const struct um_model *model)
 {
   double nsurface = (double)um_geometry_mesh(model->geometry)->nsurface;
-  return (double)sizeof(struct um_environment_sample) + 48.0 + 5.0 * sizeof(float) * nsurface;
+  double nfloat = model->environment.absorptance_by_angle ? 15.0 : 5.0;
+  return (double)sizeof(struct um_environment_sample) + 48.0 + nfloat * sizeof(float) * nsurface;
 }
 
 /* The mark of the law that turns fastest, where a spin decides the grid; NULL: none spins. */

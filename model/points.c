@@ -158,8 +158,10 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
     numbered[k] = precomputed->sample[k];
     numbered[k].t_tai = precomputed->t_start + (double)k;
   }
+  struct um_environment environment = model->environment;
+  environment.absorptance_by_angle = false; /* heat is not followed */
   enum um_status status = um_irradiation_loads_trace(
-      context, model->geometry, &model->environment, numbered, precomputed->nobs, NULL, 0,
+      context, model->geometry, &environment, numbered, precomputed->nobs, NULL, 0,
       model->scenario->thermal->samples, &precomputed->loads);
   precomputed->seen = precomputed->loads;
   um_core_free(context, numbered);

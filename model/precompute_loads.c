@@ -103,6 +103,18 @@ static enum um_status samples_make(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
+/* The model's, without angles of arrival where nothing that the satellite absorbs goes with them.
+ */
+static struct um_environment environment_for(const struct um_model *model)
+{
+  struct um_environment environment = model->environment;
+  environment.absorptance_by_angle = false;
+  for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++)
+    if (model->surface_law[m] != NULL && model->surface_law[m]->by_angle)
+      environment.absorptance_by_angle = true;
+  return environment;
+}
+
 /* A table at samples; turn [s], 0: of the attitudes as they are. */
 static enum um_status table_make(struct um_context *context, const struct um_model *model,
                                  const struct um_environment_sample *samples, size_t n,
@@ -111,13 +123,14 @@ static enum um_status table_make(struct um_context *context, const struct um_mod
 {
   int nsample = model->scenario->thermal->samples;
   struct turner turner = {context, model, samples};
+  struct um_environment environment = environment_for(model);
   struct um_irradiation_turn over = {
       .n = TURN_SAMPLES, .period = turn, .ripple = ripple, .attitude = turned, .self = &turner};
   if (turn > 0.0)
-    return um_irradiation_loads_turn(context, model->geometry, &model->environment, samples, n,
-                                     edge, nedge, nsample, &over, out);
-  return um_irradiation_loads_trace(context, model->geometry, &model->environment, samples, n, edge,
-                                    nedge, nsample, out);
+    return um_irradiation_loads_turn(context, model->geometry, &environment, samples, n, edge,
+                                     nedge, nsample, &over, out);
+  return um_irradiation_loads_trace(context, model->geometry, &environment, samples, n, edge, nedge,
+                                    nsample, out);
 }
 
 /* Tables at the observed instants, beside that of the means; the start is their first row. */

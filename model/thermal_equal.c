@@ -9,6 +9,16 @@ static bool same(const void *a, const void *b, size_t count, size_t size)
   return a == b || count == 0 || memcmp(a, b, count * size) == 0;
 }
 
+static bool moments_equal(const struct um_irradiation_loads *a,
+                          const struct um_irradiation_loads *b)
+{
+  size_t n = a->ntime * a->nsurface * UM_ANGULAR_MOMENTS;
+  if (a->planet_moments == NULL || b->planet_moments == NULL)
+    return a->planet_moments == b->planet_moments;
+  return same(a->albedo_moments, b->albedo_moments, n, sizeof(float)) &&
+         same(a->planet_moments, b->planet_moments, n, sizeof(float));
+}
+
 bool um_model_loads_equal(const struct um_irradiation_loads *a,
                           const struct um_irradiation_loads *b)
 {
@@ -26,7 +36,7 @@ bool um_model_loads_equal(const struct um_irradiation_loads *a,
          same(a->by_cosine, b->by_cosine, n * ncosine, sizeof *a->by_cosine) &&
          same(a->albedo, b->albedo, n, sizeof *a->albedo) &&
          same(a->planet, b->planet, n, sizeof *a->planet) && (a->gas == NULL) == (b->gas == NULL) &&
-         (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas));
+         (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas)) && moments_equal(a, b);
 }
 
 static bool mirrors_equal(const struct um_geometry_mirrors *a, const struct um_geometry_mirrors *b)

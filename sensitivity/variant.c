@@ -45,7 +45,8 @@ static bool same_light(const struct um_environment *a, const struct um_environme
          a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
          a->limb_darkening == b->limb_darkening && a->moonlight_on == b->moonlight_on &&
          a->gas_density_factor == b->gas_density_factor && same_air(a, b) && same_earth(a, b) &&
-         (a->specular_exchange_on || !b->specular_exchange_on); /* paths by mirrors are there */
+         (a->specular_exchange_on || !b->specular_exchange_on) && /* paths by mirrors are there */
+         (a->absorptance_by_angle || !b->absorptance_by_angle);   /* angles of arrival are */
 }
 
 size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,

@@ -14,3 +14,33 @@ double um_thermal_load_angle(const struct um_thermal_surface_law *law,
     sum += law->absorptance[apart * b] * (double)loads->by_cosine[at * UM_IRRADIATION_COSINES + b];
   return sun != 0.0 ? sum / sun : 1.0;
 }
+
+/* sum_k a_k E_k */
+static double by_angle(const double a[UM_ANGULAR_MOMENTS], const float *moments, size_t at)
+{
+  double sum = 0.0;
+  for (size_t k = 0; k < UM_ANGULAR_MOMENTS; k++)
+    sum += a[k] * (double)moments[at * UM_ANGULAR_MOMENTS + k];
+  return sum;
+}
+
+double um_thermal_load_albedo(const struct um_thermal_surface *surface,
+                              const struct um_irradiation_loads *loads, size_t at,
+                              double absorptance)
+{
+  const struct um_thermal_surface_law *law = surface->law;
+  if (law == NULL) return absorptance * (double)loads->albedo[at];
+  double sum = absorptance * law->albedo * (double)loads->albedo[at];
+  if (!law->by_angle || loads->albedo_moments == NULL) return sum;
+  return sum + surface->absorptance * by_angle(law->albedo_angle, loads->albedo_moments, at);
+}
+
+double um_thermal_load_planet(const struct um_thermal_surface *surface,
+                              const struct um_irradiation_loads *loads, size_t at, double emittance)
+{
+  const struct um_thermal_surface_law *law = surface->law;
+  if (law == NULL) return emittance * (double)loads->planet[at];
+  double sum = emittance * law->planet * (double)loads->planet[at];
+  if (!law->by_angle || loads->planet_moments == NULL) return sum;
+  return sum + emittance * by_angle(law->planet_angle, loads->planet_moments, at);
+}

@@ -25,14 +25,14 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
     double absorptance = um_thermal_aged_absorptance(network, aging, row, s);
     double emittance = surface->emittance * um_thermal_aged_emittance(aging, row, s);
     double taken = absorptance - surface->extraction;
+    double of_albedo = um_thermal_load_albedo(surface, loads, at + s, absorptance);
+    double of_planet = um_thermal_load_planet(surface, loads, at + s, emittance);
     if (surface->law != NULL) {
       taken *= um_thermal_load_angle(surface->law, loads, at + s);
       absorptance *= surface->law->albedo;
       emittance *= surface->law->planet;
     }
     double of_sun = taken * (double)loads->sun[at + s];
-    double of_albedo = absorptance * (double)loads->albedo[at + s];
-    double of_planet = emittance * (double)loads->planet[at + s];
     if (exchange != NULL) {
       const struct um_thermal_reflected *r = &exchange->reflected;
       of_sun += absorptance * um_thermal_reflected_at(exchange, r->sun, row, s);

@@ -10,8 +10,8 @@
 /* Sums over the surfaces of each node [nnode], set:
  *
  *   sun_i    = sum_s w_is A_s (alpha_s - x_s) k_s(theta) sun_s   per unit of irradiance [m^2]
- *   albedo_i = sum_s w_is A_s alpha_s k_s,albedo albedo_s        [W]
- *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W]
+ *   albedo_i = sum_s w_is A_s alpha_s k_s,albedo albedo_s        [W], and by angle
+ *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W], alike (load_angle_impl.h)
  *   gas_i    = sum_s w_is A_s gas_s   (NULL where loads have none) [W]
  *
  * with x the extraction, k the surface's law (surface_law.h), theta the angle of incidence, and

@@ -46,7 +46,9 @@ static bool laws_equal(const struct um_thermal_surface_law *a,
                        const struct um_thermal_surface_law *b)
 {
   if (a == b || a == NULL || b == NULL) return a == b;
-  return a->albedo == b->albedo && a->planet == b->planet &&
+  return a->albedo == b->albedo && a->planet == b->planet && a->by_angle == b->by_angle &&
+         numbers_equal(a->albedo_angle, b->albedo_angle, UM_ANGULAR_MOMENTS) &&
+         numbers_equal(a->planet_angle, b->planet_angle, UM_ANGULAR_MOMENTS) &&
          numbers_equal(a->absorptance, b->absorptance, UM_THERMAL_LAW_ANGLES) &&
          numbers_equal(a->emittance, b->emittance, UM_THERMAL_LAW_TEMPERATURES);
 }

@@ -4,7 +4,10 @@
 #define UMBRA_THERMAL_SURFACE_LAW_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
+
+#include "environment/angular_moments.h"
 
 #define UM_THERMAL_LAW_ANGLES       65     /* nodes in the square root of the cosine, 0 to 1 */
 #define UM_THERMAL_LAW_TEMPERATURES 641    /* nodes, 0 K to the hottest */
@@ -14,6 +17,10 @@ struct um_thermal_surface_law {
   /* absorptance of sunlight at an angle, and of the albedo, over `absorptance` */
   double absorptance[UM_THERMAL_LAW_ANGLES], albedo;
   double planet; /* absorptance of the Earth's own radiation over `emittance` */
+  /* what both add by the angles at which they arrive, where loads say (angular_moments.h): a_1 to
+     a_5 of the albedo's over `absorptance`, of the Earth's own radiation over `emittance` */
+  bool by_angle;
+  double albedo_angle[UM_ANGULAR_MOMENTS], planet_angle[UM_ANGULAR_MOMENTS];
   double emittance[UM_THERMAL_LAW_TEMPERATURES]; /* at a temperature over `emittance` */
 };
 

@@ -4,6 +4,12 @@
 #include "thermal/load_angle_impl.h"
 #include "thermal/surface_aging_impl.h"
 
+/* 1 - absorbed / incident, where something falls in, kept within 0 and 1. */
+static double reflected(double absorbed, double incident, double otherwise)
+{
+  return incident > 0.0 ? fmax(0.0, fmin(1.0, 1.0 - absorbed / incident)) : otherwise;
+}
+
 struct um_thermal_reflectances
 um_thermal_surface_reflectances(const struct um_thermal_network *network,
                                 const struct um_irradiation_loads *loads,
@@ -18,5 +24,11 @@ um_thermal_surface_reflectances(const struct um_thermal_network *network,
       1.0 - absorptance * um_thermal_load_angle(at->law, loads, row * loads->nsurface + surface);
   r.albedo = 1.0 - absorptance * at->law->albedo;
   r.planet = 1.0 - emittance * at->law->planet;
+  if (!at->law->by_angle || loads->planet_moments == NULL) return r;
+  size_t entry = row * loads->nsurface + surface;
+  r.albedo = reflected(um_thermal_load_albedo(at, loads, entry, absorptance),
+                       (double)loads->albedo[entry], r.albedo);
+  r.planet = reflected(um_thermal_load_planet(at, loads, entry, emittance),
+                       (double)loads->planet[entry], r.planet);
   return r;
 }

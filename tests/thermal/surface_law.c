@@ -118,6 +118,41 @@ static void loads_follow_the_law(void **state)
   }
 }
 
+/* A law by angle adds sum a_k E_k of both loads: alpha_start of the albedo's, eps of the Earth's.
+ * It acts where loads have moments alone. */
+static void earth_loads_go_by_angle(void **state)
+{
+  (void)state;
+  struct um_thermal_surface_law law = constant();
+  struct um_irradiation_loads *loads = slanted(0.5);
+  struct um_thermal_solve_options options = help_options(1e-9, 1e-8, 0.0);
+  struct um_thermal_heat heat;
+  double t = START, albedo = 0.6 * 0.7 * 100.0, planet = EMITTANCE * 1.1 * 200.0;
+  law.albedo = 0.7;
+  law.planet = 1.1;
+  law.by_angle = true;
+  OK(um_core_allocate(help_context, UM_ANGULAR_MOMENTS, sizeof(float), &loads->albedo_moments));
+  OK(um_core_allocate(help_context, UM_ANGULAR_MOMENTS, sizeof(float), &loads->planet_moments));
+  for (int k = 0; k < UM_ANGULAR_MOMENTS; k++) {
+    law.albedo_angle[k] = 0.01 * (k + 1);
+    law.planet_angle[k] = -0.02 * (k + 2);
+    loads->albedo_moments[k] = (float)(3 * k - 5);
+    loads->planet_moments[k] = (float)(4 - k);
+    albedo += 0.6 * 0.01 * (k + 1) * (3 * k - 5);
+    planet -= EMITTANCE * 0.02 * (k + 2) * (4 - k);
+  }
+  struct um_thermal_network *network = plate(&law, 0.6, 0.0);
+  OK(um_thermal_heat_of_nodes(help_context, network, loads, &options, 0.0, &t, &heat));
+  NEAR("albedo", heat.albedo / (AREA * albedo), 1.0, 1e-12);
+  NEAR("planet", heat.planet / (AREA * planet), 1.0, 1e-12);
+  law.by_angle = false;
+  OK(um_thermal_heat_of_nodes(help_context, network, loads, &options, 0.0, &t, &heat));
+  NEAR("albedo", heat.albedo / (AREA * 0.6 * 0.7 * 100.0), 1.0, 1e-12);
+  NEAR("planet", heat.planet / (AREA * EMITTANCE * 1.1 * 200.0), 1.0, 1e-12);
+  um_irradiation_loads_destroy(help_context, &loads);
+  um_thermal_network_destroy(&network);
+}
+
 /* Laws count where networks are compared, and only their numbers do. */
 static void laws_are_compared(void **state)
 {
@@ -129,6 +164,10 @@ static void laws_are_compared(void **state)
   assert_false(um_thermal_network_equal(one, none));
   b.emittance[200] = 0.99;
   assert_false(um_thermal_network_equal(one, two));
+  b = constant();
+  assert_true(um_thermal_network_equal(one, two));
+  b.planet_angle[2] = 0.01;
+  assert_false(um_thermal_network_equal(one, two));
   um_thermal_network_destroy(&one);
   um_thermal_network_destroy(&two);
   um_thermal_network_destroy(&none);
@@ -139,6 +178,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(metal_cools),
       cmocka_unit_test(loads_follow_the_law),
+      cmocka_unit_test(earth_loads_go_by_angle),
       cmocka_unit_test(laws_are_compared),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
