@@ -17,8 +17,11 @@ const struct um_effect um_effects_multiple_scattering = {
     .summary = "Light that facets of a rough surface pass on to each other leaves it all the same",
     .reference = "Kulla & Conty 2017, SIGGRAPH course; Turquin 2019, Industrial Light & Magic; "
                  "Heitz et al. 2016, ACM Trans. Graph. 35:58",
-    .validity = "lobes of records with spectra: numbers of grey records are taken as they stand; "
-                "reflected light alone, absorptance and emittance never have the loss",
+    .validity =
+        "lobes of records with spectra: numbers of grey records are taken as they stand; "
+        "reflected light alone, absorptance and emittance never have the loss. Its energy is "
+        "right, its azimuths are not: smooth surfaces (alpha below 0.1) lit and seen at "
+        "grazing angles send it on in the mirrored direction, here to all sides",
     .separated_by = "diffuse_level and roughness: broad light of all colours that grows toward "
                     "grazing angles, most of the roughest surfaces",
     .targets = UM_TARGET_GLOBAL,
