@@ -45,7 +45,8 @@ CHOICES = {
     "e* 0.05": ["parts.bus.mli.effective_emittance=0.05"],
 }
 CONTRIBUTIONS = ("shadow_refraction", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
-                 "absorptance_angle", "mutual_radiation", "solar_multiple_reflection", "specular_exchange", "bulk_temperature")
+                 "absorptance_angle", "mutual_radiation", "solar_multiple_reflection", "specular_exchange", "bulk_temperature",
+                 "inter_reflection")
 CREASES = {"flat": None, "3 deg, 0.1 m": "{tilt_rms_deg: 3, patch_m: 0.1}", "10 deg, too small to tell apart": "{tilt_rms_deg: 10}",
            "10 deg, 0.1 m": "{tilt_rms_deg: 10, patch_m: 0.1}"}
 AIRS = {"us_standard": "{profile: us_standard}", "mid_latitude_summer": "{profile: mid_latitude_summer}"}
@@ -178,12 +179,9 @@ def choices(runs):
 
 def contributions(runs):
     asked = {effect: runs.ask("no " + effect, without=[effect]) for effect in CONTRIBUTIONS}
-    asked["inter_reflection"] = runs.ask("as it is")
     rows = []
     for effect, future in asked.items():
         run, base = future.result(), runs.ask("as it is").result()
-        if effect == "inter_reflection":  # off unless paths are asked for
-            base = runs.ask("paths", sets=["optics.interreflection_samples=16"]).result()
         lwir = [100 * (a / b - 1) for a, b in zip(base.band("lwir"), run.band("lwir"))]
         vis = [a - b for a, b in zip(base.band("vis"), run.band("vis"))]
 
