@@ -47,13 +47,16 @@ static enum um_status adapt(struct um_context *context, const struct um_model *m
       um_optics_adapt(context, &scene, model->band, model->nband, asked, precomputed->view, &did);
   um_model_scene_release(context, &scene);
   if (status != UM_OK) return status;
-  um_core_log(context, UM_LOG_INFO,
-              "optics.relative_error %g: %.0f points per facet in the mean, %d at most", asked,
-              did.points, did.most);
+  um_core_log(
+      context, UM_LOG_INFO,
+      "optics.relative_error %g: %.0f points per facet in the mean, %d at most; %.3g times the "
+      "paths between surfaces",
+      asked, did.points, did.most, did.paths);
   if (did.missed > 0)
     um_core_log(context, UM_LOG_WARNING,
-                "optics.relative_error %g asks for more than %d points per facet at %zu of %zu "
-                "instants, where the error is up to %.2g",
+                "optics.relative_error %g asks for more than %d points per facet, or 64 times "
+                "optics.interreflection_samples, at %zu of %zu instants, where the error is up to "
+                "%.2g",
                 asked, UM_OPTICS_SAMPLES_MAX, did.missed, precomputed->view->ntime, did.largest);
   return UM_OK;
 }

@@ -1,10 +1,11 @@
-/* As many points as a relative error wants.
+/* As many points, and paths between surfaces, as a relative error wants.
  *
- * The variance of an instant is C q(n) with q(n) what n points do where edges are straight
- * (um_geometry_scatter), so that after a look with n points, whose error is r times what
- * is asked, n' is the smallest number with q(n') <= q(n)/r^2. C itself is better known then: looks
- * are repeated until no instant is more than SLACK above what is asked. Numbers depend on the
- * instant alone, not on threads. */
+ * The variance of an instant is C q(n) + P/m with q(n) what n points do where edges are straight
+ * (um_geometry_scatter) and m the paths. Paths come first: P/m is to be at most half of what is
+ * asked, so that after a look with m, whose variance is r^2 times that, m' = m r^2. Points get what
+ * is left: n' is the smallest number with q(n') <= q(n)/r^2, r the ratio of what is to what is
+ * left. C and P are better known then: looks are repeated until no instant is more than SLACK above
+ * what is asked. Numbers depend on the instant alone, not on threads. */
 #include "optics/adapt.h"
 
 #include <math.h>
@@ -15,16 +16,37 @@
 #define SLACK 1.05 /* of what is asked: no further look */
 #define LOOKS 8
 #define STEP  1.03 /* between numbers that are tried */
+#define MOST  64   /* times the paths of the scene */
 
-/* Largest error of a time over its intensity, of all bands [1]; 0 where there is no light. */
-static double relative(const struct um_optics_lightcurve *curve, size_t time)
+/* What paths leave of an instant and band, [ntime * nband]. */
+struct rest {
+  double *light;    /* intensity, all of it [W/sr] */
+  double *variance; /* by paths [W^2/sr^2] */
+};
+
+static double intensity(const struct um_optics_lightcurve *curve, size_t at)
 {
   size_t n = curve->nmaterial * UM_MECHANISM_COUNT;
+  double sum = 0.0;
+  for (size_t i = 0; i < n; i++) sum += curve->intensity[at * n + i];
+  return sum;
+}
+
+/* Largest error of a time over its intensity, of all bands [1], and over what paths leave of the
+ * asked one; 0 where there is no error. */
+static double relative(const struct um_optics_lightcurve *curve, const struct rest *rest,
+                       size_t time, double asked, double *over)
+{
   double largest = 0.0;
-  for (size_t k = 0; k < curve->nband; k++) {
-    double sum = 0.0, error = curve->stderr_[time * curve->nband + k];
-    for (size_t i = 0; i < n; i++) sum += curve->intensity[(time * curve->nband + k) * n + i];
-    if (error > 0.0) largest = fmax(largest, sum > 0.0 ? error / sum : INFINITY);
+  *over = 0.0;
+  for (size_t at = time * curve->nband; at < (time + 1) * curve->nband; at++) {
+    double error = curve->stderr_[at], wanted = asked * rest->light[at];
+    if (!(error > 0.0 || rest->variance[at] > 0.0)) continue;
+    largest = fmax(largest, rest->light[at] > 0.0
+                                ? sqrt(error * error + rest->variance[at]) / rest->light[at]
+                                : INFINITY);
+    double left = fmax(wanted * wanted - rest->variance[at], 0.5 * wanted * wanted);
+    *over = fmax(*over, error > 0.0 ? error / sqrt(left) : 0.0);
   }
   return largest;
 }
@@ -41,7 +63,7 @@ static int number_for(int n, double r)
 }
 
 /* Numbers for the next look; how many instants change. */
-static size_t next_numbers(const struct um_optics_lightcurve *curve,
+static size_t next_numbers(const struct um_optics_lightcurve *curve, const struct rest *rest,
                            const struct um_optics_view *view, double asked, int *number,
                            struct um_optics_adaptation *out)
 {
@@ -49,15 +71,54 @@ static size_t next_numbers(const struct um_optics_lightcurve *curve,
   *out = (struct um_optics_adaptation){0};
   for (size_t t = 0; t < view->ntime; t++) {
     int n = view->nsample[t];
-    double is = relative(curve, t), r = is / asked;
+    double r, is = relative(curve, rest, t, asked, &r);
     out->largest = fmax(out->largest, is);
+    out->paths += (double)view->path_factor[t] / (double)view->ntime;
     out->points += (double)n / (double)view->ntime;
     out->most = n > out->most ? n : out->most;
     number[t] = r > SLACK ? number_for(n, r) : n;
     if (number[t] > n) changed++;
-    if (r > SLACK && number[t] == n) out->missed++;
+    if (number[t] == n && is > SLACK * asked) out->missed++;
   }
   return changed;
+}
+
+/* Factors for the next look at paths; how many instants change. */
+static size_t next_factors(const struct um_optics_lightcurve *curve, double asked,
+                           struct um_optics_view *view, struct rest *rest)
+{
+  size_t changed = 0;
+  for (size_t t = 0; t < view->ntime; t++) {
+    double over = 0.0;
+    for (size_t at = t * curve->nband; at < (t + 1) * curve->nband; at++) {
+      double error = curve->between_stderr[at], wanted = asked * intensity(curve, at);
+      rest->light[at] = intensity(curve, at);
+      rest->variance[at] = error * error;
+      if (error > 0.0) over = fmax(over, wanted > 0.0 ? error / (sqrt(0.5) * wanted) : INFINITY);
+    }
+    int factor = (int)fmin(ceil(view->path_factor[t] * over * over), MOST);
+    if (!(over > SLACK) || factor <= view->path_factor[t]) continue;
+    view->path_factor[t] = factor;
+    changed++;
+  }
+  return changed;
+}
+
+/* Paths of every instant, and what they leave. */
+static enum um_status adapt_paths(struct um_context *context, const struct um_optics_scene *scene,
+                                  const struct um_optics_band *bands, size_t nband,
+                                  double relative_error, struct um_optics_view *view,
+                                  struct rest *rest)
+{
+  struct um_optics_scene all = *scene;
+  all.view = view;
+  for (int look = 0;; look++) {
+    struct um_optics_lightcurve *curve = NULL;
+    UM_TRY(um_optics_lightcurve_compute(context, &all, bands, nband, &curve));
+    size_t changed = next_factors(curve, relative_error, view, rest);
+    um_optics_lightcurve_destroy(context, &curve);
+    if (changed == 0 || look == LOOKS) return UM_OK;
+  }
 }
 
 enum um_status um_optics_adapt(struct um_context *context, const struct um_optics_scene *scene,
@@ -71,16 +132,20 @@ enum um_status um_optics_adapt(struct um_context *context, const struct um_optic
   struct um_optics_band *coarse = NULL;
   double *transmission = NULL;
   int *number = NULL;
+  struct rest rest = {NULL, NULL};
   direct.view = view;
   direct.interreflection_samples = 0;
   UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
   UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
                             &transmission));
   UM_CHECK(um_core_allocate(context, view->ntime, sizeof *number, &number));
+  UM_CHECK(um_core_allocate(context, view->ntime * nband, sizeof *rest.light, &rest.light));
+  UM_CHECK(um_core_allocate(context, view->ntime * nband, sizeof *rest.variance, &rest.variance));
   um_optics_coarse_bands(bands, nband, coarse, transmission);
+  UM_CHECK(adapt_paths(context, scene, coarse, nband, relative_error, view, &rest));
   for (int look = 0;; look++) {
     UM_CHECK(um_optics_lightcurve_compute(context, &direct, coarse, nband, &curve));
-    size_t changed = next_numbers(curve, view, relative_error, number, out);
+    size_t changed = next_numbers(curve, &rest, view, relative_error, number, out);
     um_optics_lightcurve_destroy(context, &curve);
     if (changed == 0 || look == LOOKS) break;
     UM_CHECK(um_optics_view_retrace(context, scene->geometry, scene->samples, number, view));
@@ -90,5 +155,7 @@ done:
   um_core_free(context, coarse);
   um_core_free(context, transmission);
   um_core_free(context, number);
+  um_core_free(context, rest.light);
+  um_core_free(context, rest.variance);
   return status;
 }

@@ -238,7 +238,7 @@ bool um_optics_interreflection(const struct um_optics_paths *paths,
   struct um_optics_work *work = paths->work;
   struct um_optics_bundle p = {.paths = *paths, .photons = photons};
   const struct um_geometry_mesh *mesh = set->exchange->mesh;
-  int nsample = set->exchange->count[surface];
+  int nsample = set->exchange->count[surface] * paths->factor;
   uint64_t seed = scene->view != NULL ? scene->view->seed : 0;
   if (nsample == 0) return false;
   p.key = um_core_hash(um_core_hash(um_core_hash(KEY_RAY, seed), surface), instant->time);

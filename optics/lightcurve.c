@@ -50,6 +50,8 @@ static enum um_status curve_create(struct um_context *context,
   UM_TRY(um_core_allocate(context, ntime * c->nband * c->nmaterial * UM_MECHANISM_COUNT,
                           sizeof *c->intensity, &c->intensity));
   UM_TRY(um_core_allocate(context, ntime * c->nband, sizeof *c->stderr_, &c->stderr_));
+  UM_TRY(
+      um_core_allocate(context, ntime * c->nband, sizeof *c->between_stderr, &c->between_stderr));
   memcpy(c->wavelength, spectra->wavelength, c->nbin * sizeof *c->wavelength);
   memcpy(c->width, spectra->width, c->nbin * sizeof *c->width);
   memcpy(c->transmission, spectra->transmission, c->nbin * sizeof *c->transmission);
@@ -111,7 +113,9 @@ static void between_add(const struct um_context *context, const struct task *tas
                                         .scene = task->job->scene,
                                         .instant = &task->now,
                                         .set = set,
-                                        .work = task->coarse_work};
+                                        .work = task->coarse_work,
+                                        .factor =
+                                            task->job->scene->view->path_factor[task->now.time]};
   um_optics_between_compute(context, &paths, task->between);
   memset(work->spectral, 0, all->nbin * UM_MECHANISM_COUNT * sizeof *work->spectral);
   for (size_t m = 0; m < all->nmaterial; m++) {
@@ -120,8 +124,11 @@ static void between_add(const struct um_context *context, const struct task *tas
       work->spectral[b * UM_MECHANISM_COUNT + UM_MECHANISM_INTERREFLECTED] = work->row[b];
     spectrum_keep(task->job, task->now.time, m, work->spectral);
   }
-  for (size_t k = 0; k < all->nband; k++)
-    task->job->curve->stderr_[task->now.time * all->nband + k] += task->between->variance[k];
+  for (size_t k = 0; k < all->nband; k++) {
+    size_t at = task->now.time * all->nband + k;
+    task->job->curve->stderr_[at] += task->between->variance[k];
+    task->job->curve->between_stderr[at] = sqrt(task->between->variance[k]);
+  }
 }
 
 /* The tables for a time, of this thread where materials age; what is the same for all surfaces into
@@ -214,6 +221,7 @@ static enum um_status compute_all(struct um_context *context, const struct job *
       UM_TRY(um_optics_stage_prepare(context, scene->geometry, scene->samples + from, count, nray,
                                      stage));
       UM_TRY(um_optics_between_reserve(context, job->coarse.spectra, stage,
+                                       scene->view->path_factor, scene->view->ntime,
                                        (size_t)um_core_context_threads(context), job->between));
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
@@ -324,7 +332,7 @@ void um_optics_lightcurve_destroy(struct um_context *context, struct um_optics_l
   if (curve == NULL || *curve == NULL) return;
   struct um_optics_lightcurve *c = *curve;
   void *const blocks[] = {c->wavelength, c->width,     c->transmission, c->band,
-                          c->spectral,   c->intensity, c->stderr_};
+                          c->spectral,   c->intensity, c->stderr_,      c->between_stderr};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, c);
   *curve = NULL;

@@ -63,10 +63,11 @@ struct um_optics_lit {
 struct um_optics_view {
   size_t ntime, nsurface;
   uint64_t seed;
-  int *nsample;        /* [ntime] points per facet of surfaces that something can hide */
-  float *seen;         /* [ntime][nsurface] fraction of the area that the observer sees */
-  float *seen_error;   /* [ntime][nsurface] standard error of that fraction */
-  float *cos_observer; /* [ntime][nsurface] cosine of the surface normal; <= 0: away */
+  int *nsample;     /* [ntime] points per facet of surfaces that something can hide */
+  int *path_factor; /* [ntime] times the paths between surfaces that the scene has; 1 when traced */
+  float *seen;      /* [ntime][nsurface] fraction of the area that the observer sees */
+  float *seen_error;              /* [ntime][nsurface] standard error of that fraction */
+  float *cos_observer;            /* [ntime][nsurface] cosine of the surface normal; <= 0: away */
   struct um_optics_lit sun, moon; /* of the Sun every instant is a row */
   size_t *moon_row;          /* [ntime] row of an instant in `moon`; SIZE_MAX: it is not moonlit */
   float *cos_nadir;          /* [ntime][nsurface] cosine of the normal to the geocentre */
@@ -105,6 +106,7 @@ struct um_optics_lightcurve {
   /* Standard error of the total [ntime][nband] [W/sr]: of the traced fractions (seen and lit of one
    * surface taken as fully correlated, surfaces as independent) and of inter-reflection. */
   double *stderr_;
+  double *between_stderr; /* [ntime][nband] of it, by inter-reflection [W/sr] */
 };
 
 struct um_optics_creases; /* creases.h */

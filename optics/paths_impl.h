@@ -25,6 +25,7 @@ struct um_optics_paths {
   const struct um_optics_instant *instant;
   const struct um_optics_set *set;
   struct um_optics_work *work;
+  int factor; /* times the paths of the exchange */
 };
 
 /* Is a lobe so narrow that chance does not find what it shows? */

@@ -45,13 +45,13 @@ static bool is_mirror(const struct um_optics_paths *paths, size_t surface)
 
 enum um_status um_optics_photons_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_set *set, size_t nband,
+                                         const struct um_optics_set *set, int factor, size_t nband,
                                          struct um_optics_photons *photons)
 {
   const struct um_optics_paths paths = {.spectra = spectra, .set = set};
   size_t nsurface = set->exchange->mesh->nsurface, nroot = 0;
   for (size_t s = 0; s < nsurface; s++)
-    if (is_mirror(&paths, s)) nroot += EACH * (size_t)set->exchange->count[s];
+    if (is_mirror(&paths, s)) nroot += EACH * (size_t)(set->exchange->count[s] * factor);
   if (photons->first == NULL) {
     photons->nband = nband;
     photons->nsurface = nsurface;
@@ -200,7 +200,7 @@ static void trace_from(const struct um_optics_paths *paths, size_t surface, uint
 {
   struct um_vec3 normal =
       um_geometry_surface_normal(paths->set->exchange->mesh, paths->set->pose, surface);
-  uint32_t count = EACH * (uint32_t)paths->set->exchange->count[surface];
+  uint32_t count = EACH * (uint32_t)(paths->set->exchange->count[surface] * paths->factor);
   if (count == 0 || !is_mirror(paths, surface) ||
       !(um_vec3_dot(normal, paths->instant->sun_body) > 0.0))
     return;

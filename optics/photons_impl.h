@@ -36,11 +36,11 @@ struct um_optics_photons {
       *brought; /* [root_room][nband] what each way brings to the observer [W/sr], as it is found */
 };
 
-/* Room for the ways of a pose; more than there was, never less. nband 0: nothing is kept of what
- * ways bring. UM_ERR_MEMORY. */
+/* Room for the ways of a pose, factor times its paths; more than there was, never less. nband 0:
+ * nothing is kept of what ways bring. UM_ERR_MEMORY. */
 enum um_status um_optics_photons_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_set *set, size_t nband,
+                                         const struct um_optics_set *set, int factor, size_t nband,
                                          struct um_optics_photons *photons);
 void um_optics_photons_clear(struct um_context *context, struct um_optics_photons *photons);
 

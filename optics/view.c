@@ -68,6 +68,8 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
   view->nsurface = n;
   view->seed = seed;
   UM_TRY(um_core_allocate(context, ntime, sizeof *view->nsample, &view->nsample));
+  UM_TRY(um_core_allocate(context, ntime, sizeof *view->path_factor, &view->path_factor));
+  for (size_t t = 0; t < ntime; t++) view->path_factor[t] = 1;
   UM_TRY(um_core_allocate(context, all, sizeof *view->seen, &view->seen));
   UM_TRY(um_core_allocate(context, all, sizeof *view->seen_error, &view->seen_error));
   UM_TRY(um_core_allocate(context, all, sizeof *view->cos_observer, &view->cos_observer));
@@ -220,11 +222,11 @@ void um_optics_view_destroy(struct um_context *context, struct um_optics_view **
 {
   if (view == NULL || *view == NULL) return;
   struct um_optics_view *v = *view;
-  void *const blocks[] = {v->seen,         v->seen_error, v->cos_observer, v->cos_nadir,
-                          v->area,         v->material,   v->part,         v->nsample,
-                          v->moon_row,     v->sun.share,  v->sun.error,    v->sun.cosine,
-                          v->sun.cos_half, v->moon.share, v->moon.error,   v->moon.cosine,
-                          v->moon.cos_half};
+  void *const blocks[] = {v->seen,        v->seen_error,   v->cos_observer, v->cos_nadir,
+                          v->area,        v->material,     v->part,         v->nsample,
+                          v->path_factor, v->moon_row,     v->sun.share,    v->sun.error,
+                          v->sun.cosine,  v->sun.cos_half, v->moon.share,   v->moon.error,
+                          v->moon.cosine, v->moon.cos_half};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, v);
   *view = NULL;

@@ -141,6 +141,32 @@ static void test_asked(void **state)
   assert_true(fabs(is / asked - 1.0) <= 0.2);
 }
 
+/* Light between surfaces is of both: paths are added as points are. */
+static void test_asked_between(void **state)
+{
+  (void)state;
+  const double asked = 0.003;
+  struct scatter sum[2] = {{0.0, 0.0, 0}};
+  double truth[VALUES];
+  struct fixture f;
+  configure(&f, 701);
+  f.scene.interreflection_samples = 2048;
+  truth_of(&f, truth);
+  f.scene.interreflection_samples = 16;
+  int most = 1;
+  for (uint64_t s = 0; s < SEEDS; s++) {
+    look(&f, truth, s, asked, sum);
+    for (size_t t = 0; t < INSTANTS; t++) most = (int)fmax(most, f.view->path_factor[t]);
+  }
+  double n = (double)(sum[0].n + sum[1].n), is = sqrt((sum[0].error + sum[1].error) / n),
+         said = sqrt((sum[0].stated + sum[1].stated) / n);
+  print_message("asked %.2f %%: error %.4f %%, stated %.4f %%, up to %d times the paths\n",
+                100.0 * asked, 100.0 * is, 100.0 * said, most);
+  assert_true(most > 1);
+  assert_true(fabs(is / asked - 1.0) <= 0.2);
+  fixture_destroy(&f);
+}
+
 /* Numbers of points and all values are the same for any number of threads. */
 static void test_threads(void **state)
 {
@@ -159,6 +185,7 @@ static void test_threads(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_stated), cmocka_unit_test(test_asked),
+                                     cmocka_unit_test(test_asked_between),
                                      cmocka_unit_test(test_threads)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,9 +38,10 @@ static void bench_create(struct fixture *f, const struct um_optics_band *band, i
   b->now = um_optics_instant(&f->scene, 0);
   um_optics_light(b->spectra, &f->scene, &b->now, b->work);
   um_optics_turn(b->spectra, &f->scene, &b->now, b->work);
-  FIXTURE_OK(f,
-             um_optics_photons_reserve(f->context, b->spectra, &b->stage->set[0], 1, &b->photons));
-  b->paths = (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work};
+  FIXTURE_OK(
+      f, um_optics_photons_reserve(f->context, b->spectra, &b->stage->set[0], 1, 1, &b->photons));
+  b->paths =
+      (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work, 1};
   um_optics_photons_trace(&b->paths, 0, &b->photons);
 }
 
