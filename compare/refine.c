@@ -119,7 +119,8 @@ struct job {
   const struct um_model_thermal_solution *heat;
   um_compare_share_of *share_of;
   void *user;
-  double limit, most; /* most: optics.samples */
+  double limit;
+  double most, most_paths; /* optics.samples, optics.interreflection_samples */
 };
 
 /* Look again and run; the result takes the place of the one before. */
@@ -163,8 +164,7 @@ static enum um_status raise(struct um_context *context, const struct job *job,
     if (direct > 0.5 * job->limit)
       samples = next_number(samples, fmax(direct, job->limit), job->limit, job->most);
     if (r->share - direct > 0.5 * job->limit)
-      rays = next_number(rays, fmax(r->share - direct, job->limit), job->limit,
-                         UM_COMPARE_INTERREFLECTION_MAX);
+      rays = next_number(rays, fmax(r->share - direct, job->limit), job->limit, job->most_paths);
     if (samples == r->samples && rays == r->interreflection) return UM_OK;
     UM_TRY(look_again(context, job, samples, rays, result));
     UM_TRY(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
@@ -221,7 +221,14 @@ enum um_status um_compare_refine_with(struct um_context *context, struct um_mode
   const struct um_scenario_optics *optics = model->scenario->optics;
   struct um_compare_refinement r = {.share = NAN};
   struct um_model_result *result = NULL;
-  struct job job = {model, precomputed, heat, share_of, user, limit, UM_COMPARE_SAMPLES_MAX};
+  struct job job = {model,
+                    precomputed,
+                    heat,
+                    share_of,
+                    user,
+                    limit,
+                    UM_COMPARE_SAMPLES_MAX,
+                    UM_COMPARE_INTERREFLECTION_SOME};
   bool holds = false;
   enum um_status status;
   *out = NULL;
@@ -234,6 +241,8 @@ enum um_status um_compare_refine_with(struct um_context *context, struct um_mode
     double points =
         (double)(precomputed->nobs * precomputed->nsub) * (double)precomputed->view->nsurface;
     job.most = fmin(job.most, UM_COMPARE_POINTS_MAX / points);
+    job.most_paths = fmin(fmax(UM_COMPARE_PATHS_MAX / points, UM_COMPARE_INTERREFLECTION_SOME),
+                          UM_COMPARE_INTERREFLECTION_MAX);
     while (!holds && !isnan(r.share)) {
       UM_CHECK(raise(context, &job, &r, &result));
       UM_CHECK(check(context, &job, &r, &result, &holds));

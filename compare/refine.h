@@ -12,11 +12,14 @@
 #define UM_COMPARE_MODEL_SHARE 0.02
 /* A share that a person is told of: below it, nobody need think of samples. */
 #define UM_COMPARE_SHARE_SHOWN 1e-3
-/* No more points per facet, rays per point, and points of all instants and surfaces together: some
- * minutes. */
-#define UM_COMPARE_SAMPLES_MAX         65536
-#define UM_COMPARE_INTERREFLECTION_MAX 32
-#define UM_COMPARE_POINTS_MAX          4e9
+/* No more points per facet, points of all instants and surfaces together: some minutes. Of paths
+ * between surfaces no more, of all instants and surfaces together no more, but some in any case:
+ * some seconds, as every variant of a diagnosis takes them again. */
+#define UM_COMPARE_SAMPLES_MAX          65536
+#define UM_COMPARE_POINTS_MAX           4e9
+#define UM_COMPARE_INTERREFLECTION_MAX  4096
+#define UM_COMPARE_PATHS_MAX            2e7
+#define UM_COMPARE_INTERREFLECTION_SOME 32
 
 /* What was done. */
 struct um_compare_refinement {

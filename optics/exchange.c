@@ -6,11 +6,12 @@
 #include "optics/paths_impl.h"
 #include "optics/sampling_impl.h"
 
-#define RAYS      64   /* that all meet something: a surface inside a closed body */
-#define TOGETHER  8    /* of them; most surfaces are decided by the first */
-#define LEAST     2    /* paths of a surface */
-#define MOST      16.0 /* of the mean number */
-#define KEY_CLOSE 0x636c6f7365
+#define RAYS           64   /* that all meet something: a surface inside a closed body */
+#define TOGETHER       8    /* of them; most surfaces are decided by the first */
+#define LEAST          2    /* paths of a surface */
+#define TOGETHER_LEAST 1024 /* of all: few paths do not know their own error */
+#define MOST           16.0 /* of the mean number */
+#define KEY_CLOSE      0x636c6f7365
 
 struct um_geometry_ray um_optics_path_begin(const struct um_geometry_mesh *mesh,
                                             const struct um_geometry_pose *pose, size_t surface,
@@ -57,7 +58,8 @@ static bool is_closed(const struct um_geometry_mesh *mesh, const struct um_optic
   return true;
 }
 
-/* Paths by area and by what stands before a surface, nsample in the mean and two at least: the
+/* Paths by area and by what stands before a surface, nsample in the mean or more where few surfaces
+ * would have too few together, two at least each: the
  * standard error of a sum is least where each part has points by its own spread, which goes as
  * A sqrt(h) of the share h of a surface's sky that is taken. */
 static void share_out(const struct um_geometry_mesh *mesh, int nsample, int *count)
@@ -68,10 +70,11 @@ static void share_out(const struct um_geometry_mesh *mesh, int nsample, int *cou
     sum += mesh->area[mesh->surface[s].facet] * sqrt((double)count[s]);
     n += 1.0;
   }
+  double mean = fmax(nsample, ceil(TOGETHER_LEAST / fmax(n, 1.0)));
   for (size_t s = 0; s < mesh->nsurface; s++) {
     if (count[s] == 0) continue;
     double share = mesh->area[mesh->surface[s].facet] * sqrt((double)count[s]) / sum;
-    count[s] = (int)fmin(fmax(nearbyint(nsample * n * share), LEAST), nsample * MOST);
+    count[s] = (int)fmin(fmax(nearbyint(mean * n * share), LEAST), mean * MOST);
   }
 }
 
