@@ -164,6 +164,17 @@ double fixture_intensity(const struct fixture *f, size_t time, size_t band,
   return sum;
 }
 
+void fixture_reflector(struct fixture *f, const char *name, double diffuse, double specular,
+                       const char *lobe)
+{
+  char text[320];
+  snprintf(text, sizeof text,
+           "name: %s\nsummary: test\ncitation: test\nreflectance: {wavelength_um: [0.2, 50], "
+           "diffuse: [%g, %g], specular: [%g, %g]}\n%s",
+           name, diffuse, diffuse, specular, specular, lobe);
+  fixture_record(f, text);
+}
+
 double fixture_sun(const struct fixture *f, const struct um_optics_band *band)
 {
   return um_environment_solar_band(&f->environment, band->from, band->to);

@@ -43,6 +43,9 @@ void fixture_material(struct fixture *f, const char *name, double diffuse, doubl
 void fixture_metal(struct fixture *f, const char *name, double n, double k, double alpha);
 /* A record as it stands in a file. */
 void fixture_record(struct fixture *f, const char *text);
+/* A record of the same reflectances at all wavelengths; lobe: lines of YAML, or "". */
+void fixture_reflector(struct fixture *f, const char *name, double diffuse, double specular,
+                       const char *lobe);
 /* A record of a measured table, 0.15/pi + 0.5 f of GGX of alpha 0.3 every 2.5 deg, which absorbs
  * the rest, at all wavelengths. */
 void fixture_measured(struct fixture *f, const char *name);

@@ -2,7 +2,6 @@
  * enclosures of one temperature, parallel plates, flat mirrors in sunlight and before the Earth, in
  * closed form. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "core/constants.h"
@@ -66,17 +65,6 @@ static size_t surface_of(const struct fixture *f, size_t part, const char *mater
   return 0;
 }
 
-static void record(struct fixture *f, const char *name, double diffuse, double specular,
-                   const char *lobe)
-{
-  char text[320];
-  snprintf(text, sizeof text,
-           "name: %s\nsummary: test\ncitation: test\nreflectance: {wavelength_um: [0.2, 50], "
-           "diffuse: [%g, %g], specular: [%g, %g]}\n%s",
-           name, diffuse, diffuse, specular, specular, lobe);
-  fixture_record(f, text);
-}
-
 static void within(const char *what, double value, double expected, double error, double largest)
 {
   print_message("%-40s %.7g expected %.7g standard error %.2g\n", what, value, expected, error);
@@ -100,10 +88,10 @@ static void enclosure_is_black(void **state)
   struct um_geometry_skin skin[6];
   fixture_create(&f);
   fixture_measured(&f, "table");
-  record(&f, "beckmann", 0.2, 0.5, "surface: {beckmann_alpha: 0.3}\n");
-  record(&f, "thin", 0.05, 0.9, "surface: {beckmann_alpha: 0.001}\n");
-  record(&f, "ggx", 0.1, 0.6, "lobe: {kind: ggx, alpha: 0.2}\n");
-  record(&f, "mirror", 0.0, 0.95, "lobe: {kind: mirror}\n");
+  fixture_reflector(&f, "beckmann", 0.2, 0.5, "surface: {beckmann_alpha: 0.3}\n");
+  fixture_reflector(&f, "thin", 0.05, 0.9, "surface: {beckmann_alpha: 0.001}\n");
+  fixture_reflector(&f, "ggx", 0.1, 0.6, "lobe: {kind: ggx, alpha: 0.2}\n");
+  fixture_reflector(&f, "mirror", 0.0, 0.95, "lobe: {kind: mirror}\n");
   fixture_metal(&f, "metal", 10.0, 30.0, 0.2);
   fixture_material(&f, "black", 0.0, 0.0, 0.0, 1.0);
   for (int i = 0; i < 6; i++) {
@@ -162,8 +150,8 @@ static void parallel_plates(void **state)
     struct fixture f;
     struct bench b;
     fixture_create(&f);
-    record(&f, "shiny", 0.3, 0.6, lobe[k]);
-    record(&f, "grey", 0.8, 0.0, "");
+    fixture_reflector(&f, "shiny", 0.3, 0.6, lobe[k]);
+    fixture_reflector(&f, "grey", 0.8, 0.0, "");
     fixture_material(&f, "black", 0.0, 0.0, 0.0, 1.0);
     plates(&f, "shiny", "grey", 200.0, 300.0);
     f.samples[0].to_observer = um_vec3_unit(um_vec3(0.6, 0.0, 0.8));
@@ -187,8 +175,8 @@ static void mirror_and_floor(struct fixture *f, const char *lobe)
   static const struct um_geometry_skin skin[2] = {{NULL, "floor", "black"},
                                                   {NULL, "wall", "black"}};
   fixture_create(f);
-  record(f, "floor", 0.5, 0.0, "");
-  record(f, "wall", 0.0, 1.0, lobe);
+  fixture_reflector(f, "floor", 0.5, 0.0, "");
+  fixture_reflector(f, "wall", 0.0, 1.0, lobe);
   fixture_material(f, "black", 0.0, 0.0, 0.0, 1.0);
   struct um_geometry_part_spec parts[2] = {fixture_part("floor", UM_SHAPE_PLATE, &skin[0]),
                                            fixture_part("wall", UM_SHAPE_PLATE, &skin[1])};
@@ -254,8 +242,8 @@ static void mirrored_earth(void **state)
   struct fixture f;
   struct bench b;
   fixture_create(&f);
-  record(&f, "floor", 0.5, 0.0, "");
-  record(&f, "wall", 0.0, 1.0, "lobe: {kind: mirror}\n");
+  fixture_reflector(&f, "floor", 0.5, 0.0, "");
+  fixture_reflector(&f, "wall", 0.0, 1.0, "lobe: {kind: mirror}\n");
   fixture_material(&f, "black", 0.0, 0.0, 0.0, 1.0);
   struct um_geometry_part_spec parts[2] = {fixture_part("floor", UM_SHAPE_PLATE, &skin[0]),
                                            fixture_part("wall", UM_SHAPE_PLATE, &skin[1])};

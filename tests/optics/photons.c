@@ -1,7 +1,6 @@
 /* Sunlight by way of several mirrors, in closed form: a shaft 1 m wide and 4 m deep, with two
  * mirrors of F = 1 for walls and a Lambert floor. */
 #include <math.h>
-#include <stdio.h>
 
 #include "core/constants.h"
 #include "fixture.h"
@@ -11,17 +10,6 @@
 
 static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};
 
-static void record(struct fixture *f, const char *name, double diffuse, double specular,
-                   const char *lobe)
-{
-  char text[320];
-  snprintf(text, sizeof text,
-           "name: %s\nsummary: test\ncitation: test\nreflectance: {wavelength_um: [0.2, 50], "
-           "diffuse: [%g, %g], specular: [%g, %g]}\n%s",
-           name, diffuse, diffuse, specular, specular, lobe);
-  fixture_record(f, text);
-}
-
 /* Walls at x = -1/2 and x = 1/2 that face each other, floor at z = 0; Sun at 45 deg over x. */
 static void shaft(struct fixture *f, const char *lobe)
 {
@@ -29,8 +17,8 @@ static void shaft(struct fixture *f, const char *lobe)
                                                   {NULL, "wall", "black"}};
   struct um_vec3 up = um_vec3(0.0, 0.0, 1.0);
   fixture_create(f);
-  record(f, "floor", 0.5, 0.0, "");
-  record(f, "wall", 0.0, 1.0, lobe);
+  fixture_reflector(f, "floor", 0.5, 0.0, "");
+  fixture_reflector(f, "wall", 0.0, 1.0, lobe);
   fixture_material(f, "black", 0.0, 0.0, 0.0, 1.0);
   struct um_geometry_part_spec parts[3] = {fixture_part("floor", UM_SHAPE_PLATE, &skin[0]),
                                            fixture_part("left", UM_SHAPE_PLATE, &skin[1]),
