@@ -235,7 +235,7 @@ void um_optics_photons_trace(const struct um_optics_paths *paths, uint64_t seed,
   for (size_t s = 0; paths->instant->sun > 0.0 && s < photons->nsurface; s++)
     trace_from(paths, s, key, photons);
   order_by_surface(photons);
-  if (photons->nband > 0)
+  if (photons->nband > 0 && photons->nroot > 0)
     memset(photons->brought, 0, photons->nroot * photons->nband * sizeof *photons->brought);
 }
 
