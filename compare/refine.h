@@ -18,7 +18,7 @@
 #define UM_COMPARE_SAMPLES_MAX          65536
 #define UM_COMPARE_POINTS_MAX           4e9
 #define UM_COMPARE_INTERREFLECTION_MAX  4096
-#define UM_COMPARE_PATHS_MAX            2e7
+#define UM_COMPARE_PATHS_MAX            3e7
 #define UM_COMPARE_INTERREFLECTION_SOME 32
 
 /* What was done. */
