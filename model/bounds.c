@@ -11,8 +11,8 @@
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */
 #define MEMORY_MOST    8e9 /* of one table [bytes] */
 
-/* Bytes of an instant of the loads: sample, grid, and fifteen floats a surface, five without angles
- * of arrival (irradiation/loads.h). */
+/* Bytes of an instant of the loads: sample, grid, and fifteen floats a surface, five without
+ * angular moments (irradiation/loads.h). */
 static double load_row_bytes(const struct um_model *model)
 {
   double nsurface = (double)um_geometry_mesh(model->geometry)->nsurface;

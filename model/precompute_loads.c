@@ -103,8 +103,7 @@ static enum um_status samples_make(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
-/* The model's, without angles of arrival where nothing that the satellite absorbs goes with them.
- */
+/* The model's, without angular moments where nothing that the satellite absorbs goes with them. */
 static struct um_environment environment_for(const struct um_model *model)
 {
   struct um_environment environment = model->environment;

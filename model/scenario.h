@@ -364,7 +364,7 @@ struct um_scenario_preset {
   const char *summary, *source, *assumed;
   struct um_scenario_sensor *sensor;
 };
-#define UM_SCENARIO_PATHS 4 /* interreflection_samples of 0 where the effect is turned on */
+#define UM_SCENARIO_PATHS 4 /* interreflection_samples; of 0 where the effect is turned on, too */
 struct um_scenario_optics {
   struct um_mark at;
   int samples, interreflection_samples, seed;

@@ -84,7 +84,8 @@ static const struct um_schema_field optics_fields[] = {
     F(interreflection_samples, "interreflection_samples", UM_SCHEMA_INTEGER,
       DEFAULT(UM_SCENARIO_PATHS), BETWEEN(0, 4096),
       HELP("paths of light between surfaces, from each surface that another stands before and at "
-           "each instant, in the mean; 0: none, and effect inter_reflection is off")),
+           "each instant, in the mean, or 1024 of the body if that is more; 0: none, and effect "
+           "inter_reflection is off")),
     F(relative_error, "relative_error", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1),
       HELP("standard error of every instant and band over its intensity that is asked of `run`: "
            "more points per facet than `samples` where they are needed; nothing asked without it")),

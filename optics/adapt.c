@@ -18,34 +18,38 @@
 #define STEP  1.03 /* between numbers that are tried */
 #define MOST  64   /* times the paths of the scene */
 
-/* What paths leave of an instant and band, [ntime * nband]. */
-struct rest {
-  double *light;    /* intensity, all of it [W/sr] */
+/* Light between surfaces of an instant and band, [ntime * nband]. */
+struct between {
+  double *light;    /* intensity [W/sr] */
   double *variance; /* by paths [W^2/sr^2] */
 };
 
-static double intensity(const struct um_optics_lightcurve *curve, size_t at)
+/* All light of an instant and band, and what of it came by way of two surfaces or more. */
+static double intensity(const struct um_optics_lightcurve *curve, size_t at, double *between)
 {
-  size_t n = curve->nmaterial * UM_MECHANISM_COUNT;
+  const double *of = curve->intensity + at * curve->nmaterial * UM_MECHANISM_COUNT;
   double sum = 0.0;
-  for (size_t i = 0; i < n; i++) sum += curve->intensity[at * n + i];
+  *between = 0.0;
+  for (size_t m = 0; m < curve->nmaterial; m++, of += UM_MECHANISM_COUNT) {
+    for (int k = 0; k < UM_MECHANISM_COUNT; k++) sum += of[k];
+    *between += of[UM_MECHANISM_INTERREFLECTED];
+  }
   return sum;
 }
 
 /* Largest error of a time over its intensity, of all bands [1], and over what paths leave of the
- * asked one; 0 where there is no error. */
-static double relative(const struct um_optics_lightcurve *curve, const struct rest *rest,
+ * asked one; 0 where there is no error. curve: without light between surfaces. */
+static double relative(const struct um_optics_lightcurve *curve, const struct between *between,
                        size_t time, double asked, double *over)
 {
   double largest = 0.0;
   *over = 0.0;
   for (size_t at = time * curve->nband; at < (time + 1) * curve->nband; at++) {
-    double error = curve->stderr_[at], wanted = asked * rest->light[at];
-    if (!(error > 0.0 || rest->variance[at] > 0.0)) continue;
-    largest = fmax(largest, rest->light[at] > 0.0
-                                ? sqrt(error * error + rest->variance[at]) / rest->light[at]
-                                : INFINITY);
-    double left = fmax(wanted * wanted - rest->variance[at], 0.5 * wanted * wanted);
+    double unused, error = curve->stderr_[at], variance = between->variance[at];
+    double light = intensity(curve, at, &unused) + between->light[at], wanted = asked * light;
+    if (!(error > 0.0 || variance > 0.0)) continue;
+    largest = fmax(largest, light > 0.0 ? sqrt(error * error + variance) / light : INFINITY);
+    double left = fmax(wanted * wanted - variance, 0.5 * wanted * wanted);
     *over = fmax(*over, error > 0.0 ? error / sqrt(left) : 0.0);
   }
   return largest;
@@ -63,7 +67,7 @@ static int number_for(int n, double r)
 }
 
 /* Numbers for the next look; how many instants change. */
-static size_t next_numbers(const struct um_optics_lightcurve *curve, const struct rest *rest,
+static size_t next_numbers(const struct um_optics_lightcurve *curve, const struct between *between,
                            const struct um_optics_view *view, double asked, int *number,
                            struct um_optics_adaptation *out)
 {
@@ -71,7 +75,7 @@ static size_t next_numbers(const struct um_optics_lightcurve *curve, const struc
   *out = (struct um_optics_adaptation){0};
   for (size_t t = 0; t < view->ntime; t++) {
     int n = view->nsample[t];
-    double r, is = relative(curve, rest, t, asked, &r);
+    double r, is = relative(curve, between, t, asked, &r);
     out->largest = fmax(out->largest, is);
     out->paths += (double)view->path_factor[t] / (double)view->ntime;
     out->points += (double)n / (double)view->ntime;
@@ -85,15 +89,15 @@ static size_t next_numbers(const struct um_optics_lightcurve *curve, const struc
 
 /* Factors for the next look at paths; how many instants change. */
 static size_t next_factors(const struct um_optics_lightcurve *curve, double asked,
-                           struct um_optics_view *view, struct rest *rest)
+                           struct um_optics_view *view, struct between *between)
 {
   size_t changed = 0;
   for (size_t t = 0; t < view->ntime; t++) {
     double over = 0.0;
     for (size_t at = t * curve->nband; at < (t + 1) * curve->nband; at++) {
-      double error = curve->between_stderr[at], wanted = asked * intensity(curve, at);
-      rest->light[at] = intensity(curve, at);
-      rest->variance[at] = error * error;
+      double error = curve->between_stderr[at];
+      double wanted = asked * intensity(curve, at, &between->light[at]);
+      between->variance[at] = error * error;
       if (error > 0.0) over = fmax(over, wanted > 0.0 ? error / (sqrt(0.5) * wanted) : INFINITY);
     }
     int factor = (int)fmin(ceil(view->path_factor[t] * over * over), MOST);
@@ -104,18 +108,18 @@ static size_t next_factors(const struct um_optics_lightcurve *curve, double aske
   return changed;
 }
 
-/* Paths of every instant, and what they leave. */
+/* Paths of every instant, and what they bring. */
 static enum um_status adapt_paths(struct um_context *context, const struct um_optics_scene *scene,
                                   const struct um_optics_band *bands, size_t nband,
                                   double relative_error, struct um_optics_view *view,
-                                  struct rest *rest)
+                                  struct between *between)
 {
   struct um_optics_scene all = *scene;
   all.view = view;
   for (int look = 0;; look++) {
     struct um_optics_lightcurve *curve = NULL;
     UM_TRY(um_optics_lightcurve_compute(context, &all, bands, nband, &curve));
-    size_t changed = next_factors(curve, relative_error, view, rest);
+    size_t changed = next_factors(curve, relative_error, view, between);
     um_optics_lightcurve_destroy(context, &curve);
     if (changed == 0 || look == LOOKS) return UM_OK;
   }
@@ -132,20 +136,21 @@ enum um_status um_optics_adapt(struct um_context *context, const struct um_optic
   struct um_optics_band *coarse = NULL;
   double *transmission = NULL;
   int *number = NULL;
-  struct rest rest = {NULL, NULL};
+  struct between between = {NULL, NULL};
   direct.view = view;
   direct.interreflection_samples = 0;
   UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
   UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
                             &transmission));
   UM_CHECK(um_core_allocate(context, view->ntime, sizeof *number, &number));
-  UM_CHECK(um_core_allocate(context, view->ntime * nband, sizeof *rest.light, &rest.light));
-  UM_CHECK(um_core_allocate(context, view->ntime * nband, sizeof *rest.variance, &rest.variance));
+  UM_CHECK(um_core_allocate(context, view->ntime * nband, sizeof *between.light, &between.light));
+  UM_CHECK(
+      um_core_allocate(context, view->ntime * nband, sizeof *between.variance, &between.variance));
   um_optics_coarse_bands(bands, nband, coarse, transmission);
-  UM_CHECK(adapt_paths(context, scene, coarse, nband, relative_error, view, &rest));
+  UM_CHECK(adapt_paths(context, scene, coarse, nband, relative_error, view, &between));
   for (int look = 0;; look++) {
     UM_CHECK(um_optics_lightcurve_compute(context, &direct, coarse, nband, &curve));
-    size_t changed = next_numbers(curve, &rest, view, relative_error, number, out);
+    size_t changed = next_numbers(curve, &between, view, relative_error, number, out);
     um_optics_lightcurve_destroy(context, &curve);
     if (changed == 0 || look == LOOKS) break;
     UM_CHECK(um_optics_view_retrace(context, scene->geometry, scene->samples, number, view));
@@ -155,7 +160,7 @@ done:
   um_core_free(context, coarse);
   um_core_free(context, transmission);
   um_core_free(context, number);
-  um_core_free(context, rest.light);
-  um_core_free(context, rest.variance);
+  um_core_free(context, between.light);
+  um_core_free(context, between.variance);
   return status;
 }

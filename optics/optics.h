@@ -126,7 +126,8 @@ struct um_optics_scene {
   const float *view_factor; /* [ntime][nsurface] free view factor to the Earth */
   const float *brightness;  /* [ntime][nsurface] brightness temperature of the Earth before the
                                surface [K]; NULL: the environment's */
-  int interreflection_samples; /* paths per surface that is not open, at an instant; 0: off */
+  int interreflection_samples; /* paths per surface that is not open, at an instant, in the mean, or
+                                  1024 of all if that is more; 0: off */
   int interreflection_most;    /* surfaces after the first that a path meets; 0: any number */
   bool sunlight_only;          /* neither the Earth nor heat is added up */
 };

@@ -46,7 +46,7 @@ static bool same_light(const struct um_environment *a, const struct um_environme
          a->limb_darkening == b->limb_darkening && a->moonlight_on == b->moonlight_on &&
          a->gas_density_factor == b->gas_density_factor && same_air(a, b) && same_earth(a, b) &&
          (a->specular_exchange_on || !b->specular_exchange_on) && /* paths by mirrors are there */
-         (a->absorptance_by_angle || !b->absorptance_by_angle);   /* angles of arrival are */
+         (a->absorptance_by_angle || !b->absorptance_by_angle);   /* angular moments are */
 }
 
 size_t um_sensitivity_variant_key(const struct um_model *scenario, const struct um_model *variant,
