@@ -3,6 +3,7 @@
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
 # make install [PREFIX=/usr/local] [DESTDIR=...]   program, materials, scenarios, headers, man page, documents
 # make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
+# make demo-study   what rules ENVISAT's light: emittance of its cells, heat inside, MLI; 1000 points
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
 # make fuzz   every fuzz target for ten minutes; FUZZ_SECONDS=60 FUZZ="csv model" shorter, fewer
 # make tidy   clang-tidy with path analysis;  make coverage   which lines the tests reach
@@ -13,7 +14,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps build demo test install lab bench check fuzz tidy coverage nightly mutate clean
+.PHONY: all deps build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate clean
 
 all: build
 
@@ -29,6 +30,9 @@ demo: build
 	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016 \
 		--picture 2016-09-21T20:33:00Z --picture first-light
 	@echo "pictures: out/envisat-graz-2016/*.png; every wavelength of two views: out/envisat-graz-2016/*.exr"
+
+demo-study: build
+	$(BUILD)/umbra study scenarios/envisat-graz-2016/study.yaml --out out/envisat-study
 
 test: build
 	tools/run-tests $(BUILD) -j $(JOBS)

@@ -62,9 +62,18 @@ struct um_app_options {
   int planes;
   const char *period, *axis_step; /* of attitude: --period, --axis-step */
   int solutions;                  /* --solutions */
+  bool study_check;               /* of study: --check */
+  const char *measured;           /* of study: --measured FILE */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
-  char *command;  /* the command as typed */
+  /* of study and forecast: --workers (0: not said), --share, --resume */
+  int workers;
+  const char *share;
+  bool resume;
+  const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
+  const char **station;
+  size_t nstation;
+  char *command; /* the command as typed */
 };
 
 /* What an option takes and where it goes. */
@@ -83,6 +92,7 @@ enum um_app_offers {
   UM_APP_FILES,
   UM_APP_FOLDERS,
   UM_APP_SCENARIOS,
+  UM_APP_STUDIES,
   UM_APP_TABLES, /* *.csv */
   UM_APP_EFFECTS,
   UM_APP_MATERIALS,
@@ -165,10 +175,12 @@ bool um_app_noise_parse(const char *text, double fallback_floor, double *relativ
 enum um_status um_app_check_target(struct um_context *context, const char *out, bool force);
 
 int um_app_run(struct um_context *context, const struct um_app_options *options);
+int um_app_study(struct um_context *context, const struct um_app_options *options);
 int um_app_cases(struct um_context *context, const struct um_app_options *options);
 int um_app_exchange(struct um_context *context, const struct um_app_options *options);
 int um_app_check(struct um_context *context, const struct um_app_options *options);
 int um_app_passes(struct um_context *context, const struct um_app_options *options);
+int um_app_forecast(struct um_context *context, const struct um_app_options *options);
 int um_app_filters(struct um_context *context, const struct um_app_options *options);
 int um_app_retrieve(struct um_context *context, const struct um_app_options *options);
 int um_app_photometry(struct um_context *context, const struct um_app_options *options);

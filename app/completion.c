@@ -19,6 +19,7 @@ static const char *offer(enum um_app_offers offers)
   case UM_APP_FOLDERS:
     return "_umbra_files /";
   case UM_APP_SCENARIOS:
+  case UM_APP_STUDIES:
     return "_umbra_files .yaml";
   case UM_APP_TABLES:
     return "_umbra_files .csv";

@@ -11,7 +11,7 @@
 
 static const struct um_app_option table[] = {
     {"out", "out", "DIR", 'o', UM_APP_TEXT, AT(out), .offers = UM_APP_FOLDERS,
-     .default_value = "out/ and the scenario's name; of period out/period",
+     .default_value = "out/ and the scenario's name; of period out/period, of study out/study",
      .example = "--out out/cold", .help = "Folder of the results. It appears whole or not at all."},
     {"file", "out", "FILE", 'o', UM_APP_TEXT, AT(out), .offers = UM_APP_FILES,
      .example = "-o measured.csv", .help = "The file to write."},
@@ -139,6 +139,34 @@ static const struct um_app_option table[] = {
      .help = "Probability of accusing a scenario that lacks nothing, over all candidates."},
     {"steps", "steps", "N", .takes = UM_APP_NUMBER, AT(steps), .most = 20, .default_value = "4",
      .example = "--steps 2", .help = "Effects added at most, up to 20."},
+    {"days", "days", "N", .takes = UM_APP_TEXT, AT(days), .default_value = "1",
+     .example = "--days 7", .help = "How long, up to 400; a part of a day is accepted."},
+    {"from", "from", "UTC", .takes = UM_APP_TEXT, AT(time_utc),
+     .default_value = "the scenario's start", .example = "--from 2016-09-21T12:00:00Z",
+     .help = "Where the days begin."},
+    {"station", "station", "NAME,LAT,LON,HEIGHT", LIST(station), .default_value = "the scenario's",
+     .example = "--station Graz,47.067,15.493,495",
+     .help = "A station in place of the scenario's, again for more: degrees north and east, "
+             "metres."},
+    {"minimum-elevation", "minimum-elevation", "DEG", .takes = UM_APP_TEXT, AT(minimum_elevation),
+     .default_value = "the scenario's", .example = "--minimum-elevation 20",
+     .help = "Passes that rise above it, from there to there."},
+    {"workers", "workers", "N", .takes = UM_APP_NUMBER, AT(workers), .most = 4096,
+     .default_value = "one for each processor; under mpirun or srun, one", .example = "--workers 4",
+     .help = "Processes on this machine that compute."},
+    {"share", "share", "K/N", .takes = UM_APP_TEXT, AT(share), .default_value = "all of them",
+     .example = "--share 3/16",
+     .help = "Compute every N-th point alone, from the K-th, and write no results: for job arrays. "
+             "Without it --resume then gathers what all shares have on record."},
+    {"resume", "resume", .takes = UM_APP_FLAG, AT(resume),
+     .help = "Go on with what is on record from a command that was stopped."},
+    {"check", "check", .takes = UM_APP_FLAG, AT(study_check),
+     .help = "Say how many points, what they share, how long and how much disk, and stop."},
+    {"measured", "measured", "FILE", .takes = UM_APP_TEXT, AT(measured), .offers = UM_APP_FILES,
+     .example = "--measured pass.csv",
+     .help =
+         "Weigh the points by these measurements (the file of umbra compare): which fit, and what "
+         "is left of each parameter."},
     {"force", "force", .takes = UM_APP_FLAG, AT(force),
      .help = "Replace what stands there, even if Umbra did not write it."},
     {"no-plots", "no-plots", .takes = UM_APP_FLAG, AT(no_plots), .help = "Draw no pictures."},
@@ -221,10 +249,11 @@ enum um_app_offers um_app_argument_offers(const char *name)
     const char *name;
     enum um_app_offers offers;
   } kinds[] = {
-      {"SCENARIO", UM_APP_SCENARIOS}, {"MEASURED", UM_APP_TABLES},    {"TRACK.txt", UM_APP_FILES},
-      {"PICTURE.nc", UM_APP_FILES},   {"FRAME...", UM_APP_FILES},     {"STARS", UM_APP_TABLES},
-      {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},
-      {"PATH", UM_APP_SECTIONS},      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+      {"SCENARIO", UM_APP_SCENARIOS}, {"STUDY", UM_APP_STUDIES},    {"MEASURED", UM_APP_TABLES},
+      {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES}, {"FRAME...", UM_APP_FILES},
+      {"STARS", UM_APP_TABLES},       {"EFFECT", UM_APP_EFFECTS},   {"MATERIAL", UM_APP_MATERIALS},
+      {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},    {"SHELL", UM_APP_SHELLS},
+      {"COMMAND", UM_APP_VERBS}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

@@ -11,7 +11,8 @@
 
 #include "app/app.h"
 
-#define BAR_WIDTH 28
+#define BAR_WIDTH  28
+#define TELL_EVERY 10.0 /* in a pipe [s] */
 
 struct progress {
   const char *task;
@@ -103,11 +104,34 @@ static void log_line(void *self, enum um_core_log_level level, const char *line)
           line);
 }
 
+static bool in_pipes; /* progress is told there, too */
+
+void um_app_terminal_progress_in_pipes(void) { in_pipes = true; }
+
+/* A line of its own, now and then. */
+static void tell(struct progress *p, const char *task, size_t done, size_t total)
+{
+  double t = now();
+  if (p->task != task || done == 0 || p->drawn == 0.0) {
+    if (p->task != task || done == 0) p->began = t;
+    p->task = task;
+    p->drawn = p->began;
+  }
+  if (done == 0 || done == total || t - p->drawn < TELL_EVERY) return;
+  p->drawn = t;
+  fprintf(stderr, "%s: %zu of %zu, %.0f s left\n", task, done, total,
+          (t - p->began) * (double)(total - done) / (double)done);
+  fflush(stderr);
+}
+
 static bool draw(void *self, const char *task, size_t done, size_t total)
 {
   struct progress *p = self;
   if (stop(NULL)) return false;
-  if (!isatty(STDERR_FILENO)) return true;
+  if (!isatty(STDERR_FILENO)) {
+    if (in_pipes) tell(p, task, done, total);
+    return true;
+  }
   double t = now();
   if (p->task != task || done == 0) {
     p->task = task;

@@ -37,6 +37,19 @@ static const struct um_app_verb verbs[] = {
      .about =
          "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
      .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes},
+    {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
+     .accepts = "out days from station minimum-elevation " CHANGES " workers share resume " RESULTS,
+     .about =
+         "Computes every pass of the station, or of several, and writes passes.csv, curves.csv, "
+         "a calendar (passes.ics) and a picture: rise, culmination, set, shadow, magnitude, "
+         "infrared signal, temperatures, and whether the sky is dark. Passes that are done are "
+         "on record beside the results until these are written, so that --resume goes on. "
+         "Under mpirun or srun all processes compute.",
+     .examples = "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
+                 "umbra forecast scenarios/envisat-graz-2016 --station Graz,47.067,15.493,495 "
+                 "--station Zimmerwald,46.877,7.465,951\n"
+                 "mpirun -n 4 umbra forecast scenarios/envisat-graz-2016 --days 30\n",
+     .run = um_app_forecast},
     {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR or factored",
      .needs = "time band file", .accepts = CHANGES " width samples wavelengths tile force",
      .about =
@@ -110,6 +123,16 @@ static const struct um_app_verb verbs[] = {
               "docs/files.md lists the columns of the measurement file.",
      .examples = "umbra compare scenarios/hidden-effect/dawn measured.csv\n",
      .run = um_app_compare},
+    {"study", "STUDY", "many points of a scenario: parameters, designs, surrogates",
+     .accepts = "out check measured workers share resume " CHANGES " force",
+     .about = "STUDY is a study.yaml: which keys, properties of materials or parameters of effects "
+              "are moved, between which values, and what is wanted. docs/files.md has its keys. "
+              "Geometry, view factors and heat are computed once for all points that have them in "
+              "common. Finished points are safe beside DIR, in DIR.points, until the results are "
+              "written: after an end of any kind --resume goes on.",
+     .examples = "umbra study scenarios/envisat-graz-2016/study.yaml --check\n"
+                 "umbra study scenarios/envisat-graz-2016/study.yaml --out out/cells --workers 2\n",
+     .run = um_app_study},
     {"diagnose", "SCENARIO MEASURED",
      "which physical effect the scenario lacks, or that the measurements cannot tell",
      .accepts = "out " CHANGES " only exclude nuisance level steps " RESULTS,

@@ -3,6 +3,14 @@
 find_package(PkgConfig REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS C)
 find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+
+# MPI is optional: studies on many machines. Its shared memory is not known to ThreadSanitizer.
+if(UMBRA_MPI STREQUAL "ON")
+  find_package(MPI REQUIRED COMPONENTS C)
+elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN AND NOT UMBRA_FUZZ)
+  find_package(MPI QUIET COMPONENTS C)
+endif()
 
 pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)

@@ -18,6 +18,9 @@ void um_core_files_let_go(struct um_context *context);
 /* "dir of base_file / relative", or a copy when `relative` is absolute; the caller frees. */
 enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,
                                     const char *relative, char **out);
+/* Make every missing folder above `path`, which is as before on return; *made grows by their
+ * number. UM_ERR_IO. */
+enum um_status um_core_parents_make(struct um_context *context, char *path, size_t *made);
 /* True for a file name that cannot lead out of a folder: no '/', not "", "." or "..". */
 bool um_core_path_is_plain(const char *name);
 

@@ -115,17 +115,15 @@ static enum um_status check_target(struct um_context *context, const char *targe
   return UM_OK;
 }
 
-/* Make every missing parent of folder->target, counting those made. */
-static enum um_status make_parents(struct um_context *context, struct um_core_folder *folder)
+enum um_status um_core_parents_make(struct um_context *context, char *path, size_t *made)
 {
-  char *path = folder->target;
   for (char *p = path + 1; *p != '\0'; p++) {
     if (*p != '/') continue;
     *p = '\0';
     struct stat st;
     enum um_status status = UM_OK;
     if (mkdir(path, 0777) == 0)
-      folder->parent_made++;
+      (*made)++;
     else if (stat(path, &st) != 0)
       status = fail_errno(context, path, "cannot make the folder");
     else if (!S_ISDIR(st.st_mode))
@@ -192,7 +190,7 @@ enum um_status um_core_folder_begin(struct um_context *context, const char *path
   enum um_status status;
   UM_CHECK(clean_target(context, path, &folder->target));
   UM_CHECK(check_target(context, folder->target, force, &exists));
-  UM_CHECK(make_parents(context, folder));
+  UM_CHECK(um_core_parents_make(context, folder->target, &folder->parent_made));
   um_core_leftovers_remove(context, folder->target);
   UM_CHECK(make_partial(context, folder));
   UM_CHECK(write_marker(context, folder));

@@ -150,6 +150,8 @@ struct um_effect_observation {
   double value;         /* band irradiance [W/m^2]; the hook changes it */
   bool exo_atmospheric; /* value is the one without an atmosphere */
   double zero; /* band irradiance of AB magnitude 0, the same at every wavelength [W/m^2] */
+  double sky;  /* light that the air scatters toward the observer, through the filter [W/m^2/sr]; 0
+                  where it is not known */
   /* What a sensor counts, as the irradiance that it would count so; sensor NULL: no counts. */
   const struct um_instrument_sensor *sensor;
   double electrons;  /* of the whole image in an exposure, per irradiance [e per W/m^2]; NAN */

@@ -1,6 +1,7 @@
-/* What one facet of a rough surface throws to another goes on, f_M = M(i) M(o)/(pi <M>), so that a
- * surface that absorbs nothing reflects everything (materials/spectrum.c). Without it that light is
- * lost: to 13 % of a surface of alpha 0.5. */
+/* What one facet of a rough surface throws to another goes on, so that a surface that absorbs
+ * nothing reflects everything: with the lobe, f' = s(i) s(o) f, of facets with Smith's masking
+ * (materials/passed_on.c); to all sides of other lobes (materials/spectrum.c). Without it that
+ * light is lost: to 13 % of a surface of alpha 0.5. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
@@ -15,15 +16,15 @@ const struct um_effect um_effects_multiple_scattering = {
     UM_EFFECT_ABI,
     .name = "multiple_scattering",
     .summary = "Light that facets of a rough surface pass on to each other leaves it all the same",
-    .reference = "Kulla & Conty 2017, SIGGRAPH course; Turquin 2019, Industrial Light & Magic; "
+    .reference = "Sinkhorn 1967; Turquin 2019, Industrial Light & Magic; Kulla & Conty 2017; "
                  "Heitz et al. 2016, ACM Trans. Graph. 35:58",
     .validity =
         "lobes of records with spectra: numbers of grey records are taken as they stand; "
         "reflected light alone, absorptance and emittance never have the loss. Its energy is "
-        "right, its azimuths are not: smooth surfaces (alpha below 0.1) lit and seen at "
-        "grazing angles send it on in the mirrored direction, here to all sides",
-    .separated_by = "diffuse_level and roughness: broad light of all colours that grows toward "
-                    "grazing angles, most of the roughest surfaces",
+        "right; it keeps the shape of the lobe, where light that is passed on twice and more is "
+        "spread wider by facets rougher than alpha 0.5",
+    .separated_by = "specular_level and roughness: it grows toward grazing angles, most of the "
+                    "roughest surfaces",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

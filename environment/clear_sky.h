@@ -42,7 +42,7 @@ bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky,
 double um_environment_clear_sky_transmission(const struct um_environment_clear_sky *sky,
                                              double from, double to, double airmass);
 /* Radiance of that path downward, mean between two wavelengths [W/m^2/sr/m]: its own heat, and no
- * scattered light or heat. To 8 % of LOWTRAN7 in 100 1/cm, 2 % in 8-12 um. */
+ * scattered light (sky_light.h) or heat. To 8 % of LOWTRAN7 in 100 1/cm, 2 % in 8-12 um. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
 

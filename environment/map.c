@@ -161,6 +161,24 @@ void um_environment_map_at(const struct um_environment_map *map, double latitude
   if (map->value[UM_MAP_BRIGHTNESS] != NULL) ground->brightness = sum[UM_MAP_BRIGHTNESS];
 }
 
+bool um_environment_map_equal(const struct um_environment_map *a,
+                              const struct um_environment_map *b)
+{
+  if (a == b) return true;
+  if (a == NULL || b == NULL || a->nlatitude != b->nlatitude || a->nlongitude != b->nlongitude ||
+      a->nmonth != b->nmonth)
+    return false;
+  size_t n = a->nmonth * a->nlatitude * a->nlongitude;
+  for (int q = 0; q < UM_MAP_QUANTITIES; q++) {
+    if ((a->value[q] == NULL) != (b->value[q] == NULL)) return false;
+    if (a->value[q] != NULL && memcmp(a->value[q], b->value[q], n * sizeof(float)) != 0)
+      return false;
+  }
+  return memcmp(a->latitude, b->latitude, a->nlatitude * sizeof(double)) == 0 &&
+         memcmp(a->longitude, b->longitude, a->nlongitude * sizeof(double)) == 0 &&
+         memcmp(a->month, b->month, a->nmonth * sizeof(double)) == 0;
+}
+
 enum um_status um_environment_map_read(struct um_context *context, const char *path, double t_tai,
                                        struct um_environment_map **out)
 {

@@ -20,6 +20,10 @@ enum um_status um_environment_map_read(struct um_context *context, const char *p
 /* Accepts NULL, sets NULL. */
 void um_environment_map_destroy(struct um_context *context, struct um_environment_map **map);
 
+/* Do both hold the same numbers on the same grid? NULL: no map. */
+bool um_environment_map_equal(const struct um_environment_map *a,
+                              const struct um_environment_map *b);
+
 /* Put what the map has at geocentric latitude and longitude [rad] in place of what is in `ground`.
  * month: as of um_environment_month_of. Linear in latitude, longitude and month; constant from the
  * last row of latitudes to the pole, periodic in the other two. */

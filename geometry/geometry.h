@@ -109,6 +109,11 @@ const struct um_geometry_group *um_geometry_group(const struct um_geometry *geom
 size_t um_geometry_material_count(const struct um_geometry *geometry);
 const char *um_geometry_material_name(const struct um_geometry *geometry, size_t material);
 
+/* Do both have the same surfaces at the same places at any joint angles, number for number: parts
+ * and their joints, vertices, facets, groups, and which material by its index? Names and grain are
+ * not looked at. */
+bool um_geometry_equal(const struct um_geometry *a, const struct um_geometry *b);
+
 /* Joints: angles are [njoint], one per part that has a joint, in part order. */
 size_t um_geometry_joint_count(const struct um_geometry *geometry);
 bool um_geometry_joint_moves(const struct um_geometry *geometry); /* any UM_JOINT_SUN */

@@ -1,16 +1,18 @@
 /* Directional albedo of a record's lobe, for F = 1, at roughnesses that effects may give it.
  *
- * Beckmann's has a table of its own (beckmann_albedo.c). Others are integrated when the record is
- * read: at the cosines of the spectral grid and at roughnesses of 2^(k/4) times the record's,
- * k = -14 .. 10, at its own to 2e-4, at the others to 1e-3; Catmull-Rom in k, cubic Lagrange in the
- * square root of the cosine, constant beyond. A lobe that an effect makes more anisotropic than its
- * record, or less, has the mean over azimuths of albedos of the roughness toward each: 0.005 for
- * factors to 2 (test: materials/records). */
+ * Where facets pass light on (passed_on.c) it is 1, or for a grain as much of it as s brings. That
+ * of single scattering: Beckmann's has a table of its own (beckmann_albedo.c). Others are
+ * integrated when the record is read: at the cosines of the spectral grid and at roughnesses of
+ * 2^(k/4) times the record's, k = -14 .. 10, at its own to 2e-4, at the others to 1e-3; Catmull-Rom
+ * in k, cubic Lagrange in the square root of the cosine, constant beyond. A lobe that an effect
+ * makes more anisotropic than its record, or less, has the mean over azimuths of albedos of the
+ * roughness toward each: 0.005 for factors to 2 (test: materials/records). */
 #include <assert.h>
 #include <math.h>
 
 #include "core/constants.h"
 #include "materials/lobe_impl.h"
+#include "materials/passed_on_impl.h"
 #include "materials/record_impl.h"
 
 #define COSINES UM_MATERIALS_COSINES
@@ -25,6 +27,7 @@ enum um_status um_materials_albedo_build(struct um_context *context,
   UM_TRY(um_core_allocate(context, SCALES * COSINES, sizeof *record->albedo, &record->albedo));
   for (size_t k = 0; k < SCALES; k++) {
     struct um_materials_lobe lobe = record->lobe;
+    if (kind->masked) lobe.passes_on = false;
     double scale = exp2(0.25 * ((double)k - STATED));
     lobe.alpha *= scale;
     lobe.alpha_across *= scale;
@@ -52,16 +55,16 @@ static double round_about(const struct um_materials_lobe *lobe, double cosine)
   for (int k = 0; k < TURNS; k++) {
     double phi = 0.5 * UM_PI * (k + 0.5) / TURNS;
     struct um_materials_lobe one = *lobe;
+    one.passes_on = false;
     one.alpha = one.alpha_across = hypot(lobe->alpha * cos(phi), lobe->alpha_across * sin(phi));
     sum += um_materials_lobe_albedo(&one, cosine) / TURNS;
   }
   return sum;
 }
 
-double um_materials_albedo(const struct um_materials_record *record,
-                           const struct um_materials_lobe *lobe, double cosine)
+static double of_single_scattering(const struct um_materials_record *record,
+                                   const struct um_materials_lobe *lobe, double cosine)
 {
-  if (lobe->kind == NULL) return 1.0;
   if (lobe->kind->absorbs) return um_materials_lobe_albedo(lobe, cosine);
   if (!lobe->kind->rough && record->albedo == NULL) return 1.0;
   if (record->albedo == NULL)
@@ -80,4 +83,12 @@ double um_materials_albedo(const struct um_materials_record *record,
   double a = value[1], b = value[2], low = 0.5 * (b - value[0]), high = 0.5 * (value[3] - a);
   return fmax(0.0, fmin(1.0, a + t * (low + t * (3.0 * (b - a) - 2.0 * low - high +
                                                  t * (2.0 * (a - b) + low + high)))));
+}
+
+double um_materials_albedo(const struct um_materials_record *record,
+                           const struct um_materials_lobe *lobe, double cosine)
+{
+  if (lobe->kind == NULL || um_materials_lobe_is_whole(lobe)) return 1.0;
+  double share = um_materials_passed_share(lobe);
+  return share + (1.0 - share) * of_single_scattering(record, lobe, cosine);
 }

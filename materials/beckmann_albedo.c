@@ -1,20 +1,11 @@
-/* Directional albedo of the Beckmann lobe for F = 1, from a table.
- *
- * With a = cos/(alpha sin), the variable of Smith's masking, E hardly changes with alpha at small
- * alpha, where it tends to a function of a alone. So the table stands over alpha = 0, 0.05 .. 1.6
- * and s = a/(1 + a) = 0, 1/24 .. 1: cubic Lagrange in s, Catmull-Rom in alpha, even about 0. The
- * numbers are those of um_materials_beckmann_albedo (tests/materials/bsdf repeats it): 2e-4. */
+/* Directional albedo of the Beckmann lobe for F = 1, from a table (facet_table_impl.h). The numbers
+ * are those of um_materials_beckmann_albedo (tests/materials/bsdf repeats it): 2e-4. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "materials/bsdf.h"
+#include "materials/facet_table_impl.h"
 
-#define ROUGHNESSES 33
-#define PLACES      25
-#define STEP        0.05 /* of alpha */
-#define MOST        1.5  /* alpha, constant beyond */
-
-static const double table[ROUGHNESSES][PLACES] = {
+static const double table[UM_MATERIALS_FACET_ROUGHNESSES][UM_MATERIALS_FACET_PLACES] = {
     {0.96602, 0.96233, 0.95809, 0.95333, 0.94811, 0.94252, 0.93671, 0.93085, 0.92520,
      0.92013, 0.91609, 0.91372, 0.91370, 0.91689, 0.92405, 0.93569, 0.95147, 0.96946,
      0.98586, 0.99629, 0.99971, 1.00000, 1.00000, 1.00000, 1.00000},
@@ -116,28 +107,9 @@ static const double table[ROUGHNESSES][PLACES] = {
      0.19504, 0.19135, 0.18881, 0.18706, 0.18607, 0.18548, 0.18496},
 };
 
-static double along(const double row[PLACES], double s)
-{
-  double x = s * (PLACES - 1);
-  size_t k = (size_t)x;
-  k = k < 1 ? 1 : (k > PLACES - 3 ? PLACES - 3 : k);
-  double f = x - (double)k;
-  return -f * (f - 1.0) * (f - 2.0) / 6.0 * row[k - 1] +
-         (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0 * row[k] -
-         (f + 1.0) * f * (f - 2.0) / 2.0 * row[k + 1] +
-         (f + 1.0) * f * (f - 1.0) / 6.0 * row[k + 2];
-}
-
 double um_materials_beckmann_albedo_tabulated(double alpha, double cos_i)
 {
-  double c = fmax(0.0, fmin(1.0, cos_i)), sine = sqrt((1.0 - c) * (1.0 + c)), value[4];
+  double c = fmax(0.0, fmin(1.0, cos_i)), sine = sqrt((1.0 - c) * (1.0 + c));
   if (!(alpha > 0.0)) return 1.0;
-  double s = c > 0.0 ? c / (c + alpha * sine) : 0.0;
-  double y = fmin(alpha, MOST) / STEP;
-  int j = y < ROUGHNESSES - 3 ? (int)y : ROUGHNESSES - 3;
-  for (int p = 0; p < 4; p++) value[p] = along(table[abs(j - 1 + p)], s);
-  double t = y - j, low = 0.5 * (value[2] - value[0]), high = 0.5 * (value[3] - value[1]);
-  double a = value[1], b = value[2];
-  return fmin(1.0, a + t * (low + t * (3.0 * (b - a) - 2.0 * low - high +
-                                       t * (2.0 * (a - b) + low + high))));
+  return fmin(1.0, um_materials_facet_at(table, alpha, c > 0.0 ? c / (c + alpha * sine) : 0.0));
 }

@@ -16,7 +16,8 @@ struct um_materials_lobe um_materials_lobe_tilted(const struct um_materials_lobe
   struct um_materials_lobe out = *lobe;
   if (!(slope_variance > 0.0) || lobe->kind == NULL) return out;
   if (lobe->kind->delta) {
-    out = (struct um_materials_lobe){.kind = &um_materials_lobe_beckmann};
+    out = (struct um_materials_lobe){.kind = &um_materials_lobe_beckmann,
+                                     .passes_on = lobe->passes_on};
   } else if (!lobe->kind->rough) {
     return out;
   }

@@ -85,7 +85,7 @@ double um_materials_lobe_mean(const struct um_materials_lobe *lobe, double cosin
   enum { AZIMUTHS = 4 };
   double s = sqrt((1.0 - cosine) * (1.0 + cosine)), sum = 0.0;
   if (um_materials_lobe_is_tabulated(lobe))
-    return um_materials_beckmann_quadrature(lobe->alpha, cosine, nu, nv, sink, self);
+    return um_materials_beckmann_quadrature(lobe, cosine, nu, nv, sink, self);
   if (!um_materials_lobe_is_anisotropic(lobe))
     return um_materials_lobe_quadrature(lobe, um_vec3(s, 0.0, cosine), nu, nv, sink, self);
   for (int k = 0; k < AZIMUTHS; k++) { /* of a quarter; the others are its mirror images */
@@ -100,6 +100,7 @@ double um_materials_lobe_albedo(const struct um_materials_lobe *lobe, double cos
 {
   double c = fmax(1e-4, fmin(1.0, cosine));
   assert(lobe->kind != NULL);
+  if (um_materials_lobe_is_whole(lobe)) return 1.0;
   if (um_materials_lobe_is_tabulated(lobe))
     return um_materials_beckmann_albedo_tabulated(lobe->alpha, cosine);
   if (lobe->measured != NULL) return um_materials_measured_albedo(lobe->measured, cosine);

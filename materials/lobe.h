@@ -29,6 +29,8 @@ struct um_materials_lobe {
   double tilted; /* of kind mixture: mean square slope that creases add to both, twice that per axis
                     [1] */
   const struct um_materials_measured *measured; /* of kind measured, borrowed; NULL of others */
+  bool passes_on; /* facets pass light on to each other, nothing of it is lost; else f is single
+                     scattering. Kinds without Smith's masking are as they are (passed_on.c) */
 };
 
 /* Two lobes at once, f = share f_1 + (1 - share) f_2, each alike all round. */
@@ -127,6 +129,9 @@ static inline bool um_materials_lobe_is_anisotropic(const struct um_materials_lo
   return lobe->alpha != lobe->alpha_across;
 }
 
+/* Is int f cos_i dw_i 1 toward every o, within 5e-3, by facets that pass light on? */
+bool um_materials_lobe_is_whole(const struct um_materials_lobe *lobe);
+
 /* What the samples for o have in common. */
 static inline double um_materials_lobe_toward(const struct um_materials_lobe *lobe,
                                               struct um_vec3 o)
@@ -144,8 +149,8 @@ double um_materials_lobe_quadrature(const struct um_materials_lobe *lobe, struct
 double um_materials_lobe_mean(const struct um_materials_lobe *lobe, double cosine, int nu, int nv,
                               um_materials_lobe_sink sink, void *self);
 /* Directional albedo toward a cosine, the mean over azimuths; of the Beckmann lobe with separable
- * masking from its table (2e-4, roughness to 1.5, constant above). Never above 1, but of a measured
- * table that is. */
+ * masking from its table (2e-4, roughness to 1.5, constant above); 1 of a whole one. Never above 1,
+ * but of a measured table that is. */
 double um_materials_lobe_albedo(const struct um_materials_lobe *lobe, double cosine);
 
 #endif

@@ -69,7 +69,9 @@ static double distribution(const struct um_materials_lobe *lobe, const struct um
 static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {
   if (um_materials_lobe_is_tabulated(lobe))
-    return um_materials_beckmann_lobe(lobe->alpha, pair->cos_h, pair->cos_i, pair->cos_o);
+    return um_materials_passed_on(lobe, pair->cos_i, 0.0) *
+           um_materials_passed_on(lobe, pair->cos_o, 0.0) *
+           um_materials_beckmann_lobe(lobe->alpha, pair->cos_h, pair->cos_i, pair->cos_o);
   return um_materials_facet_lobe(lobe, distribution(lobe, pair), smith, pair);
 }
 
@@ -93,8 +95,9 @@ static double toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
 static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
                     struct um_vec3 o, double toward, struct um_materials_reflected *out)
 {
+  double passed = um_materials_passed_on(lobe, o.z, o.x);
   for (size_t k = 0; k < n; k++)
-    out[k] = um_materials_facet_reflect(lobe, smith_coarse, drawn[k], o, toward);
+    out[k] = um_materials_facet_reflect(lobe, smith_coarse, drawn[k], o, toward, passed);
 }
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
@@ -119,14 +122,16 @@ const struct um_materials_lobe_kind um_materials_lobe_beckmann = {
 };
 
 /* With tan theta_h = alpha r the facets' measure D cos_h dw_h is 2 r exp(-r^2) dr dphi/(2 pi), and
- * f cos_i dw_i = G1(i) G1(o) (o.h) / (cos_o cos_h) of it (Walter et al. 2007, eq. 14). Midpoints in
- * r and phi; the sample is handed on with its o.h. Returns the sum of the weights. */
-double um_materials_beckmann_quadrature(double alpha, double cos_o, int nr, int nphi,
-                                        um_materials_lobe_sink sink, void *self)
+ * f cos_i dw_i = G1(i) G1(o) (o.h) / (cos_o cos_h) of it (Walter et al. 2007, eq. 14), times s(i)
+ * s(o). Midpoints in r and phi; the sample is handed on with its o.h. Returns the sum of the
+ * weights. */
+double um_materials_beckmann_quadrature(const struct um_materials_lobe *lobe, double cos_o, int nr,
+                                        int nphi, um_materials_lobe_sink sink, void *self)
 {
   const double r_end = 5.5; /* exp(-30) of the facets lie beyond */
-  double sin_o = sqrt((1.0 - cos_o) * (1.0 + cos_o)),
-         g_o = um_materials_beckmann_masking(alpha, cos_o);
+  double alpha = lobe->alpha, sin_o = sqrt((1.0 - cos_o) * (1.0 + cos_o));
+  double g_o =
+      um_materials_passed_on(lobe, cos_o, 0.0) * um_materials_beckmann_masking(alpha, cos_o);
   double dr = r_end / nr, sum = 0.0;
   for (int j = 0; j < nr; j++) {
     double r = (j + 0.5) * dr, tan_h = alpha * r;
@@ -137,7 +142,8 @@ double um_materials_beckmann_quadrature(double alpha, double cos_o, int nr, int 
       double oh = cos_o * cos_h + sin_o * sin_h * cos(phi);
       double cos_i = 2.0 * oh * cos_h - cos_o;
       if (!(oh > 0.0 && cos_i > 0.0)) continue;
-      double g = g_o * um_materials_beckmann_masking(alpha, cos_i);
+      double g = g_o * um_materials_passed_on(lobe, cos_i, 0.0) *
+                 um_materials_beckmann_masking(alpha, cos_i);
       double weight = facets * g * oh / (cos_o * cos_h);
       sum += weight;
       if (sink != NULL) sink(self, oh, weight);
@@ -154,5 +160,7 @@ double um_materials_beckmann_albedo(double alpha, double cos_i)
 {
   double c = cos_i > 1.0 ? 1.0 : cos_i;
   if (!(c > 0.0)) return 0.0;
-  return fmin(1.0, um_materials_beckmann_quadrature(alpha, c, 128, 128, NULL, NULL));
+  const struct um_materials_lobe lobe = {
+      .kind = &um_materials_lobe_beckmann, .alpha = alpha, .alpha_across = alpha};
+  return fmin(1.0, um_materials_beckmann_quadrature(&lobe, c, 128, 128, NULL, NULL));
 }

@@ -73,8 +73,9 @@ static double toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
 static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
                     struct um_vec3 o, double toward, struct um_materials_reflected *out)
 {
+  double passed = um_materials_passed_on(lobe, o.z, o.x);
   for (size_t k = 0; k < n; k++)
-    out[k] = um_materials_facet_reflect(lobe, smith, drawn[k], o, toward);
+    out[k] = um_materials_facet_reflect(lobe, smith, drawn[k], o, toward, passed);
 }
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)

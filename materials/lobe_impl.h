@@ -29,9 +29,9 @@ um_materials_lobe_widened(const struct um_materials_lobe *lobe, double sun_radiu
   return wide;
 }
 
-/* Directional albedo of a Beckmann lobe for F = 1 at cos_o > 0, sample by sample; sink may be NULL;
- * better for its number of points than um_materials_lobe_quadrature. */
-double um_materials_beckmann_quadrature(double alpha, double cos_o, int nr, int nphi,
-                                        um_materials_lobe_sink sink, void *self);
+/* Directional albedo of a tabulated Beckmann lobe for F = 1 at cos_o > 0, sample by sample; sink
+ * may be NULL; better for its number of points than um_materials_lobe_quadrature. */
+double um_materials_beckmann_quadrature(const struct um_materials_lobe *lobe, double cos_o, int nr,
+                                        int nphi, um_materials_lobe_sink sink, void *self);
 
 #endif

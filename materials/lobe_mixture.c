@@ -26,7 +26,8 @@ static struct parts parts_of(const struct um_materials_lobe *lobe)
     p.lobe[k] = (struct um_materials_lobe){.kind = m->of[k].kind,
                                            .alpha = alpha,
                                            .alpha_across = alpha,
-                                           .correlated = m->of[k].correlated};
+                                           .correlated = m->of[k].correlated,
+                                           .passes_on = lobe->passes_on};
   }
   return p;
 }

@@ -14,6 +14,7 @@
 
 #include "core/constants.h"
 #include "materials/lobe_impl.h"
+#include "materials/passed_on_impl.h"
 
 /* D(h) cos_h^4 alpha alpha_across [1/sr] by r^2 = x^2/alpha^2 + y^2/alpha_across^2 of the slopes x,
  * y along and across the grain. */
@@ -72,7 +73,7 @@ static inline double um_materials_facet_distribution(const struct um_materials_l
          (lobe->alpha * lobe->alpha_across * c2 * c2);
 }
 
-/* D G/(4 cos_i cos_o) [1/sr]; 0 where a cosine is not positive. */
+/* s(i) s(o) D G/(4 cos_i cos_o) [1/sr]; 0 where a cosine is not positive. */
 static inline double um_materials_facet_lobe(const struct um_materials_lobe *lobe,
                                              double distribution, um_materials_smith smith,
                                              const struct um_materials_pair *pair)
@@ -80,20 +81,23 @@ static inline double um_materials_facet_lobe(const struct um_materials_lobe *lob
   if (!(pair->cos_h > 0.0 && pair->cos_i > 0.0 && pair->cos_o > 0.0)) return 0.0;
   double lambda_i = um_materials_facet_lambda(lobe, smith, pair->cos_i, pair->along_i);
   double lambda_o = um_materials_facet_lambda(lobe, smith, pair->cos_o, pair->along_o);
-  return distribution /
+  double passed = um_materials_passed_on(lobe, pair->cos_i, pair->along_i) *
+                  um_materials_passed_on(lobe, pair->cos_o, pair->along_o);
+  return passed * distribution /
          (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * 4.0 * pair->cos_i * pair->cos_o);
 }
 
-/* i = 2 (o.h) h - o and its weight, of a facet drawn from D cos_h. */
+/* i = 2 (o.h) h - o and its weight, of a facet drawn from D cos_h; passed_o: s(o). */
 static inline struct um_materials_reflected
 um_materials_facet_reflect(const struct um_materials_lobe *lobe, um_materials_smith smith,
-                           struct um_vec3 h, struct um_vec3 o, double lambda_o)
+                           struct um_vec3 h, struct um_vec3 o, double lambda_o, double passed_o)
 {
   struct um_materials_reflected r = {.cos_d = um_vec3_dot(o, h)};
   r.i = um_vec3_axpy(um_vec3_scale(o, -1.0), 2.0 * r.cos_d, h);
   if (!(r.cos_d > 0.0) || !(r.i.z > 0.0)) return r;
   double lambda_i = um_materials_facet_lambda(lobe, smith, r.i.z, r.i.x);
-  r.weight = r.cos_d / (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * o.z * h.z);
+  double passed = passed_o * um_materials_passed_on(lobe, r.i.z, r.i.x);
+  r.weight = passed * r.cos_d / (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * o.z * h.z);
   return r;
 }
 

@@ -15,11 +15,13 @@
 #include "model/effects_impl.h"
 #include "model/limits_impl.h"
 #include "model/scenario_read.h"
+#include "model/sky_light.h"
 
 /* What hangs on the sky: parts, heat. */
 static enum um_status build_body(struct um_context *context, struct um_model *model)
 {
   UM_TRY(um_model_build_parts(context, model));
+  UM_TRY(um_model_build_sky_light(context, model));
   UM_TRY(um_model_check_effects(context, model));
   UM_TRY(um_model_build_creases(context, model));
   UM_TRY(um_model_build_thermal(context, model));
@@ -124,6 +126,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
     um_environment_map_destroy(context, &m->earth_map);
     um_environment_sky_table_destroy(context, &m->sky_table);
     um_core_free(context, m->limb);
+    um_core_free(context, m->sky_light);
     um_orbit_ephemeris_destroy(context, &m->ephemeris);
     um_effects_registry_destroy(context, &m->registry);
     um_document_destroy(&m->document);

@@ -5,6 +5,7 @@
 
 #include "core/planck.h"
 #include "environment/airmass.h"
+#include "model/sky_light.h"
 
 struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
                                         const double *efficiency)
@@ -38,11 +39,15 @@ static double glow(const struct um_model *model, const struct um_model_precomput
 {
   double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
   double sum = 0.0;
+  struct um_model_sky scattered;
   if (isnan(sensor->pixel)) return 0.0;
+  um_model_sky(model, precomputed, k, bins->wavelength[0] - 0.5 * bins->width[0],
+               bins->wavelength[bins->n - 1] + 0.5 * bins->width[bins->n - 1], &scattered);
   for (size_t i = 0; i < bins->n; i++) {
     double half = 0.5 * bins->width[i], l = bins->wavelength[i];
     struct um_instrument_bins one = {1, &l, &bins->width[i], &bins->transmission[i]};
-    double radiance = background(&model->environment.sky, sensor, elevation, l - half, l + half);
+    double radiance = um_model_sky_radiance(&scattered, l - half, l + half);
+    radiance += background(&model->environment.sky, sensor, elevation, l - half, l + half);
     sum += um_instrument_sky_rate(sensor, &one, &radiance);
   }
   return sum;

@@ -293,45 +293,61 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
   return status;
 }
 
+enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
+                                        const double *times, const double *exposures, size_t ntime,
+                                        struct um_model_precompute_plan *out)
+{
+  struct um_model_precomputed *precomputed = NULL;
+  *out = (struct um_model_precompute_plan){0};
+  UM_TRY(um_model_check_track(context, model));
+  UM_TRY(check_times(context, times, ntime));
+  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
+  out->precomputed = precomputed;
+  UM_TRY(trace_observations(context, model, times, exposures, ntime, precomputed));
+  UM_TRY(um_model_precomputed_hide(context, model, precomputed));
+  trace_span(model, precomputed);
+  UM_TRY(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
+  double step = grid_step(model, precomputed);
+  double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
+  UM_TRY(um_model_check_load_rows(context, model, precomputed,
+                                  fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
+                                  step));
+  UM_TRY(um_model_events(context, model, precomputed->t_start,
+                         fmax(end, precomputed->t_periodic_end), &precomputed->event,
+                         &precomputed->nevent));
+  UM_TRY(grid_make(context, model, precomputed, step, &out->grid, &out->ngrid));
+  return trace_edges(context, model, precomputed, &out->edge);
+}
+
+void um_model_precompute_plan_clear(struct um_context *context,
+                                    struct um_model_precompute_plan *plan)
+{
+  um_core_free(context, plan->grid);
+  um_core_free(context, plan->edge);
+  um_model_precomputed_destroy(context, &plan->precomputed);
+  *plan = (struct um_model_precompute_plan){0};
+}
+
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
                                       struct um_model_precomputed **out)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
-  double *grid = NULL, *edge = NULL;
-  size_t ngrid = 0;
+  struct um_model_precompute_plan plan = {0};
   *out = NULL;
-  UM_TRY(um_model_check_track(context, model));
-  UM_TRY(check_times(context, times, ntime));
-  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
-  UM_CHECK(trace_observations(context, model, times, exposures, ntime, precomputed));
-  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
-  trace_span(model, precomputed);
-  UM_CHECK(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
-  double step = grid_step(model, precomputed);
-  double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
-  UM_CHECK(um_model_check_load_rows(context, model, precomputed,
-                                    fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
-                                    step));
-  UM_CHECK(um_model_events(context, model, precomputed->t_start,
-                           fmax(end, precomputed->t_periodic_end), &precomputed->event,
-                           &precomputed->nevent));
-  UM_CHECK(grid_make(context, model, precomputed, step, &grid, &ngrid));
-  UM_CHECK(trace_edges(context, model, precomputed, &edge));
-  UM_CHECK(um_model_precompute_loads(context, model, grid, ngrid, edge, precomputed));
+  UM_CHECK(um_model_precompute_plan(context, model, times, exposures, ntime, &plan));
+  UM_CHECK(um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge,
+                                     plan.precomputed));
   if (model->has_observer)
-    UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample,
-                                  precomputed->nobs * precomputed->nsub,
-                                  model->scenario->optics->samples,
-                                  (uint64_t)model->scenario->optics->seed, &precomputed->view));
+    UM_CHECK(um_optics_view_trace(
+        context, model->geometry, plan.precomputed->sample,
+        plan.precomputed->nobs * plan.precomputed->nsub, model->scenario->optics->samples,
+        (uint64_t)model->scenario->optics->seed, &plan.precomputed->view));
+  *out = plan.precomputed;
+  plan.precomputed = NULL;
 done:
-  um_core_free(context, grid);
-  um_core_free(context, edge);
-  status = um_model_blame_table(context, model, status);
-  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
-  *out = precomputed;
-  return status;
+  um_model_precompute_plan_clear(context, &plan);
+  return um_model_blame_table(context, model, status);
 }
 
 enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,

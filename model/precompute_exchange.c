@@ -123,22 +123,28 @@ enum um_status um_model_view_factors(struct um_context *context, const struct um
                                               &options, out);
 }
 
+bool um_model_room(const struct um_model *model, uint32_t part, size_t *limit)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  const struct um_scenario_part *parts = model->scenario->parts.items;
+  size_t f = 0;
+  while (f < mesh->nfacet && mesh->facet_part[f] != part) f++;
+  if (f == mesh->nfacet ||
+      um_thermal_network_surface(model->body->network, um_geometry_inner_surface(mesh, f)) == NULL)
+    return false;
+  *limit = parts[part].lumped ? 0 : (size_t)model->scenario->thermal->exchange_patches;
+  return true;
+}
+
 /* Parts whose network has inner surfaces. */
 static enum um_status add_rooms(struct um_context *context, const struct um_model *model,
                                 const struct um_geometry_view_factor_options *options,
                                 struct um_geometry_view_factor_table *table)
 {
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  const struct um_scenario_part *part = model->scenario->parts.items;
-  const struct um_scenario_thermal *thermal = model->scenario->thermal;
   for (uint32_t p = 0; p < model->scenario->parts.count; p++) {
-    size_t f = 0;
-    while (f < mesh->nfacet && mesh->facet_part[f] != p) f++;
-    if (f == mesh->nfacet || um_thermal_network_surface(model->body->network,
-                                                        um_geometry_inner_surface(mesh, f)) == NULL)
-      continue;
-    size_t limit = part[p].lumped ? 0 : (size_t)thermal->exchange_patches;
-    UM_TRY(um_geometry_inside_add(context, model->geometry, p, limit, options, table));
+    size_t limit;
+    if (um_model_room(model, p, &limit))
+      UM_TRY(um_geometry_inside_add(context, model->geometry, p, limit, options, table));
   }
   return UM_OK;
 }

@@ -1,10 +1,26 @@
-/* Times of observations. Private to model/. */
+/* Times of observations and of loads. Private to model/. */
 #ifndef UMBRA_MODEL_PRECOMPUTE_IMPL_H
 #define UMBRA_MODEL_PRECOMPUTE_IMPL_H
 
 #include "model/model.h"
+#include "model/precomputed.h"
 
 /* The time at which an observation of that tag was really made. */
 double um_model_true_time(const struct um_model *model, double tag);
+
+/* What a geometry precomputation is to be of, before anything is traced. */
+struct um_model_precompute_plan {
+  struct um_model_precomputed
+      *precomputed; /* observations, span, turn, events; no loads, no view */
+  double *grid;     /* [ngrid] times of the loads */
+  size_t ngrid;
+  double *edge; /* [precomputed->nevent] times at which the integration stops */
+};
+/* Arguments and errors of um_model_precompute_at. Cleared by the caller, after a failure too. */
+enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
+                                        const double *times, const double *exposures, size_t ntime,
+                                        struct um_model_precompute_plan *out);
+void um_model_precompute_plan_clear(struct um_context *context,
+                                    struct um_model_precompute_plan *plan);
 
 #endif

@@ -89,9 +89,9 @@ static enum um_status turned(void *self, size_t row, double before, struct um_qu
   return um_model_sample_turned(t->context, t->model, &t->samples[row], before, q);
 }
 
-static enum um_status samples_make(struct um_context *context, const struct um_model *model,
-                                   const double *times, size_t n,
-                                   struct um_environment_sample **out)
+enum um_status um_model_load_samples(struct um_context *context, const struct um_model *model,
+                                     const double *times, size_t n,
+                                     struct um_environment_sample **out)
 {
   UM_TRY(um_core_allocate(context, n, sizeof **out, out));
   um_core_progress_begin(context, "following orbit and attitude for the heat loads", n);
@@ -103,14 +103,18 @@ static enum um_status samples_make(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
+bool um_model_loads_by_angle(const struct um_model *model)
+{
+  for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++)
+    if (model->surface_law[m] != NULL && model->surface_law[m]->by_angle) return true;
+  return false;
+}
+
 /* The model's, without angular moments where nothing that the satellite absorbs goes with them. */
 static struct um_environment environment_for(const struct um_model *model)
 {
   struct um_environment environment = model->environment;
-  environment.absorptance_by_angle = false;
-  for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++)
-    if (model->surface_law[m] != NULL && model->surface_law[m]->by_angle)
-      environment.absorptance_by_angle = true;
+  environment.absorptance_by_angle = um_model_loads_by_angle(model);
   return environment;
 }
 
@@ -145,7 +149,7 @@ static enum um_status trace_seen(struct um_context *context, const struct um_mod
   for (size_t i = 0; i < ninstant; i++)
     if (n == 0 || precomputed->sample[i].t_tai > times[n - 1])
       times[n++] = precomputed->sample[i].t_tai;
-  UM_CHECK(samples_make(context, model, times, n, &samples));
+  UM_CHECK(um_model_load_samples(context, model, times, n, &samples));
   UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent, 0.0, false,
                       &precomputed->seen));
   UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent,
@@ -194,7 +198,7 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
 {
   enum um_status status;
   struct um_environment_sample *samples = NULL;
-  UM_CHECK(samples_make(context, model, times, ntime, &samples));
+  UM_CHECK(um_model_load_samples(context, model, times, ntime, &samples));
   warn_of_gas(context, model, samples, ntime);
   UM_CHECK(table_make(context, model, samples, ntime, edge, precomputed->nevent,
                       precomputed->turn_period, false, &precomputed->loads));

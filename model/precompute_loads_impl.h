@@ -11,6 +11,12 @@
  * says what that leaves. UM_ERR_INPUT: means that are wanted and cannot be. */
 enum um_status um_model_turn_period(struct um_context *context, const struct um_model *model,
                                     const struct um_model_precomputed *precomputed, double *period);
+/* Does anything absorb by the angle at which light arrives? Then loads have angular moments. */
+bool um_model_loads_by_angle(const struct um_model *model);
+/* The scene at times [n] of loads; the caller frees *out [n]. */
+enum um_status um_model_load_samples(struct um_context *context, const struct um_model *model,
+                                     const double *times, size_t n,
+                                     struct um_environment_sample **out);
 /* Loads and view factors at times [ntime]; edge [nevent] of the precomputed, whose observed
  * instants, events and turn_period are set. */
 enum um_status um_model_precompute_loads(struct um_context *context, const struct um_model *model,

@@ -9,6 +9,7 @@
 #include "model/effects_impl.h"
 #include "model/grey_body.h"
 #include "model/run_optics_impl.h"
+#include "model/sky_bands_impl.h"
 
 int um_model_paths(const struct um_model *model)
 {
@@ -204,7 +205,13 @@ struct reading {
   bool exo_atmospheric;
   const struct um_instrument_sensor *sensor; /* NULL: no counts */
   double electrons, background;              /* of um_effect_observation */
+  const double *sky;                         /* [nobs][nband] likewise; NULL: nobody asks */
 };
+
+static double sky_of(const struct um_model *model, const struct reading *reading)
+{
+  return reading->sky != NULL ? reading->sky[reading->k * model->nband + reading->b] : 0.0;
+}
 
 /* One reading through all effects: what comes to the aperture, or, as if there were no atmosphere,
  * what the magnitude is made of. Switches stand for the detector and act on what the others leave.
@@ -221,6 +228,7 @@ static enum um_status transform(struct um_context *context, const struct um_mode
                                     .band = model->band[reading->b].name,
                                     .exo_atmospheric = reading->exo_atmospheric,
                                     .zero = reading->zero,
+                                    .sky = sky_of(model, reading),
                                     .sensor = reading->sensor,
                                     .electrons = reading->electrons,
                                     .background = reading->background};
@@ -276,7 +284,7 @@ static enum um_status transform_error(struct um_context *context, const struct u
  * go the same way; that of the light has the light's own colour. */
 static enum um_status observe(struct um_context *context, const struct um_model *model,
                               const struct um_model_precomputed *precomputed,
-                              struct um_model_result *r, const double *flat)
+                              struct um_model_result *r, const double *flat, const double *sky)
 {
   for (size_t b = 0; b < r->nband; b++) {
     double zero = irradiance_of_zero(r, b, flat);
@@ -285,7 +293,7 @@ static enum um_status observe(struct um_context *context, const struct um_model 
       double *magnitude = &r->magnitude_ab[at], *error = &r->irradiance_error[at];
       double before = zero * pow(10.0, -0.4 * *magnitude), after = before;
       double bare = r->irradiance[at], exo_error = *error * (bare > 0.0 ? before / bare : 1.0);
-      struct reading here = {k, b, zero, false, NULL, NAN, NAN}, above = here;
+      struct reading here = {k, b, zero, false, NULL, NAN, NAN, sky}, above = here;
       above.exo_atmospheric = true;
       UM_TRY(transform(context, model, precomputed, &here, &r->irradiance[at]));
       UM_TRY(transform_error(context, model, precomputed, &here, bare, r->irradiance[at], error));
@@ -304,7 +312,7 @@ static enum um_status observe(struct um_context *context, const struct um_model 
 static enum um_status observe_counts(struct um_context *context, const struct um_model *model,
                                      const struct um_model_precomputed *precomputed,
                                      const double *bare_error, const double *flat,
-                                     struct um_model_result *r)
+                                     const double *sky, struct um_model_result *r)
 {
   for (size_t s = 0; s < r->nsensor; s++) {
     const struct um_model_sensor *sensor = &model->sensor[s];
@@ -312,9 +320,14 @@ static enum um_status observe_counts(struct um_context *context, const struct um
     struct um_instrument_bins passed = um_model_bins(r, sensor->band, NULL);
     double unit = um_instrument_count_rate(&sensor->optics, &all, flat) /
                   um_instrument_irradiance(&passed, flat); /* [1/s per W/m^2] */
-    struct reading reading = {0,     sensor->band,    irradiance_of_zero(r, sensor->band, flat),
-                              false, &sensor->optics, unit * sensor->optics.gain * sensor->exposure,
-                              NAN};
+    struct reading reading = {0,
+                              sensor->band,
+                              irradiance_of_zero(r, sensor->band, flat),
+                              false,
+                              &sensor->optics,
+                              unit * sensor->optics.gain * sensor->exposure,
+                              NAN,
+                              sky};
     for (size_t k = 0; k < r->nobs; k++) {
       double *rate = &r->count_rate[k * r->nsensor + s], before = *rate / unit, after = before;
       double error = bare_error[k * r->nband + sensor->band] * before;
@@ -335,15 +348,19 @@ static enum um_status observe_all(struct um_context *context, const struct um_mo
                                   const struct um_model_precomputed *precomputed,
                                   struct um_model_result *r, double *scratch)
 {
-  double *bare_error = NULL;
+  enum um_status status;
+  double *bare_error = NULL, *sky = NULL;
   size_t n = r->nobs * r->nband;
-  UM_TRY(um_core_allocate(context, n, sizeof *bare_error, &bare_error));
+  UM_CHECK(um_core_allocate(context, n, sizeof *bare_error, &bare_error));
+  UM_CHECK(um_model_sky_bands(context, model, precomputed, r, &sky));
   for (size_t i = 0; i < n; i++)
     bare_error[i] = r->irradiance[i] > 0.0 ? r->irradiance_error[i] / r->irradiance[i] : 0.0;
   for (size_t i = 0; i < r->nbin; i++) scratch[i] = 1.0;
-  enum um_status status = observe(context, model, precomputed, r, scratch);
-  if (status == UM_OK) status = observe_counts(context, model, precomputed, bare_error, scratch, r);
+  UM_CHECK(observe(context, model, precomputed, r, scratch, sky));
+  UM_CHECK(observe_counts(context, model, precomputed, bare_error, scratch, sky, r));
+done:
   um_core_free(context, bare_error);
+  um_core_free(context, sky);
   return status;
 }
 

@@ -39,7 +39,8 @@ bool um_model_loads_equal(const struct um_irradiation_loads *a,
          (a->gas == NULL || same(a->gas, b->gas, n, sizeof *a->gas)) && moments_equal(a, b);
 }
 
-static bool mirrors_equal(const struct um_geometry_mirrors *a, const struct um_geometry_mirrors *b)
+bool um_model_mirror_classes_equal(const struct um_geometry_mirrors *a,
+                                   const struct um_geometry_mirrors *b)
 {
   if (a == NULL || b == NULL) return a == b;
   return a->nsurface == b->nsurface && a->nclass == b->nclass &&
@@ -63,7 +64,7 @@ bool um_model_view_factors_equal(const struct um_geometry_view_factor_table *a,
       a->ncorner != b->ncorner || a->nroom != b->nroom || a->noutside != b->noutside ||
       a->patches->npatch != b->patches->npatch || a->patches->nsurface != b->patches->nsurface)
     return false;
-  if (!mirrors_equal(a->mirrors, b->mirrors)) return false;
+  if (!um_model_mirror_classes_equal(a->mirrors, b->mirrors)) return false;
   size_t n = a->ntime * a->ncorner;
   for (size_t k = 0; k < a->npose; k++)
     if (!factors_equal(a->pose[k], b->pose[k])) return false;

@@ -8,6 +8,8 @@
 /* NULL: none, here and below. */
 bool um_model_loads_equal(const struct um_irradiation_loads *a,
                           const struct um_irradiation_loads *b);
+bool um_model_mirror_classes_equal(const struct um_geometry_mirrors *a,
+                                   const struct um_geometry_mirrors *b);
 bool um_model_view_factors_equal(const struct um_geometry_view_factor_table *a,
                                  const struct um_geometry_view_factor_table *b);
 /* Instants of the observations and where the heat begins. */

@@ -146,11 +146,12 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
 
 /* The lobe of a material: its facets, and F at the nodes of their cosines. */
 static void lobe_fill(const struct um_context *context, const struct um_materials_record *record,
-                      const struct um_materials_adjustment *adjustment, size_t m,
+                      const struct um_materials_adjustment *adjustment, bool passed_on, size_t m,
                       struct um_optics_spectra *s)
 {
   s->lobe[m] = um_materials_lobe(record, adjustment);
   if (s->lobe[m].kind == NULL) return;
+  s->lobe[m].passes_on = s->lobe[m].passes_on && passed_on;
   s->facets[m] =
       (struct um_optics_lobe_facets){s->lobe[m], UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS,
                                      s->half + m * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS};
@@ -198,6 +199,7 @@ void um_optics_spectra_materials(const struct um_context *context,
                                  struct um_optics_spectra *s)
 {
   const struct um_optics_creases *creases = s->creases;
+  bool passed_on = scene->environment->multiple_scattering_on; /* from facet to facet */
   s->grain = creases != NULL && creases->patches->first[creases->patches->nsurface] > 0;
   for (size_t m = 0; m < s->nskin; m++) {
     size_t material = um_optics_material(s, m);
@@ -205,17 +207,18 @@ void um_optics_spectra_materials(const struct um_context *context,
     const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, material);
     struct um_materials_adjustment creased;
     s->flat[m] = um_materials_lobe(record, adjustment);
+    s->flat[m].passes_on = s->flat[m].passes_on && passed_on;
     if (creases != NULL && creases->slope_variance[m] > 0.0) {
       creased = adjustment != NULL ? *adjustment : um_materials_no_adjustment;
       creased.lobe.slope_variance = creases->slope_variance[m];
       adjustment = &creased;
     }
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
-    lobe_fill(context, record, adjustment, m, s);
+    lobe_fill(context, record, adjustment, passed_on, m, s);
     s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
-    bool passed_on = scene->environment->multiple_scattering_on; /* from facet to facet */
-    s->masks[m] = passed_on && s->lobe[m].kind != NULL && !um_materials_is_grey(record);
+    s->masks[m] = passed_on && s->lobe[m].kind != NULL && !um_materials_is_grey(record) &&
+                  !um_materials_lobe_is_whole(&s->lobe[m]);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
     double *masked = s->masked + m * UM_OPTICS_ANGLE_NODES * s->nbin;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))

@@ -5,6 +5,7 @@
  * E what falls in from outside, r_d scattered, rho mirrored. What falls in first is scattered and
  * mirrored by its own reflectance, at its angle and time, in the proportion r_d : rho. */
 #include <math.h>
+#include <omp.h>
 #include <string.h>
 
 #include "core/constants.h"
@@ -128,10 +129,11 @@ static void add_mirrored_incident(const struct um_thermal_exchange_maker *m,
       arriving[p] += a->per_sky[k] * (double)sky[a->cell[k]];
 }
 
-/* out[row] += w (M + A'^-1 B ...) of one load. reflected, arriving [npatch]: scratch. */
-static void reflect_row(const struct um_thermal_exchange_maker *m,
-                        const struct mirrored_incident *a, size_t row, double weight,
-                        enum um_thermal_load load, double *reflected, double *arriving, double *out)
+/* A row of the loads: out[row] += w M, and reflected[n] that is scattered, for spread_rows. false:
+ * nothing shines. arriving[n]: scratch. */
+static bool take_row(const struct um_thermal_exchange_maker *m, const struct mirrored_incident *a,
+                     size_t row, double weight, enum um_thermal_load load, double *reflected,
+                     double *arriving, double *out)
 {
   const struct um_geometry_patches *patches = m->table->patches;
   size_t n = m->table->noutside, stride = patches->npatch;
@@ -146,7 +148,7 @@ static void reflect_row(const struct um_thermal_exchange_maker *m,
     reflected[p] = sum / patches->area[p];
     any = any || reflected[p] != 0.0;
   }
-  if (!any) return; /* then nothing shines on mirrors either */
+  if (!any) return false; /* then nothing shines on mirrors either */
   if (a != NULL) add_mirrored_incident(m, a, row, load, reflected, arriving);
   for (size_t p = 0; p < n; p++) {
     reflected[p] /= 1.0 - m->mirror[p];
@@ -155,12 +157,52 @@ static void reflect_row(const struct um_thermal_exchange_maker *m,
     reflected[p] *= 1.0 - mirrored_share(m, p);
     reflected[p] += (1.0 - m->absorbed[p]) * arriving[p];
   }
-  for (size_t p = 0; p < n; p++) {
+  return true;
+}
+
+/* Rows of the loads that go through B together: it is read once for them, and their sums, each in
+ * the order of the patches, are side by side in the processor. */
+#define TOGETHER 8
+struct rows {
+  size_t n, row[TOGETHER];
+  double weight[TOGETHER];
+  double *reflected; /* [noutside][TOGETHER], 0 behind n */
+};
+
+/* out[row] += w A'^-1 B (scattered) of each. */
+static void spread_rows(const struct um_thermal_exchange_maker *m, const struct rows *rows,
+                        double *out)
+{
+  size_t n = m->table->noutside, stride = m->table->patches->npatch;
+  for (size_t p = 0; p < n && rows->n > 0; p++) {
     const double *b = m->b + p * n;
-    double sum = 0.0;
-    for (size_t q = 0; q < n; q++) sum += b[q] * reflected[q];
-    out[row * stride + p] += weight * sum / m->open[p];
+    double sum[TOGETHER] = {0.0};
+    for (size_t q = 0; q < n; q++)
+      for (size_t k = 0; k < TOGETHER; k++) sum[k] += b[q] * rows->reflected[q * TOGETHER + k];
+    for (size_t k = 0; k < rows->n; k++)
+      out[rows->row[k] * stride + p] += rows->weight[k] * sum[k] / m->open[p];
   }
+}
+
+/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [(TOGETHER + 2)
+ * noutside]. */
+static void reflect_rows(const struct um_thermal_exchange_maker *m,
+                         const struct mirrored_incident *a, size_t first, size_t pose,
+                         enum um_thermal_load load, double *scratch, double *out)
+{
+  size_t n = m->table->noutside;
+  struct rows rows = {.reflected = scratch};
+  double *reflected = scratch + TOGETHER * n;
+  memset(scratch, 0, TOGETHER * n * sizeof *scratch);
+  for (size_t row = first; row < first + TOGETHER && row < m->loads->ntime; row++) {
+    double weight = weight_of(m->out, row, pose);
+    if (weight == 0.0 || !take_row(m, a, row, weight, load, reflected, reflected + n, out))
+      continue;
+    for (size_t p = 0; p < n; p++) rows.reflected[p * TOGETHER + rows.n] = reflected[p];
+    rows.row[rows.n] = row;
+    rows.weight[rows.n++] = weight;
+  }
+  spread_rows(m, &rows, out);
 }
 
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
@@ -169,19 +211,16 @@ enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, 
   enum um_status status;
   struct mirrored_incident incident = {0};
   double *scratch = NULL;
-  size_t n = m->out->npatch;
+  size_t n = m->out->npatch, each = (TOGETHER + 2) * n;
   int threads = um_core_context_threads(m->context);
   bool mirrored = m->mirrored != NULL;
-  UM_CHECK(um_core_allocate(m->context, 2 * m->loads->ntime * n, sizeof *scratch, &scratch));
+  long nblock = (long)((m->loads->ntime + TOGETHER - 1) / TOGETHER);
+  UM_CHECK(um_core_allocate(m->context, (size_t)threads * each, sizeof *scratch, &scratch));
   if (mirrored) UM_CHECK(mirrored_incident_make(m, pose, load == UM_THERMAL_SUN, &incident));
-  long ntime = (long)m->loads->ntime;
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (long k = 0; k < ntime; k++) {
-    size_t row = (size_t)k;
-    double weight = weight_of(m->out, row, pose), *own = scratch + 2 * row * n;
-    if (weight != 0.0)
-      reflect_row(m, mirrored ? &incident : NULL, row, weight, load, own, own + n, out);
-  }
+  for (long k = 0; k < nblock; k++)
+    reflect_rows(m, mirrored ? &incident : NULL, TOGETHER * (size_t)k, pose, load,
+                 scratch + (size_t)omp_get_thread_num() * each, out);
   UM_CHECK(um_core_stop_check(m->context, "reflected loads were added up"));
 done:
   mirrored_incident_free(m->context, &incident);

@@ -133,9 +133,9 @@ static void test_help(void **state)
   assert_int_equal(help.code, 0);
   assert_string_equal(help.err, "");
   assert_string_equal(help.out, none.err);
-  static const char *const verbs[] = {"run",      "check",  "passes",   "render",     "compare",
-                                      "diagnose", "fit",    "synth",    "period",     "materials",
-                                      "effects",  "schema", "validate", "completion", "help"};
+  static const char *const verbs[] = {
+      "run",   "check",  "passes",    "forecast", "render", "compare",  "diagnose",   "fit",
+      "synth", "period", "materials", "effects",  "schema", "validate", "completion", "help"};
   for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
     char usage[64];
     snprintf(usage, sizeof usage, "  umbra %s", verbs[i]);

@@ -98,6 +98,7 @@ static const struct entry cases[] = {
     {"background", "lwir", 1e-13, "bus", NULL},
     {"sky_background", "lwir", 1e-13, "bus", NULL},
     {"path_radiance", "lwir", 1e-13, "bus", NULL},
+    {"twilight", "vis", 1e-4, "bus", "less light than none has no magnitude"},
 };
 
 /* The small satellite with a box in MLI, a wing on a joint and a camera whose pixels fill, so that

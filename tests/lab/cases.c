@@ -69,6 +69,7 @@ static const struct {
     {"dusk-air", "dawn-air", {"water_vapour", "", "", 0, 0.5, 2.0}},
     {"dusk-air", NULL, {"aerosol", "", NULL, 0, NAN, 0.2}},
     {"dusk-air", "dawn-air", {"cirrus", "", "", 0, NAN, 0.1}},
+    {"dusk-air", NULL, {"twilight", "vis", NULL, 0, NAN, 4e5}},
     {"dusk-camera", NULL, {"nonlinearity", "vis", NULL, 0, -0.02, 0.03}},
     {"dusk-creases", "dawn-creases", {"mli_creases", "bus", "bus", 0, -16.0, 25.0}},
     {"dusk-films", "dawn-films", {"thin_film", "mli_kapton", "mli_kapton", 0, 0.7, 1.4}},

@@ -63,7 +63,7 @@ static void what_is_refused(void **state)
   struct um_materials_brdf *brdf;
   struct um_materials_brdf_fit fit;
   struct um_materials_lobe lobe = {
-      um_materials_lobe_kind_find("ggx"), 0.0, 0.0, false, NULL, 0.0, NULL};
+      um_materials_lobe_kind_find("ggx"), 0.0, 0.0, false, NULL, 0.0, NULL, false};
   assert_int_equal(read_text(HEAD "5,10,1\n5,20,1\n5,86,1\n", &brdf), UM_OK);
   assert_int_equal(um_materials_brdf_fit(context, brdf, 0, 0.0, lobe, &fit), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(context), "2 rows"));
@@ -82,7 +82,7 @@ static void what_was_put_in(void **state)
   (void)state;
   for (size_t k = 0; k < um_materials_lobe_kind_count(); k++) {
     struct um_materials_lobe lobe = {
-        um_materials_lobe_kind_at(k), 0.2, 0.2, k % 2 == 1, NULL, 0.0, NULL};
+        um_materials_lobe_kind_at(k), 0.2, 0.2, k % 2 == 1, NULL, 0.0, NULL, false};
     if (!lobe.kind->rough || lobe.kind->mixed) continue;
     char *at = text + sprintf(text, "incidence_deg,scattering_deg,azimuth_deg,brdf_1_sr\n");
     for (int i = 5; i < 80; i += 20)
@@ -126,7 +126,7 @@ static void starlink(void **state)
   assert_int_equal(brdf->nsurface, 2);
   for (size_t s = 0; s < 2; s++) {
     struct um_materials_lobe lobe = {
-        um_materials_lobe_kind_find("beckmann"), 0.0, 0.0, false, NULL, 0.0, NULL};
+        um_materials_lobe_kind_find("beckmann"), 0.0, 0.0, false, NULL, 0.0, NULL, false};
     struct um_materials_brdf_fit fit;
     assert_int_equal(um_materials_brdf_fit(context, brdf, s, 10.0 * UM_DEG, lobe, &fit), UM_OK);
     print_message("%s: rho %.6f, F %.6f, alpha %.6f, rms %.4f, %zu rows\n", brdf->surface[s],

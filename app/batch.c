@@ -1,0 +1,50 @@
+/* Many points: how many processes, which share of them, and whether work is resumed. */
+#include "app/batch.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/terminal.h"
+
+/* One process a rank where a launcher has placed the ranks. */
+static int workers_by_machine(void)
+{
+  long n = sysconf(_SC_NPROCESSORS_ONLN);
+  bool launched = getenv("OMPI_COMM_WORLD_SIZE") != NULL || getenv("PMIX_RANK") != NULL ||
+                  getenv("PMI_RANK") != NULL;
+  return launched || n < 1 ? 1 : (int)(n > 4096 ? 4096 : n);
+}
+
+static enum um_status parse_share(struct um_context *context, const char *text,
+                                  struct um_batch_task *task)
+{
+  char *slash, *end;
+  unsigned long k = strtoul(text, &slash, 10), n = *slash == '/' ? strtoul(slash + 1, &end, 10) : 0;
+  bool digits = strspn(text, "0123456789/") == strlen(text) && strlen(text) < 20;
+  if (!digits || n == 0 || *end != '\0' || k < 1 || k > n)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "--share '%s': accepted: K/N with K from 1 to N, e.g. --share 3/16", text);
+  task->share = (size_t)k - 1;
+  task->nshare = (size_t)n;
+  return UM_OK;
+}
+
+enum um_status um_app_batch_options(struct um_context *context,
+                                    const struct um_app_options *options,
+                                    struct um_batch_task *task)
+{
+  task->workers = options->workers > 0 ? options->workers : workers_by_machine();
+  task->resume = options->resume;
+  um_app_terminal_progress_in_pipes();
+  return options->share == NULL ? UM_OK : parse_share(context, options->share, task);
+}
+
+uint64_t um_app_batch_hash(uint64_t hash, const char *text)
+{
+  if (hash == 0) hash = um_app_batch_hash(UINT64_C(0xcbf29ce484222325), UM_APP_VERSION);
+  /* FNV-1a (Fowler, Noll and Vo), the end of the text included: "a" "b" is not "ab" */
+  for (size_t i = 0; i <= strlen(text); i++)
+    hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
+  return hash;
+}

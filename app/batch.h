@@ -1,0 +1,18 @@
+/* What commands that compute many points have in common. */
+#ifndef UMBRA_APP_BATCH_H
+#define UMBRA_APP_BATCH_H
+
+#include "app/app.h"
+#include "batch/task.h"
+
+/* Fill the part of a task that --workers, --share and --resume say. Progress is told in a pipe,
+ * too, from then on. UM_ERR_INPUT. */
+enum um_status um_app_batch_options(struct um_context *context,
+                                    const struct um_app_options *options,
+                                    struct um_batch_task *task);
+
+/* Hash of texts, in this order, and of the program's version; for the identity of a task. Begin
+ * with 0. */
+uint64_t um_app_batch_hash(uint64_t hash, const char *text);
+
+#endif

@@ -1,0 +1,268 @@
+/* umbra forecast: passes of stations over days, with what is seen of them. */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/app.h"
+#include "app/batch.h"
+#include "app/terminal.h"
+#include "batch/batch.h"
+#include "batch/records.h"
+#include "core/constants.h"
+#include "core/file.h"
+#include "core/words.h"
+#include "orbit/time.h"
+#include "study/forecast_write.h"
+
+#define DAYS_MOST 400.0
+
+/* A number and what is behind it; false: none, or not finite. */
+static bool number(const char *text, double *out, const char **behind)
+{
+  char *end;
+  *out = strtod(text, &end);
+  *behind = end;
+  return end != text && isfinite(*out);
+}
+
+/* "NAME,LATITUDE,LONGITUDE,HEIGHT", numbers from behind: a name may hold commas. *name is the
+ * caller's to free. */
+static enum um_status parse_station(struct um_context *context, const char *text,
+                                    struct um_study_station *out)
+{
+  double value[3] = {NAN, NAN, NAN};
+  const char *behind, *at = text + strlen(text);
+  char *name;
+  UM_TRY(um_core_strdup(context, text, &name));
+  out->name = name;
+  bool good = true;
+  for (int i = 2; i >= 0 && good; i--) {
+    const char *end = at;
+    while (at > text && *--at != ',') continue;
+    good = at > text && number(at + 1, &value[i], &behind) && behind == end;
+  }
+  name[good ? at - text : 0] = '\0';
+  if (!good || !um_core_name_is_safe(name) || name[0] == '\0' || fabs(value[0]) > 90.0 ||
+      fabs(value[1]) > 360.0 || !(value[2] > -1000.0 && value[2] < 1e5))
+    return um_core_fail(
+        context, UM_ERR_INPUT,
+        "--station '%s': accepted: NAME,LATITUDE,LONGITUDE,HEIGHT in degrees (north "
+        "and east) and metres, e.g. --station Graz,47.067,15.493,495",
+        text);
+  out->latitude = value[0] * UM_DEG;
+  out->longitude = value[1] * UM_DEG;
+  out->height = value[2];
+  return UM_OK;
+}
+
+static enum um_status parse_range(struct um_context *context, const char *option, const char *text,
+                                  double least, double most, double *out)
+{
+  const char *behind;
+  if (text == NULL) return UM_OK;
+  if (number(text, out, &behind) && *behind == '\0' && *out >= least && *out <= most) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "%s '%s': accepted: a number from %g to %g", option,
+                      text, least, most);
+}
+
+static enum um_status parse(struct um_context *context, const struct um_app_options *options,
+                            struct um_study_station *station, struct um_study_forecast_ask *ask)
+{
+  ask->path = options->positional[0];
+  ask->from = NAN;
+  ask->days = 1.0;
+  ask->minimum_elevation = NAN;
+  ask->station = station;
+  if (options->time_utc != NULL)
+    UM_TRY(um_orbit_time_parse(context, options->time_utc, &ask->from));
+  UM_TRY(parse_range(context, "--days", options->days, 1e-3, DAYS_MOST, &ask->days));
+  UM_TRY(parse_range(context, "--minimum-elevation", options->minimum_elevation, 0.0, 89.0,
+                     &ask->minimum_elevation));
+  ask->minimum_elevation *= UM_DEG;
+  for (; ask->nstation < options->nstation; ask->nstation++)
+    UM_TRY(parse_station(context, options->station[ask->nstation], &station[ask->nstation]));
+  return UM_OK;
+}
+
+static void print_time(double t, const char *otherwise)
+{
+  char utc[32];
+  if (isfinite(t)) um_orbit_time_format(t, utc);
+  printf(" %-8.8s", isfinite(t) ? utc + 11 : otherwise);
+}
+
+/* What the shadow does to a pass. */
+static const char *shadow_words(const struct um_study_forecast_pass *pass)
+{
+  if (isfinite(pass->entry) || isfinite(pass->exit)) return "-";
+  return pass->sunlit_at_rise ? "sunlit" : "in it";
+}
+
+static void print_pass(const struct um_study_forecast *f, const struct um_study_forecast_pass *pass)
+{
+  char date[32];
+  um_orbit_time_format(pass->pass.rise, date);
+  printf("%.10s", date);
+  print_time(pass->pass.rise, "");
+  print_time(pass->pass.culmination, "");
+  print_time(pass->pass.set, "");
+  printf(" %4.0f %4.0f %5.0f", pass->pass.culmination_elevation / UM_DEG,
+         pass->pass.culmination_azimuth / UM_DEG, pass->pass.culmination_range * 1e-3);
+  print_time(pass->entry, shadow_words(pass));
+  print_time(pass->exit, "-");
+  printf(" %5.0f %-12s", pass->sun_elevation / UM_DEG, um_study_sky(pass->sun_elevation));
+  if (pass->reason != NULL) {
+    printf(" not computed: %s\n", pass->reason);
+    return;
+  }
+  for (size_t b = 0; b < f->nband; b++) {
+    const struct um_study_forecast_band *band = &pass->band[b];
+    if (f->thermal[b])
+      printf(" %9.2e", band->largest);
+    else if (isfinite(band->brightest))
+      printf(" %6.2f", band->brightest);
+    else
+      printf(" %6s", "dark");
+    if (!f->thermal[b] && isfinite(band->culmination))
+      printf(" %6.2f", band->culmination);
+    else if (!f->thermal[b])
+      printf(" %6s", "dark");
+  }
+  for (size_t p = 0; p < f->nplace; p++) printf(" %7.1f", pass->place[p].mean);
+  printf("\n");
+}
+
+static void print_head(const struct um_study_forecast *f)
+{
+  printf("%-10s %-8s %-8s %-8s %4s %4s %5s %-8s %-8s %5s %-12s", "date", "rise", "highest", "set",
+         "elev", "az", "km", "in shade", "till", "Sun", "sky");
+  for (size_t b = 0; b < f->nband; b++) {
+    if (f->thermal[b])
+      printf(" %9.9s", f->band[b]);
+    else
+      printf(" %6.6s %6s", f->band[b], "at top");
+  }
+  for (size_t p = 0; p < f->nplace; p++) printf(" %7.7s", f->place[p]);
+  printf("\n");
+}
+
+static void print(const struct um_study_forecast *f, const char *folder)
+{
+  for (size_t s = 0; s < f->nstation; s++) {
+    size_t n = 0;
+    for (size_t i = 0; i < f->npass; i++) n += f->pass[i].station == s ? 1 : 0;
+    printf("%s over %s: %zu passes above %g deg, UTC; bands: brightest AB magnitude and that at "
+           "culmination, or largest irradiance [W/m^2]; mean temperatures [K]\n",
+           f->name, f->station[s].name, n, f->minimum_elevation / UM_DEG);
+    if (n > 0) print_head(f);
+    for (size_t i = 0; i < f->npass; i++)
+      if (f->pass[i].station == s) print_pass(f, &f->pass[i]);
+  }
+  double delay = 0.0;
+  for (size_t i = 0; i < f->npass; i++) delay = fmax(delay, f->pass[i].delay);
+  if (delay > 1.0)
+    printf("two-line elements are old: times may be wrong by %.2g s (1 sigma) at the end\n", delay);
+  printf("results in %s\n", folder);
+}
+
+static void json(const struct um_study_forecast *f, const char *folder)
+{
+  size_t failed = 0;
+  for (size_t i = 0; i < f->npass; i++) failed += f->pass[i].reason != NULL ? 1 : 0;
+  printf("{\"name\": ");
+  um_core_json_string(stdout, f->name);
+  printf(", \"folder\": ");
+  um_core_json_string(stdout, folder);
+  printf(", \"passes\": %zu, \"not_computed\": %zu}\n", f->npass, failed);
+}
+
+static enum um_status write_file(struct um_context *context, struct um_core_folder *folder,
+                                 const char *name, const struct um_study_forecast *f,
+                                 void (*write)(const struct um_study_forecast *f, FILE *file))
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, name, &file));
+  write(f, file);
+  return um_core_file_close(context, name, &file);
+}
+
+/* The folder is begun before the computing: what stands in its way is said at once. */
+static enum um_status compute_and_write(struct um_context *context,
+                                        const struct um_app_options *options,
+                                        struct um_study_forecast *f, struct um_batch *batch,
+                                        const char *out)
+{
+  enum um_status status;
+  struct um_core_folder *folder = NULL;
+  UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
+  UM_CHECK(um_study_forecast_run(context, f, batch));
+  UM_CHECK(write_file(context, folder, "passes.csv", f, um_study_forecast_csv));
+  UM_CHECK(write_file(context, folder, "curves.csv", f, um_study_forecast_curves));
+  UM_CHECK(write_file(context, folder, "passes.ics", f, um_study_forecast_ics));
+  if (!options->no_plots) UM_CHECK(um_study_forecast_plot(context, f, um_core_folder_path(folder)));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+done:
+  um_core_folder_abort(&folder);
+  return status;
+}
+
+/* The leading process: passes, files, words. */
+static enum um_status lead(struct um_context *context, const struct um_app_options *options,
+                           struct um_study_forecast *f, struct um_batch *batch, const char *out)
+{
+  if (options->share != NULL) {
+    UM_TRY(um_study_forecast_run(context, f, batch));
+    um_app_terminal_clear();
+    printf("%zu of %zu passes are on record; --resume without --share writes the results\n",
+           um_batch_recorded(batch), f->npass);
+    return UM_OK;
+  }
+  UM_TRY(compute_and_write(context, options, f, batch, out));
+  um_app_terminal_clear();
+  if (options->json)
+    json(f, out);
+  else
+    print(f, out);
+  return UM_OK;
+}
+
+int um_app_forecast(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_study_station *station = NULL;
+  struct um_study_forecast *forecast = NULL;
+  struct um_study_forecast_ask ask = {.nstation = 0};
+  struct um_model_options changes = um_app_model_options(options);
+  struct um_batch_task task = {.identity = um_app_batch_hash(0, "forecast")};
+  struct um_batch *batch = NULL;
+  char *out = NULL, *name = NULL, *records = NULL;
+  bool whole = false;
+  ask.options = &changes;
+  UM_CHECK(um_core_allocate(context, options->nstation, sizeof *station, &station));
+  UM_CHECK(parse(context, options, station, &ask));
+  UM_CHECK(um_app_batch_options(context, options, &task));
+  UM_CHECK(um_study_forecast_create(context, &ask, &task, &forecast));
+  UM_CHECK(um_core_asprintf(context, &name, "%s-forecast", forecast->name));
+  UM_CHECK(um_app_out_folder(context, options, name, &out));
+  for (size_t n = strlen(out); n > 1 && out[n - 1] == '/'; n--) out[n - 1] = '\0';
+  UM_CHECK(um_core_asprintf(context, &records, "%s.records", out));
+  task.folder = records;
+  UM_CHECK(um_batch_open(context, &task, &batch));
+  if (um_batch_leads(batch))
+    UM_CHECK(lead(context, options, forecast, batch, out));
+  else
+    UM_CHECK(um_batch_serve(context, batch));
+  whole = um_batch_leads(batch) && options->share == NULL;
+done:
+  um_batch_close(context, &batch);
+  if (whole) um_batch_records_remove(context, records);
+  um_study_forecast_destroy(context, &forecast);
+  for (size_t i = 0; station != NULL && i < options->nstation; i++)
+    um_core_free(context, (void *)station[i].name);
+  um_core_free(context, station);
+  um_core_free(context, records);
+  um_core_free(context, out);
+  um_core_free(context, name);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,123 @@
+/* umbra study: many points of one scenario. */
+#include "study/study.h"
+
+#include "app/app.h"
+#include "app/batch.h"
+#include "batch/records.h"
+#include "compare/measurements.h"
+#include "core/file.h"
+#include "study/measured.h"
+#include "study/plot.h"
+#include "study/report.h"
+
+static void print_result(const struct um_study_result *r, const char *folder)
+{
+  size_t failed = 0;
+  for (size_t i = 0; i < r->npoint; i++) failed += r->reason[i] != NULL ? 1 : 0;
+  printf("%s: %zu points of %s, %zu solved", r->name, r->npoint, r->scenario, r->exact);
+  if (failed > 0) printf(", %zu could not be computed (points.csv says why)", failed);
+  printf("\n");
+  for (size_t q = 0; q < r->nquantity; q++) {
+    if (!(r->error[q] >= 0.0)) continue; /* metrics, whose error nobody states */
+    printf("  %-28s error at most %.2g%s\n", r->quantity[q].name, r->error[q],
+           r->quantity[q].light && r->quantity[q].unit[0] == 'W' ? "" : " (in its unit)");
+  }
+  printf("results in %s\n", folder);
+}
+
+/* What is learnt, where two points or more succeeded; measured NULL: no measurements. */
+static enum um_status learn(struct um_context *context, struct um_study_result *result,
+                            const char *measured, struct um_core_folder *folder)
+{
+  enum um_status status;
+  struct um_study_learnt *learnt = NULL;
+  struct um_study_measured *fit = NULL;
+  size_t done = 0;
+  for (size_t i = 0; i < result->npoint; i++) done += result->reason[i] == NULL ? 1 : 0;
+  if (done < 2) {
+    um_core_log(context, UM_LOG_WARNING, "nothing is learnt from %zu points", done);
+    return UM_OK;
+  }
+  if (measured != NULL) UM_CHECK(um_study_measured_create(context, result, measured, &fit));
+  UM_CHECK(um_study_learnt_create(context, result, NULL, &learnt));
+  UM_CHECK(um_study_report_write(context, result, learnt, folder));
+  if (fit != NULL) UM_CHECK(um_study_measured_write(context, result, fit, folder));
+  UM_CHECK(um_study_plot(context, result, learnt, fit != NULL ? fit->weight : NULL, folder));
+  UM_CHECK(um_study_report_print(context, result, learnt, stdout));
+  if (fit != NULL) UM_CHECK(um_study_measured_print(context, result, fit, stdout));
+done:
+  um_study_measured_destroy(context, &fit);
+  um_study_learnt_destroy(context, &learnt);
+  return status;
+}
+
+static enum um_status write_folder(struct um_context *context, struct um_study_result *result,
+                                   const char *measured, const char *path, bool force)
+{
+  struct um_core_folder *folder = NULL;
+  FILE *file = NULL;
+  enum um_status status;
+  UM_CHECK(um_core_folder_begin(context, path, force, &folder));
+  UM_CHECK(um_core_folder_open(context, folder, "study.nc", &file));
+  UM_CHECK(um_study_write_netcdf(context, result, file));
+  UM_CHECK(um_core_file_close(context, "study.nc", &file));
+  UM_CHECK(um_core_folder_open(context, folder, "points.csv", &file));
+  um_study_write_points(result, file);
+  UM_CHECK(um_core_file_close(context, "points.csv", &file));
+  UM_CHECK(learn(context, result, measured, folder));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+done:
+  if (file != NULL) fclose(file);
+  um_core_folder_abort(&folder);
+  return status;
+}
+
+/* Before hours of work: a folder that may not be replaced. */
+static enum um_status try_folder(struct um_context *context, const char *path, bool force)
+{
+  struct um_core_folder *folder = NULL;
+  UM_TRY(um_core_folder_begin(context, path, force, &folder));
+  um_core_folder_abort(&folder);
+  return UM_OK;
+}
+
+int um_app_study(struct um_context *context, const struct um_app_options *options)
+{
+  enum um_status status;
+  struct um_study *study = NULL;
+  struct um_study_result *result = NULL;
+  struct um_compare_measurements *measurements = NULL;
+  char *folder = NULL, *records = NULL;
+  const char *path = options->positional[0];
+  if (!options->study_check && options->out == NULL) {
+    UM_CHECK(um_core_strdup(context, "out/study", &folder));
+  } else if (options->out != NULL) {
+    UM_CHECK(um_core_strdup(context, options->out, &folder));
+  }
+  if (folder != NULL) UM_CHECK(um_core_asprintf(context, &records, "%s.points", folder));
+  if (!options->study_check) UM_CHECK(try_folder(context, folder, options->force));
+  struct um_study_run_options run = {.model = um_app_model_options(options),
+                                     .version = UM_APP_VERSION,
+                                     .batch = {.folder = records}};
+  UM_CHECK(um_app_batch_options(context, options, &run.batch));
+  if (options->measured != NULL) { /* what cannot be read is refused before hours of work */
+    UM_CHECK(um_compare_measurements_read(context, options->measured, &measurements));
+    um_compare_measurements_destroy(context, &measurements);
+  }
+  UM_CHECK(um_study_create(context, path, &run, &study));
+  if (options->study_check) {
+    status = um_study_print_check(context, study, stdout);
+    goto done;
+  }
+  UM_CHECK(um_study_run(context, study, &result));
+  if (result == NULL) goto done;
+  UM_CHECK(write_folder(context, result, options->measured, folder, options->force));
+  um_batch_records_remove(context, records);
+  print_result(result, folder);
+done:
+  um_study_result_destroy(context, &result);
+  um_study_destroy(context, &study);
+  um_core_free(context, folder);
+  um_core_free(context, records);
+  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}

@@ -1,0 +1,39 @@
+/* Private to batch: worker processes of this machine. Each is a child with one thread that computes
+ * one point at a time, dies with this process, and is replaced when it dies by itself. */
+#ifndef UMBRA_BATCH_CREW_IMPL_H
+#define UMBRA_BATCH_CREW_IMPL_H
+
+#include "batch/task.h"
+
+struct um_batch_crew;
+
+/* What became of a point. */
+struct um_batch_answer {
+  size_t number;         /* the point's, as it was given */
+  enum um_status status; /* of compute; UM_OK when the worker died, too */
+  bool died;             /* the worker did, before it could answer */
+  const double *value;   /* [nvalue] where status is UM_OK and died is not set; borrowed */
+  const char *reason;    /* elsewhere; borrowed */
+};
+typedef enum um_status um_batch_answered(struct um_context *context, void *self,
+                                         const struct um_batch_answer *answer);
+
+/* Fork task->workers children, at least one. The task is borrowed until the crew is destroyed.
+ * before: called in each child with `before_self` first thing (NULL: nothing), to close what is not
+ * its own. UM_ERR_LIBRARY: no process; UM_ERR_MEMORY. */
+enum um_status um_batch_crew_create(struct um_context *context, const struct um_batch_task *task,
+                                    void (*before)(void *self), void *before_self,
+                                    struct um_batch_crew **out);
+/* Workers, and those of them without a point. */
+size_t um_batch_crew_size(const struct um_batch_crew *crew);
+size_t um_batch_crew_idle(const struct um_batch_crew *crew);
+/* Give a point to a worker without one; there is one. */
+void um_batch_crew_give(struct um_batch_crew *crew, size_t number, const double *coordinate);
+/* Wait for answers at most this long [s], and hand each on. Errors of `answered`, UM_ERR_LIBRARY
+ * where a dead worker cannot be replaced. */
+enum um_status um_batch_crew_wait(struct um_context *context, struct um_batch_crew *crew,
+                                  double seconds, um_batch_answered *answered, void *self);
+/* Ends the workers, whatever they do. Accepts NULL, sets NULL. */
+void um_batch_crew_destroy(struct um_context *context, struct um_batch_crew **crew);
+
+#endif

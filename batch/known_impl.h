@@ -1,0 +1,34 @@
+/* Private to batch: the points of a batch by the bits of their coordinates. */
+#ifndef UMBRA_BATCH_KNOWN_IMPL_H
+#define UMBRA_BATCH_KNOWN_IMPL_H
+
+#include "batch/records_impl.h"
+
+enum um_batch_state {
+  UM_BATCH_NEW,    /* asked for the first time */
+  UM_BATCH_WANTED, /* to be computed */
+  UM_BATCH_RECORD, /* on record */
+  UM_BATCH_LOST    /* failed, not on record: a later process may try again */
+};
+
+struct um_batch_known_point {
+  enum um_batch_state state;
+  int deaths;                  /* of workers that computed it */
+  struct um_batch_place place; /* of UM_BATCH_RECORD */
+  char *reason;                /* of UM_BATCH_LOST; owned */
+};
+
+struct um_batch_known;
+
+enum um_status um_batch_known_create(struct um_context *context, size_t ncoordinate,
+                                     struct um_batch_known **out);
+void um_batch_known_destroy(struct um_context *context, struct um_batch_known **known);
+/* Number of the point with these coordinates, a new one where there is none. UM_ERR_MEMORY. */
+enum um_status um_batch_known_number(struct um_context *context, struct um_batch_known *known,
+                                     const double *coordinate, size_t *number);
+/* Borrowed until the next um_batch_known_number. */
+struct um_batch_known_point *um_batch_known_point(struct um_batch_known *known, size_t number);
+const double *um_batch_known_coordinate(const struct um_batch_known *known, size_t number);
+size_t um_batch_known_count(const struct um_batch_known *known);
+
+#endif

@@ -1,0 +1,44 @@
+/* Private to batch: a batch, its queue, and how an answer is kept. */
+#ifndef UMBRA_BATCH_QUEUE_IMPL_H
+#define UMBRA_BATCH_QUEUE_IMPL_H
+
+#include "batch/crew_impl.h"
+#include "batch/known_impl.h"
+#include "batch/ranks_impl.h"
+
+struct um_batch {
+  struct um_batch_task task; /* its folder is a copy */
+  char *folder;
+  struct um_batch_records *records; /* NULL where this process does not lead */
+  struct um_batch_known *known;
+  size_t recorded;
+  size_t *queue; /* [nqueue] numbers of points to be computed, in the order asked */
+  size_t nqueue;
+  struct um_batch_crew *crew; /* NULL: not needed yet */
+  bool several;               /* this process is one of several ranks */
+  size_t rank;
+  struct um_batch_ranks *ranks; /* NULL: not met yet */
+};
+
+/* Does a failure with this status concern its point alone? */
+bool um_batch_is_of_point(enum um_status status);
+
+/* Answer of a point: values, or the reason that makes it fail. LIBRARY and a dead worker are not
+ * put on record (`lost`): the next process tries again. */
+enum um_status um_batch_keep(struct um_context *context, struct um_batch *batch, size_t number,
+                             const double *value, const char *reason, bool lost);
+
+/* Points that were kept count as done once they are on the disk. Begin with {0}. */
+struct um_batch_done {
+  size_t unsaid; /* kept, not yet told */
+  double synced; /* when the disk was last waited for [s] */
+};
+/* Tell the progress, after a sync where there is something to tell and `last` or some time has
+ * passed. Hears a stop. UM_ERR_IO, UM_ERR_CANCELLED. */
+enum um_status um_batch_tell(struct um_context *context, struct um_batch *batch,
+                             struct um_batch_done *done, bool last);
+
+/* The queue by this process itself. */
+enum um_status um_batch_run_here(struct um_context *context, struct um_batch *batch);
+
+#endif

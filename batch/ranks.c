@@ -1,0 +1,326 @@
+/* Ranks: messages between the leading process and those that serve it. */
+#include "batch/ranks_impl.h"
+
+#include <mpi.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "batch/worker_impl.h"
+
+#define SILENCE  60.0 /* after which a rank counts as lost [s] */
+#define PULSE    5.0  /* between two signs of life of a rank [s] */
+#define LOOK     2e-3 /* between two looks at the messages of a rank that serves [s] */
+#define FAREWELL 2.0  /* longest wait for the others at the end [s] */
+#define NOBODY   UINT64_MAX
+
+enum tag { TAG_HELLO = 1, TAG_POINT, TAG_ANSWER, TAG_PULSE, TAG_STOP, TAG_BYE };
+
+struct hello {
+  uint64_t identity, ncoordinate, nvalue, workers;
+};
+
+/* Of an answer; values or a reason stand behind it. */
+struct answer_head {
+  uint64_t number; /* NOBODY: the rank's work has ended with `status` */
+  int32_t status, died;
+  uint64_t reason; /* [byte], 0: values */
+};
+
+struct peer {
+  size_t workers, idle; /* of its processes */
+  uint64_t *given;      /* [workers] its points, NOBODY where there is none */
+  double heard;         /* when last [s] */
+  bool lost, gone;
+};
+
+struct um_batch_ranks {
+  const struct um_batch_task *task;
+  int rank, size;
+  struct peer *peer; /* [size] on rank 0 */
+  size_t room;
+  char *buffer; /* [room] one message */
+  double pulse; /* when last sent [s] */
+  bool stopped; /* rank 0 has said so */
+};
+
+/* One process joins once, however many batches it opens; it leaves at its end, unless some of the
+ * others may never come. */
+static bool joined, broken;
+
+static double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void finalize(void)
+{
+  if (!broken) MPI_Finalize();
+}
+
+/* The first of these variables that is set, as a number; -1: none. */
+static long number_of(const char *const *name)
+{
+  for (; *name != NULL; name++) {
+    const char *text = getenv(*name);
+    if (text != NULL && *text != '\0') return strtol(text, NULL, 10);
+  }
+  return -1;
+}
+
+enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank)
+{
+  static const char *const ranks[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", NULL};
+  static const char *const sizes[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS",
+                                      NULL};
+  (void)context;
+  long r = number_of(ranks), n = number_of(sizes);
+  *several = r >= 0 && n != 1;
+  *rank = *several ? (size_t)r : 0;
+  return UM_OK;
+}
+
+enum um_status um_batch_ranks_join(struct um_context *context, const struct um_batch_task *task,
+                                   struct um_batch_ranks **out)
+{
+  enum um_status status = UM_OK;
+  struct um_batch_ranks *ranks;
+  int level;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *ranks, &ranks));
+  ranks->task = task;
+  if (!joined) {
+    if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS) {
+      um_core_free(context, ranks);
+      return um_core_fail(context, UM_ERR_LIBRARY, "MPI does not start");
+    }
+    joined = true;
+    atexit(finalize);
+  }
+  MPI_Comm_rank(MPI_COMM_WORLD, &ranks->rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks->size);
+  size_t values = task->nvalue * sizeof(double), point = (task->ncoordinate + 1) * sizeof(double);
+  ranks->room = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
+  UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->buffer));
+  UM_CHECK(um_core_allocate(context, (size_t)ranks->size, sizeof *ranks->peer, &ranks->peer));
+  for (int r = 0; r < ranks->size; r++) ranks->peer[r].heard = now();
+  *out = ranks;
+  return UM_OK;
+done:
+  broken = true;
+  um_batch_ranks_leave(context, &ranks);
+  return status;
+}
+
+size_t um_batch_ranks_idle(const struct um_batch_ranks *ranks)
+{
+  size_t idle = 0;
+  for (int r = 1; r < ranks->size; r++) idle += ranks->peer[r].lost ? 0 : ranks->peer[r].idle;
+  return idle;
+}
+
+static void mark(struct peer *peer, uint64_t from, uint64_t to)
+{
+  for (size_t i = 0; i < peer->workers; i++)
+    if (peer->given[i] == from) {
+      peer->given[i] = to;
+      return;
+    }
+}
+
+void um_batch_ranks_give(struct um_batch_ranks *ranks, size_t number, const double *coordinate)
+{
+  int r = 1;
+  while (ranks->peer[r].lost || ranks->peer[r].idle == 0) r++;
+  uint64_t told = number;
+  size_t n = ranks->task->ncoordinate * sizeof *coordinate;
+  ranks->peer[r].idle--;
+  mark(&ranks->peer[r], NOBODY, number);
+  memcpy(ranks->buffer, &told, sizeof told);
+  memcpy(ranks->buffer + sizeof told, coordinate, n);
+  MPI_Send(ranks->buffer, (int)(sizeof told + n), MPI_BYTE, r, TAG_POINT, MPI_COMM_WORLD);
+}
+
+static enum um_status welcome(struct um_context *context, const struct um_batch_ranks *ranks, int r)
+{
+  struct hello h;
+  struct peer *peer = &ranks->peer[r];
+  memcpy(&h, ranks->buffer, sizeof h);
+  if (h.identity != ranks->task->identity || h.ncoordinate != ranks->task->ncoordinate ||
+      h.nvalue != ranks->task->nvalue)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "rank %d would compute something else: its files or its Umbra differ", r);
+  peer->workers = peer->idle = (size_t)h.workers;
+  um_core_free(context, peer->given);
+  UM_TRY(um_core_allocate(context, peer->workers, sizeof *peer->given, &peer->given));
+  for (size_t i = 0; i < peer->workers; i++) peer->given[i] = NOBODY;
+  return UM_OK;
+}
+
+static enum um_status hand_on(struct um_context *context, const struct um_batch_ranks *ranks, int r,
+                              size_t bytes, um_batch_answered *answered, void *self)
+{
+  struct answer_head head;
+  memcpy(&head, ranks->buffer, sizeof head);
+  ranks->buffer[bytes] = '\0';
+  const void *behind = ranks->buffer + sizeof head; /* aligned: the head is 24 bytes */
+  if (head.number == NOBODY)
+    return um_core_fail(context, (enum um_status)head.status, "rank %d: %s", r,
+                        (const char *)behind);
+  struct um_batch_answer answer = {
+      .number = (size_t)head.number, .status = (enum um_status)head.status, .died = head.died != 0};
+  if (head.reason > 0)
+    answer.reason = behind;
+  else
+    answer.value = behind;
+  mark(&ranks->peer[r], head.number, NOBODY);
+  ranks->peer[r].idle++;
+  return answered(context, self, &answer);
+}
+
+/* The next message that has arrived, into the buffer; false: none. */
+static bool receive(struct um_batch_ranks *ranks, int *from, int *tag, int *bytes)
+{
+  MPI_Status about;
+  int there = 0;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &about);
+  if (!there) return false;
+  *from = about.MPI_SOURCE;
+  *tag = about.MPI_TAG;
+  MPI_Get_count(&about, MPI_BYTE, bytes);
+  MPI_Recv(ranks->buffer, (int)ranks->room - 1, MPI_BYTE, *from, *tag, MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  return true;
+}
+
+/* A rank that is silent has lost its points; what it says later is not heard. */
+static enum um_status lose(struct um_context *context, struct um_batch_ranks *ranks, int r,
+                           um_batch_answered *answered, void *self)
+{
+  struct peer *peer = &ranks->peer[r];
+  peer->lost = true;
+  broken = true;
+  um_core_log(context, UM_LOG_WARNING, "rank %d has not been heard of for %.0f s: it is left out",
+              r, SILENCE);
+  for (size_t i = 0; i < peer->workers; i++) {
+    struct um_batch_answer answer = {
+        .number = (size_t)peer->given[i], .died = true, .reason = "its rank is silent"};
+    if (peer->given[i] != NOBODY) UM_TRY(answered(context, self, &answer));
+  }
+  return UM_OK;
+}
+
+enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_ranks *ranks,
+                                   um_batch_answered *answered, void *self)
+{
+  int from, tag, bytes;
+  while (receive(ranks, &from, &tag, &bytes)) {
+    ranks->peer[from].heard = now();
+    if (ranks->peer[from].lost) continue;
+    if (tag == TAG_HELLO) UM_TRY(welcome(context, ranks, from));
+    if (tag == TAG_ANSWER) UM_TRY(hand_on(context, ranks, from, (size_t)bytes, answered, self));
+  }
+  for (int r = 1; r < ranks->size; r++)
+    if (!ranks->peer[r].lost && now() - ranks->peer[r].heard > SILENCE)
+      UM_TRY(lose(context, ranks, r, answered, self));
+  return UM_OK;
+}
+
+static void send_answer(struct um_batch_ranks *ranks, uint64_t number,
+                        const struct um_batch_answer *answer)
+{
+  struct answer_head head = {number, (int32_t)answer->status, answer->died, 0};
+  size_t bytes = ranks->task->nvalue * sizeof *answer->value;
+  if (answer->reason != NULL)
+    head.reason = bytes = strnlen(answer->reason, UM_BATCH_REASON_LONGEST);
+  memcpy(ranks->buffer, &head, sizeof head);
+  if (bytes > 0)
+    memcpy(ranks->buffer + sizeof head,
+           answer->reason == NULL ? (const void *)answer->value : answer->reason, bytes);
+  MPI_Send(ranks->buffer, (int)(sizeof head + bytes), MPI_BYTE, 0, TAG_ANSWER, MPI_COMM_WORLD);
+}
+
+static enum um_status pass_on(struct um_context *context, void *self,
+                              const struct um_batch_answer *answer)
+{
+  (void)context;
+  send_answer(self, answer->number, answer);
+  return UM_OK;
+}
+
+/* What rank 0 says. */
+static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
+{
+  int from, tag, bytes;
+  while (!ranks->stopped && receive(ranks, &from, &tag, &bytes)) {
+    ranks->stopped = tag == TAG_STOP;
+    if (tag != TAG_POINT) continue;
+    uint64_t number;
+    memcpy(&number, ranks->buffer, sizeof number);
+    /* the number is as long as a coordinate: what stands behind it is aligned */
+    const void *coordinate = ranks->buffer + sizeof number;
+    um_batch_crew_give(crew, (size_t)number, coordinate);
+  }
+  if (now() - ranks->pulse < PULSE) return;
+  ranks->pulse = now();
+  MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_PULSE, MPI_COMM_WORLD);
+}
+
+enum um_status um_batch_ranks_serve(struct um_context *context, struct um_batch_ranks *ranks,
+                                    struct um_batch_crew *crew)
+{
+  enum um_status status = UM_OK;
+  struct hello hello = {ranks->task->identity, ranks->task->ncoordinate, ranks->task->nvalue,
+                        um_batch_crew_size(crew)};
+  MPI_Send(&hello, (int)sizeof hello, MPI_BYTE, 0, TAG_HELLO, MPI_COMM_WORLD);
+  while (status == UM_OK && !ranks->stopped) {
+    obey(ranks, crew);
+    if (ranks->stopped) break;
+    status = um_batch_crew_wait(context, crew, LOOK, pass_on, ranks);
+    if (status == UM_OK) status = um_core_stop_check(context, "serving a batch");
+  }
+  broken = broken || status == UM_ERR_CANCELLED; /* rank 0 may be gone, too */
+  if (status == UM_OK) MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_BYE, MPI_COMM_WORLD);
+  if (status != UM_OK && status != UM_ERR_CANCELLED) {
+    struct um_batch_answer answer = {.status = status, .reason = um_core_message(context)};
+    send_answer(ranks, NOBODY, &answer);
+  }
+  return status;
+}
+
+/* Rank 0: every other one is told, and what they still say is taken, so that none waits. */
+static void dismiss(struct um_context *context, struct um_batch_ranks *ranks)
+{
+  int from, tag, bytes, left = 0;
+  for (int r = 1; r < ranks->size; r++) {
+    MPI_Request request;
+    if (ranks->peer[r].lost) continue;
+    MPI_Isend(NULL, 0, MPI_BYTE, r, TAG_STOP, MPI_COMM_WORLD, &request);
+    MPI_Request_free(&request);
+    left++;
+  }
+  for (double end = now() + FAREWELL; left > 0 && now() < end && !um_core_stopped(context);) {
+    if (!receive(ranks, &from, &tag, &bytes)) {
+      nanosleep(&(struct timespec){0, 1000000}, NULL);
+      continue;
+    }
+    struct answer_head head = {0};
+    if (tag == TAG_ANSWER) memcpy(&head, ranks->buffer, sizeof head);
+    if (tag == TAG_BYE || (tag == TAG_ANSWER && head.number == NOBODY)) left--;
+  }
+  broken = broken || left > 0;
+}
+
+void um_batch_ranks_leave(struct um_context *context, struct um_batch_ranks **ranks)
+{
+  if (ranks == NULL || *ranks == NULL) return;
+  struct um_batch_ranks *r = *ranks;
+  if (r->rank == 0 && r->peer != NULL && r->buffer != NULL) dismiss(context, r);
+  for (int i = 0; r->peer != NULL && i < r->size; i++) um_core_free(context, r->peer[i].given);
+  um_core_free(context, r->peer);
+  um_core_free(context, r->buffer);
+  um_core_free(context, r);
+  *ranks = NULL;
+}

@@ -1,0 +1,15 @@
+/* Private to batch: the queue by worker processes. */
+#ifndef UMBRA_BATCH_TEAM_IMPL_H
+#define UMBRA_BATCH_TEAM_IMPL_H
+
+#include "batch/queue_impl.h"
+
+/* The queue by the workers of this machine, forked at the first call, and those of other ranks.
+ * After an error other ranks may still be at points: the batch is to be closed then. */
+enum um_status um_batch_run_team(struct um_context *context, struct um_batch *batch);
+/* What rank 0 hands out, by the workers of this machine. */
+enum um_status um_batch_serve_team(struct um_context *context, struct um_batch *batch);
+/* Ends the workers, and rank 0 the service of the others. */
+void um_batch_end_team(struct um_context *context, struct um_batch *batch);
+
+#endif

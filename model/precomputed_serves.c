@@ -1,0 +1,194 @@
+/* Which models a geometry precomputation serves: what it was traced of is compared, and nobody has
+ * to know which key or effect changes what. */
+#include "model/precomputed_serves.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/words.h"
+#include "environment/map.h"
+#include "environment/shadow_light.h"
+#include "model/mirrors.h"
+#include "model/precompute.h"
+#include "model/precompute_exchange_impl.h"
+#include "model/precompute_impl.h"
+#include "model/precompute_loads_impl.h"
+#include "model/thermal_equal_impl.h"
+
+static bool same(const void *a, const void *b, size_t count, size_t size)
+{
+  return count == 0 || memcmp(a, b, count * size) == 0;
+}
+
+/* --- light ----------------------------------------------------------------------------------- */
+
+static bool same_region(const struct um_environment_region *a,
+                        const struct um_environment_region *b)
+{
+  return a->everywhere == b->everywhere && a->latitude == b->latitude &&
+         a->longitude == b->longitude && a->radius == b->radius && a->edge == b->edge &&
+         a->from_tai == b->from_tai && a->to_tai == b->to_tai && a->ramp == b->ramp &&
+         a->albedo_factor == b->albedo_factor && a->albedo_offset == b->albedo_offset &&
+         a->longwave_factor == b->longwave_factor && a->longwave_offset == b->longwave_offset &&
+         a->brightness_shift == b->brightness_shift;
+}
+
+/* The same ground. A brightness temperature is of the light alone while it is one for all of the
+ * Earth; where places differ the precomputation has it. */
+static bool same_earth(const struct um_environment *a, const struct um_environment *b)
+{
+  if (!um_environment_earth_varies(a) && !um_environment_earth_varies(b)) return true;
+  return a->earth == b->earth && um_environment_map_equal(a->map, b->map) &&
+         a->albedo_factor == b->albedo_factor && a->longwave_factor == b->longwave_factor &&
+         a->brightness_shift == b->brightness_shift &&
+         a->brightness_temperature == b->brightness_temperature &&
+         same_region(&a->region, &b->region);
+}
+
+/* The same air over the limb. */
+static bool same_limb(const struct um_environment_limb *a, const struct um_environment_limb *b)
+{
+  if (a == NULL || b == NULL || a == b) return a == b;
+  return memcmp(a, b, sizeof *a) == 0; /* NOLINT: doubles alone */
+}
+
+/* The same air at the edge of the shadow. */
+static bool same_air(const struct um_environment *a, const struct um_environment *b)
+{
+  if (a->shadow_refraction_on != b->shadow_refraction_on) return false;
+  return !a->shadow_refraction_on ||
+         (a->air_factor == b->air_factor && a->ozone_dobson == b->ozone_dobson &&
+          a->haze == b->haze && a->aerosol == b->aerosol && a->cloud_top == b->cloud_top &&
+          same_limb(a->limb, b->limb));
+}
+
+bool um_model_light_serves(const struct um_model *made, const struct um_model *model)
+{
+  const struct um_environment *a = &made->environment, *b = &model->environment;
+  return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
+         a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
+         a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
+         a->limb_darkening == b->limb_darkening && a->moonlight_on == b->moonlight_on &&
+         a->gas_density_factor == b->gas_density_factor && same_air(a, b) && same_earth(a, b) &&
+         (a->specular_exchange_on || !b->specular_exchange_on) && /* paths by mirrors are there */
+         (um_model_loads_by_angle(made) || !um_model_loads_by_angle(model)); /* moments are */
+}
+
+/* --- times and places ------------------------------------------------------------------------ */
+
+static bool same_number(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
+
+static bool events_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
+{
+  if (a->nevent != b->nevent) return false;
+  for (size_t i = 0; i < a->nevent; i++)
+    if (a->event[i].t_tai != b->event[i].t_tai || a->event[i].kind != b->event[i].kind)
+      return false;
+  return true;
+}
+
+/* Observations, the span of the heat and its grid. */
+static bool plan_equal(const struct um_model_precomputed *a,
+                       const struct um_model_precompute_plan *p)
+{
+  const struct um_model_precomputed *b = p->precomputed;
+  size_t n = a->nobs * a->nsub;
+  return a->nobs == b->nobs && a->nsub == b->nsub && a->loads->ntime == p->ngrid &&
+         same(a->t_obs, b->t_obs, a->nobs, sizeof *a->t_obs) &&
+         same(a->look, b->look, n, sizeof *a->look) &&
+         same(a->sample, b->sample, n, sizeof *a->sample) &&
+         same(a->hidden, b->hidden, a->nobs, sizeof *a->hidden) &&
+         same_number(a->period, b->period) && a->t_first == b->t_first &&
+         a->t_start == b->t_start && a->t_periodic_end == b->t_periodic_end &&
+         a->turn_period == b->turn_period && events_equal(a, b) &&
+         same(a->loads->t, p->grid, p->ngrid, sizeof *p->grid) && a->loads->nedge == b->nevent &&
+         same(a->loads->edge, p->edge, b->nevent, sizeof *p->edge);
+}
+
+static enum um_status same_times(struct um_context *context,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model *model, bool *out)
+{
+  enum um_status status;
+  struct um_model_precompute_plan plan = {0};
+  double *times = NULL;
+  size_t n = 0;
+  um_core_quiet_begin(context);
+  UM_CHECK(um_model_scenario_times(context, model, &times, &n));
+  UM_CHECK(um_model_precompute_plan(context, model, times, NULL, n, &plan));
+  *out = plan_equal(precomputed, &plan);
+done:
+  um_core_quiet_end(context);
+  um_model_precompute_plan_clear(context, &plan);
+  um_core_free(context, times);
+  return status;
+}
+
+/* The scene at the rows of the loads. */
+static enum um_status same_scene(struct um_context *context, const struct um_model *made,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model *model, bool *out)
+{
+  enum um_status status;
+  const struct um_irradiation_loads *loads = precomputed->loads;
+  struct um_environment_sample *a = NULL, *b = NULL;
+  um_core_quiet_begin(context);
+  UM_CHECK(um_model_load_samples(context, made, loads->t, loads->ntime, &a));
+  UM_CHECK(um_model_load_samples(context, model, loads->t, loads->ntime, &b));
+  *out = same(a, b, loads->ntime, sizeof *a);
+done:
+  um_core_quiet_end(context);
+  um_core_free(context, a);
+  um_core_free(context, b);
+  return status;
+}
+
+/* --- rays ------------------------------------------------------------------------------------ */
+
+/* Numbers of rays, seeds and files of what is traced. */
+static bool options_equal(const struct um_model *a, const struct um_model *b)
+{
+  const struct um_scenario_thermal *x = a->scenario->thermal, *y = b->scenario->thermal;
+  return a->scenario->optics->samples == b->scenario->optics->samples &&
+         a->scenario->optics->seed == b->scenario->optics->seed && x->samples == y->samples &&
+         x->view_factor_rays == y->view_factor_rays && x->exchange_patches == y->exchange_patches &&
+         um_core_words_same(x->view_factors, y->view_factors) &&
+         um_core_words_same(a->scenario->at.file, b->scenario->at.file);
+}
+
+static bool rooms_equal(const struct um_model *a, const struct um_model *b)
+{
+  if (a->scenario->parts.count != b->scenario->parts.count) return false;
+  for (uint32_t p = 0; p < a->scenario->parts.count; p++) {
+    size_t x = 0, y = 0;
+    if (um_model_room(a, p, &x) != um_model_room(b, p, &y) || x != y) return false;
+  }
+  return true;
+}
+
+static enum um_status same_mirrors(struct um_context *context, const struct um_model *made,
+                                   const struct um_model *model, bool *out)
+{
+  enum um_status status;
+  struct um_geometry_mirrors *a = NULL, *b = NULL;
+  UM_CHECK(um_model_mirrors_create(context, made, &a));
+  UM_CHECK(um_model_mirrors_create(context, model, &b));
+  *out = um_model_mirror_classes_equal(a, b);
+done:
+  um_geometry_mirrors_destroy(context, &a);
+  um_geometry_mirrors_destroy(context, &b);
+  return status;
+}
+
+enum um_status um_model_precomputed_serves(struct um_context *context, const struct um_model *made,
+                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model *model, bool *out)
+{
+  *out = !made->points && !model->points && made->has_observer == model->has_observer &&
+         um_geometry_equal(made->geometry, model->geometry) && rooms_equal(made, model) &&
+         options_equal(made, model) && um_model_light_serves(made, model);
+  if (*out) UM_TRY(same_mirrors(context, made, model, out));
+  if (*out) UM_TRY(same_times(context, precomputed, model, out));
+  if (*out) UM_TRY(same_scene(context, made, precomputed, model, out));
+  return UM_OK;
+}

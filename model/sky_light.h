@@ -1,0 +1,34 @@
+/* Sunlight and moonlight that the air scatters into a run's line of sight. */
+#ifndef UMBRA_MODEL_SKY_LIGHT_H
+#define UMBRA_MODEL_SKY_LIGHT_H
+
+#include "instrument/photometry.h"
+#include "model/model.h"
+#include "model/precomputed.h"
+
+/* What observer.air scatters in the wavelengths of the model's bands, into model->sky_light; left
+ * NULL without air, with air of a file, whose radiance is the file's, and where no band is known.
+ * A variant borrows that of its origin, so that light scattered more than once is that of the air
+ * which the origin had. After the bands. UM_ERR_MEMORY. */
+enum um_status um_model_build_sky_light(struct um_context *context, struct um_model *model);
+
+#define UM_MODEL_SKY_NODES 91
+
+/* The scattered light of a direction at an instant. */
+struct um_model_sky {
+  const struct um_environment *environment;
+  bool lit;
+  double relative[UM_MODEL_SKY_NODES]; /* radiance over the Sun's irradiance at 1 au [1/sr], every
+                                          10 nm from 0.30 um on */
+};
+/* Behind the satellite at observation k, for wavelengths between two [m]. Dark without
+ * model->sky_light, without the effect atmosphere, below the horizon. The Moon counts while the Sun
+ * is more than 1 deg down, where moonlight is on. */
+void um_model_sky(const struct um_model *model, const struct um_model_precomputed *precomputed,
+                  size_t k, double from, double to, struct um_model_sky *out);
+/* Mean radiance between two wavelengths of those [m] [W/m^2/sr/m]. Test: model/sky_light. */
+double um_model_sky_radiance(const struct um_model_sky *sky, double from, double to);
+/* The same through a filter [W/m^2/sr]. */
+double um_model_sky_band(const struct um_model_sky *sky, const struct um_instrument_bins *bins);
+
+#endif

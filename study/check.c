@@ -1,0 +1,73 @@
+/* What is known of a study before it runs. */
+#include <math.h>
+#include <omp.h>
+
+#include "study/study_impl.h"
+
+#define GEOMETRY_TYPICAL 8 /* points that a surrogate solves for each parameter, about */
+
+static const char *needs(const struct um_study *study, size_t i)
+{
+  if (study->moves_geometry[i]) return "geometry, heat and light";
+  return study->moves_heat[i] ? "heat and light" : "light";
+}
+
+/* Wall time of a point in the middle of all ranges [s]. */
+static enum um_status time_of_point(struct um_context *context, struct um_study *study,
+                                    double *seconds)
+{
+  double parameter[UM_STUDY_PARAMETERS_MAX], *value = NULL;
+  for (size_t i = 0; i < study->nway; i++)
+    parameter[i] = um_uncertainty_distribution_value(&study->way[i].distribution, 0.5);
+  UM_TRY(um_core_allocate(context, study->nvalue, sizeof *value, &value));
+  double begin = omp_get_wtime();
+  um_core_quiet_begin(context);
+  enum um_status status = um_study_point(context, study, parameter, value);
+  um_core_quiet_end(context);
+  *seconds = omp_get_wtime() - begin;
+  um_core_free(context, value);
+  return status;
+}
+
+static void print_time(FILE *file, double seconds)
+{
+  if (seconds < 90.0)
+    fprintf(file, "%.0f s", seconds);
+  else if (seconds < 5400.0)
+    fprintf(file, "%.0f min", seconds / 60.0);
+  else
+    fprintf(file, "%.1f h", seconds / 3600.0);
+}
+
+enum um_status um_study_print_check(struct um_context *context, struct um_study *study, FILE *file)
+{
+  const struct um_study_file *f = study->file;
+  double points = um_study_file_points(f), seconds = 0.0, least, largest, solved = points;
+  int workers = study->options.batch.workers > 1 ? study->options.batch.workers : 1;
+  UM_TRY(time_of_point(context, study, &seconds));
+  fprintf(file, "%s: %.0f points of %s, %zu curves of %zu observations\n", f->name, points,
+          study->model->scenario->name, study->noutput, study->ntime);
+  fprintf(file, "%-40s %12s %12s %12s  %s\n", "parameter", "from", "to", "scenario",
+          "computed anew");
+  for (size_t i = 0; i < study->nway; i++) {
+    um_uncertainty_distribution_ends(&study->way[i].distribution, &least, &largest);
+    fprintf(file, "%-40s %12.6g %12.6g ", study->way[i].name, least, largest);
+    if (isnan(study->way[i].nominal))
+      fprintf(file, "%12s", "-");
+    else
+      fprintf(file, "%12.6g", study->way[i].nominal);
+    fprintf(file, "  %s\n", needs(study, i));
+  }
+  fprintf(file, "a run of its own takes ");
+  print_time(file, study->seconds_run);
+  fprintf(file, ", a point in the middle %.2g s\n", seconds);
+  if (f->mode == UM_STUDY_SURROGATE) {
+    solved = fmin(f->held_out + 1 + GEOMETRY_TYPICAL * (double)study->nway, f->evaluations);
+    fprintf(file, "surrogate: about %.0f points to solve, at most %d\n", solved, f->evaluations);
+  }
+  fprintf(file, "about ");
+  print_time(file, solved * seconds / workers + study->seconds_heat);
+  fprintf(file, " with %d process%s; study.nc at most %.3g MB\n", workers, workers == 1 ? "" : "es",
+          1e-6 * points * (double)study->nvalue * sizeof(double));
+  return UM_OK;
+}

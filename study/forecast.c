@@ -1,0 +1,333 @@
+/* Passes of stations over days, and their runs. */
+#include "study/forecast.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/file.h"
+#include "core/sort.h"
+#include "model/bands.h"
+#include "model/build.h"
+#include "model/timeline.h"
+#include "study/forecast_impl.h"
+
+#define DAY 86400.0
+#define BEYOND                                                                                     \
+  7200.0 /* passes are looked for this far outside the days, so that theirs are whole [s] */
+
+/* What a forecast keeps for its runs, behind the part that is public. */
+struct held {
+  struct um_study_forecast forecast;
+  struct um_study_forecast_work work;
+  struct um_study_forecast_ask ask;
+  size_t *place;                          /* [nplace] of the body's */
+  double *coordinate;                     /* [npass][UM_STUDY_FORECAST_COORDINATES] */
+  struct um_study_forecast_band *band;    /* [npass][nband] */
+  struct um_study_forecast_place *places; /* [npass][nplace] */
+};
+
+const char *um_study_sky(double sun_elevation)
+{
+  static const struct {
+    double above; /* [deg] */
+    const char *word;
+  } skies[] = {{-0.833, "day"}, {-6.0, "civil"}, {-12.0, "nautical"}, {-18.0, "astronomical"}};
+  for (size_t i = 0; i < sizeof skies / sizeof *skies; i++)
+    if (sun_elevation > skies[i].above * UM_DEG) return skies[i].word;
+  return "night";
+}
+
+/* Shadow, Sun and times of a pass that need no run and no attitude. */
+static enum um_status describe(struct um_context *context, const struct um_model *orbit,
+                               struct um_study_forecast_pass *pass)
+{
+  struct um_environment_event *event = NULL;
+  struct um_orbit_look look;
+  size_t n = 0;
+  const struct um_orbit_pass *p = &pass->pass;
+  pass->entry = pass->exit = NAN;
+  pass->delay = NAN;
+  pass->start = ceil(p->rise); /* whole seconds of TAI are whole seconds of UTC */
+  pass->stop = floor(p->set);
+  UM_TRY(
+      um_orbit_observer_look(context, &orbit->observer, orbit->trajectory, p->culmination, &look));
+  pass->sun_elevation = look.sun_elevation;
+  /* what the last edge of the shadow before the rise was; none in so long a time: there is no
+   * shadow */
+  bool sunlit = true;
+  UM_TRY(um_model_events(context, orbit, p->rise - BEYOND, p->set, &event, &n));
+  pass->sunlit_at_rise = true;
+  for (size_t i = 0; i < n; i++) {
+    double t = event[i].t_tai;
+    bool entry = event[i].kind == UM_EVENT_HALF_ENTRY, exit = event[i].kind == UM_EVENT_HALF_EXIT;
+    if (entry || exit) sunlit = exit;
+    if ((entry || exit) && t < p->rise) pass->sunlit_at_rise = sunlit;
+    if (entry && t >= p->rise && isnan(pass->entry)) pass->entry = t;
+    if (exit && t >= p->rise && isnan(pass->exit)) pass->exit = t;
+  }
+  pass->sunlit_at_set = sunlit;
+  um_core_free(context, event);
+  return UM_OK;
+}
+
+/* Is it one of these days, and long enough to be run? */
+static bool belongs(const struct um_study_forecast *f, const struct um_orbit_pass *pass)
+{
+  return pass->culmination >= f->from && pass->culmination < f->to &&
+         floor(pass->set) - ceil(pass->rise) >= 1.0;
+}
+
+static enum um_status add_pass(struct um_context *context, struct um_study_forecast *f,
+                               const struct um_model *orbit, size_t station,
+                               const struct um_orbit_pass *pass)
+{
+  if (f->npass >= UM_STUDY_FORECAST_MOST)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "more than %d passes; accepted: fewer days, fewer stations or a higher "
+                        "minimum elevation",
+                        UM_STUDY_FORECAST_MOST);
+  UM_TRY(um_core_reallocate(context, f->npass + 1, sizeof *f->pass, &f->pass));
+  struct um_study_forecast_pass *to = &f->pass[f->npass];
+  *to = (struct um_study_forecast_pass){.station = station, .pass = *pass};
+  f->npass++;
+  return describe(context, orbit, to);
+}
+
+static enum um_status check_orbit(struct um_context *context, const struct um_model *orbit)
+{
+  const char *file = orbit->scenario->at.file;
+  if (!orbit->has_observer || orbit->observer.kind != UM_OBSERVER_STATION)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: passes need observer.station", file);
+  if (orbit->points)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: passes need an orbit, not orbit.points", file);
+  return UM_OK;
+}
+
+static enum um_status find_passes(struct um_context *context, struct held *h, size_t station)
+{
+  enum um_status status;
+  struct um_study_forecast *f = &h->forecast;
+  struct um_study_forecast_changes changes = {.text = NULL};
+  struct um_model *orbit = NULL;
+  struct um_orbit_pass *pass = NULL;
+  size_t n = 0;
+  UM_CHECK(um_study_forecast_changes(context, &h->work, station, f->from, f->to, &changes));
+  um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
+  status = um_model_create_orbit(context, h->ask.path, &changes.options, &orbit);
+  um_core_quiet_end(context);
+  UM_CHECK(status);
+  UM_CHECK(check_orbit(context, orbit));
+  UM_CHECK(um_orbit_passes_find(context, &orbit->observer, orbit->trajectory, f->from - BEYOND,
+                                f->to + BEYOND, f->minimum_elevation, &pass, &n));
+  for (size_t i = 0; i < n; i++)
+    if (belongs(f, &pass[i])) UM_CHECK(add_pass(context, f, orbit, station, &pass[i]));
+done:
+  um_core_free(context, pass);
+  um_model_destroy(context, &orbit);
+  um_core_free(context, (void *)changes.text);
+  return status;
+}
+
+static int by_rise(const void *a, const void *b)
+{
+  const struct um_study_forecast_pass *p = a, *q = b;
+  return (p->pass.rise > q->pass.rise) - (p->pass.rise < q->pass.rise);
+}
+
+/* Bands, and the places that are told of: parts and interiors. */
+static enum um_status name_outputs(struct um_context *context, struct held *h,
+                                   const struct um_model *model)
+{
+  struct um_study_forecast *f = &h->forecast;
+  const struct um_thermal_body *body = model->body;
+  UM_TRY(um_core_allocate(context, model->nband, sizeof *f->band, &f->band));
+  UM_TRY(um_core_allocate(context, model->nband, sizeof *f->thermal, &f->thermal));
+  for (; f->nband < model->nband; f->nband++) {
+    f->thermal[f->nband] = um_model_band_is_thermal(&model->band[f->nband]);
+    UM_TRY(um_core_strdup(context, model->band[f->nband].name, &f->band[f->nband]));
+  }
+  size_t n = body == NULL ? 0 : body->nplace;
+  UM_TRY(um_core_allocate(context, n, sizeof *f->place, &f->place));
+  UM_TRY(um_core_allocate(context, n, sizeof *h->place, &h->place));
+  for (size_t i = 0; i < n; i++) {
+    if (body->place[i].kind != UM_PLACE_PART && body->place[i].kind != UM_PLACE_INTERIOR) continue;
+    UM_TRY(um_core_strdup(context, body->place[i].name, &f->place[f->nplace]));
+    h->place[f->nplace++] = i;
+  }
+  return UM_OK;
+}
+
+static enum um_status name_stations(struct um_context *context, struct held *h,
+                                    const struct um_model *model)
+{
+  struct um_study_forecast *f = &h->forecast;
+  size_t n = h->ask.nstation;
+  UM_TRY(um_core_allocate(context, n > 0 ? n : 1, sizeof *f->station, &f->station));
+  UM_TRY(check_orbit(context, model));
+  const char *name = model->scenario->observer->station->name;
+  struct um_study_station own = {name == NULL ? "station" : name, model->observer.latitude,
+                                 model->observer.longitude, model->observer.height};
+  for (size_t i = 0; i < (n > 0 ? n : 1); i++) {
+    char *copy;
+    const struct um_study_station *from = n > 0 ? &h->ask.station[i] : &own;
+    UM_TRY(um_core_strdup(context, from->name, &copy));
+    f->station[f->nstation] = *from;
+    f->station[f->nstation++].name = copy;
+  }
+  h->work.station = n > 0 ? f->station : NULL;
+  return UM_OK;
+}
+
+/* FNV-1a of 64 bits (Fowler, Noll and Vo) of a block; its length goes in. */
+static uint64_t hash(uint64_t h, const void *data, size_t bytes)
+{
+  const unsigned char *byte = data;
+  for (size_t i = 0; i < bytes; i++) h = (h ^ byte[i]) * UINT64_C(0x100000001b3);
+  return (h ^ bytes) * UINT64_C(0x100000001b3);
+}
+
+static uint64_t hash_texts(uint64_t h, const char *const *text, size_t n)
+{
+  for (size_t i = 0; i < n; i++) h = hash(h, text[i], strlen(text[i]));
+  return hash(h, &n, sizeof n);
+}
+
+/* The scenario's text, its changes and the stations: a pass of these has its values. */
+static enum um_status identify(struct um_context *context, const struct held *h,
+                               const struct um_model *model, uint64_t *identity)
+{
+  char *text;
+  size_t length;
+  const struct um_model_options *o = h->ask.options;
+  UM_TRY(um_core_file_read(context, model->scenario->at.file, (size_t)1 << 28, &text, &length));
+  uint64_t id = hash(*identity, text, length);
+  um_core_free(context, text);
+  id = hash_texts(id, o->overrides, o->noverride);
+  id = hash_texts(id, o->with, o->nwith);
+  id = hash_texts(id, o->without, o->nwithout);
+  id = hash_texts(id, o->effect_files, o->neffect_file);
+  for (size_t i = 0; i < h->forecast.nstation; i++) {
+    const struct um_study_station *s = &h->forecast.station[i];
+    const double place[3] = {s->latitude, s->longitude, s->height};
+    id = hash(id, place, sizeof place);
+  }
+  *identity = id;
+  return UM_OK;
+}
+
+static enum um_status prepare(struct um_context *context, struct held *h,
+                              struct um_batch_task *task)
+{
+  enum um_status status;
+  struct um_study_forecast *f = &h->forecast;
+  struct um_model *model = NULL;
+  UM_CHECK(um_model_create(context, h->ask.path, h->ask.options, &model));
+  f->from = isnan(h->ask.from) ? model->scenario->time->start : h->ask.from;
+  f->to = f->from + h->ask.days * DAY;
+  UM_CHECK(um_core_strdup(context, model->scenario->name, &f->name));
+  UM_CHECK(name_stations(context, h, model));
+  f->minimum_elevation = isnan(h->ask.minimum_elevation)
+                             ? model->scenario->observer->minimum_elevation_deg * UM_DEG
+                             : h->ask.minimum_elevation;
+  UM_CHECK(name_outputs(context, h, model));
+  UM_CHECK(um_study_forecast_pin(context, model, &h->work));
+  UM_CHECK(identify(context, h, model, &task->identity));
+done:
+  um_model_destroy(context, &model);
+  return status;
+}
+
+enum um_status um_study_forecast_create(struct um_context *context,
+                                        const struct um_study_forecast_ask *ask,
+                                        struct um_batch_task *task, struct um_study_forecast **out)
+{
+  enum um_status status;
+  struct held *h;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
+  struct um_study_forecast *f = &h->forecast;
+  h->ask = *ask;
+  h->work.ask = &h->ask;
+  UM_CHECK(prepare(context, h, task));
+  for (size_t s = 0; s < f->nstation; s++) UM_CHECK(find_passes(context, h, s));
+  UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
+  h->work.nband = f->nband;
+  h->work.nplace = f->nplace;
+  h->work.place = h->place;
+  task->ncoordinate = UM_STUDY_FORECAST_COORDINATES;
+  task->nvalue = um_study_forecast_values(f->nband, f->nplace);
+  task->compute = um_study_forecast_compute;
+  task->user = &h->work;
+  *out = f;
+  h = NULL;
+done:
+  if (h != NULL) {
+    f = &h->forecast;
+    um_study_forecast_destroy(context, &f);
+  }
+  return status;
+}
+
+/* Give every pass its part of the values. */
+static void take_values(struct held *h, size_t nvalue)
+{
+  struct um_study_forecast *f = &h->forecast;
+  for (size_t i = 0; i < f->npass; i++) {
+    const double *value = f->value + i * nvalue;
+    struct um_study_forecast_pass *pass = &f->pass[i];
+    pass->delay = *value++;
+    memcpy(h->band + i * f->nband, value, f->nband * sizeof *h->band);
+    value += f->nband * sizeof *h->band / sizeof *value;
+    memcpy(h->places + i * f->nplace, value, f->nplace * sizeof *h->places);
+    value += f->nplace * sizeof *h->places / sizeof *value;
+    pass->band = h->band + i * f->nband;
+    pass->place = h->places + i * f->nplace;
+    pass->curve_at = value;
+    pass->curve = value + UM_STUDY_FORECAST_CURVE;
+  }
+}
+
+enum um_status um_study_forecast_run(struct um_context *context, struct um_study_forecast *forecast,
+                                     struct um_batch *batch)
+{
+  enum um_status status;
+  struct held *h = (struct held *)(void *)forecast; /* its first member */
+  struct um_study_forecast *f = forecast;
+  size_t nvalue = um_study_forecast_values(f->nband, f->nplace);
+  char **reason = NULL;
+  UM_CHECK(um_core_allocate(context, f->npass, UM_STUDY_FORECAST_COORDINATES * sizeof(double),
+                            &h->coordinate));
+  UM_CHECK(um_core_allocate(context, f->npass, nvalue * sizeof(double), &f->value));
+  UM_CHECK(um_core_allocate(context, f->npass * f->nband, sizeof *h->band, &h->band));
+  UM_CHECK(um_core_allocate(context, f->npass * f->nplace, sizeof *h->places, &h->places));
+  UM_CHECK(um_core_allocate(context, f->npass, sizeof *reason, &reason));
+  for (size_t i = 0; i < f->npass; i++) {
+    const struct um_study_forecast_pass *p = &f->pass[i];
+    const double at[] = {(double)p->station, p->start, p->stop, p->pass.culmination};
+    memcpy(h->coordinate + i * UM_STUDY_FORECAST_COORDINATES, at, sizeof at);
+  }
+  UM_CHECK(um_batch_run(context, batch, h->coordinate, f->npass, f->value, reason));
+  for (size_t i = 0; i < f->npass; i++) f->pass[i].reason = reason[i];
+  take_values(h, nvalue);
+done:
+  um_core_free(context, reason);
+  return status;
+}
+
+void um_study_forecast_destroy(struct um_context *context, struct um_study_forecast **forecast)
+{
+  if (forecast == NULL || *forecast == NULL) return;
+  struct held *h = (struct held *)(void *)*forecast;
+  struct um_study_forecast *f = *forecast;
+  for (size_t i = 0; i < f->npass; i++) um_core_free(context, f->pass[i].reason);
+  for (size_t i = 0; i < f->nband; i++) um_core_free(context, f->band[i]);
+  for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
+  for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);
+  for (size_t i = 0; i < h->work.npin; i++) um_core_free(context, h->work.pin[i]);
+  void *const block[] = {h->work.pin, f->pass,   f->band, f->thermal, f->place,
+                         f->station,  f->value,  f->name, h->place,   h->coordinate,
+                         h->band,     h->places, h};
+  for (size_t i = 0; i < sizeof block / sizeof *block; i++) um_core_free(context, block[i]);
+  *forecast = NULL;
+}

@@ -1,0 +1,92 @@
+/* Passes to come: what an observer sees of the satellite from stations over days. Every pass is a
+ * run of the scenario with its times and its station in place of the scenario's own, and a point of
+ * a batch. */
+#ifndef UMBRA_STUDY_FORECAST_H
+#define UMBRA_STUDY_FORECAST_H
+
+#include "batch/batch.h"
+#include "model/model.h"
+#include "orbit/observer.h"
+
+#define UM_STUDY_FORECAST_CURVE 60    /* instants of the curves that are kept of a pass */
+#define UM_STUDY_FORECAST_MOST  10000 /* passes */
+
+struct um_study_station {
+  const char *name;                   /* borrowed */
+  double latitude, longitude, height; /* [rad], [rad], [m] */
+};
+
+/* What is asked. Texts are borrowed. */
+struct um_study_forecast_ask {
+  const char *path; /* of the scenario */
+  const struct um_model_options *options;
+  double from;                            /* t_tai [s]; NaN: the scenario's start */
+  double days;                            /* > 0 */
+  double minimum_elevation;               /* [rad]; NaN: the scenario's */
+  const struct um_study_station *station; /* [nstation] */
+  size_t nstation;                        /* 0: the scenario's station */
+};
+
+/* Band of a pass. Magnitudes are AB, exo-atmospheric, NaN where nothing is seen. */
+struct um_study_forecast_band {
+  double brightest;              /* [mag] */
+  double brightest_at;           /* t_tai [s]; NaN: never seen */
+  double culmination;            /* [mag] at the instant nearest to culmination */
+  double largest;                /* irradiance [W/m^2] after effects, the atmosphere's included */
+  double largest_at;             /* t_tai [s] */
+  double irradiance_culmination; /* [W/m^2] */
+  double intensity;              /* largest radiant intensity toward the station [W/sr] */
+  double error;                  /* of the brightest magnitude, by ray tracing [mag] */
+};
+/* Place of a pass [K]: mean over the pass of the mean over the place, and the extremes of that. */
+struct um_study_forecast_place {
+  double mean, lowest, highest;
+};
+
+struct um_study_forecast_pass {
+  size_t station;
+  struct um_orbit_pass pass;
+  double start, stop; /* t_tai [s] of the run: whole seconds inside rise and set */
+  double entry, exit; /* of the shadow: half of the Sun's disc is hidden, t_tai at the satellite
+                       * [s]; NaN: not during the pass */
+  bool sunlit_at_rise, sunlit_at_set;
+  double sun_elevation; /* [rad] at the station at culmination, geometric */
+  double delay;         /* error of the times by the age of two-line elements, 1 sigma [s]; NaN:
+                         * unknown */
+  char *reason;         /* NULL: computed; else why not, and what follows is NaN */
+  const struct um_study_forecast_band *band;   /* [nband] */
+  const struct um_study_forecast_place *place; /* [nplace] */
+  const double *curve_at;                      /* [UM_STUDY_FORECAST_CURVE] t_tai [s] */
+  const double *curve; /* [nband][2][UM_STUDY_FORECAST_CURVE] magnitude [mag], irradiance [W/m^2] */
+};
+
+struct um_study_forecast {
+  char *name;               /* the scenario's */
+  double from, to;          /* t_tai [s] */
+  double minimum_elevation; /* [rad] */
+  size_t nstation, npass, nband, nplace;
+  struct um_study_station *station;    /* [nstation]; names owned */
+  char **band, **place;                /* names */
+  bool *thermal;                       /* [nband] shines by its own heat there */
+  struct um_study_forecast_pass *pass; /* [npass] by rise */
+  double *value;                       /* what passes point into */
+};
+
+/* Words for the Sun's elevation: "day" above -0.833 deg (the upper limb with refraction), "civil",
+ * "nautical", "astronomical" twilight down to -6, -12, -18 deg, "night". Borrowed. */
+const char *um_study_sky(double sun_elevation);
+
+/* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
+ * the runs, whose `identity`, `ncoordinate`, `nvalue`, `compute` and `user` are set. The forecast
+ * outlives the task's batch; `ask` too, with what it points to. UM_ERR_INPUT: no station, no orbit,
+ * more than UM_STUDY_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
+enum um_status um_study_forecast_create(struct um_context *context,
+                                        const struct um_study_forecast_ask *ask,
+                                        struct um_batch_task *task, struct um_study_forecast **out);
+/* Compute the passes; a pass that cannot be computed has its reason. Errors of um_batch_run. */
+enum um_status um_study_forecast_run(struct um_context *context, struct um_study_forecast *forecast,
+                                     struct um_batch *batch);
+/* Accepts NULL, sets NULL. */
+void um_study_forecast_destroy(struct um_context *context, struct um_study_forecast **forecast);
+
+#endif

@@ -1,0 +1,47 @@
+/* Private to study: one pass as a run, from its coordinates to its values. */
+#ifndef UMBRA_STUDY_FORECAST_IMPL_H
+#define UMBRA_STUDY_FORECAST_IMPL_H
+
+#include "study/forecast.h"
+
+/* Coordinates of a pass: number of its station, start, stop, culmination, t_tai [s]. */
+#define UM_STUDY_FORECAST_COORDINATES 4
+
+/* What a pass needs to be run; nothing of it changes while a batch lives. */
+struct um_study_forecast_work {
+  const struct um_study_forecast_ask *ask;
+  const struct um_study_station *station; /* NULL: the scenario's own */
+  char **pin; /* [npin] "key=value": what the scenario leaves to begin at its start begins there,
+               * and not at the start of each pass */
+  size_t npin, nband, nplace;
+  const size_t *place; /* [nplace] of the body's places */
+};
+
+/* Numbers in a pass: its delay, bands, places, times of the curves, curves. */
+static inline size_t um_study_forecast_values(size_t nband, size_t nplace)
+{
+  return 1 + nband * sizeof(struct um_study_forecast_band) / sizeof(double) +
+         nplace * sizeof(struct um_study_forecast_place) / sizeof(double) +
+         (1 + 2 * nband) * UM_STUDY_FORECAST_CURVE;
+}
+
+/* A run of a pass; user: the work. */
+enum um_status um_study_forecast_compute(struct um_context *context, void *user,
+                                         const double *coordinate, double *value);
+
+/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. */
+struct um_study_forecast_changes {
+  struct um_model_options options;
+  const char **text; /* [noverride of options]; freed by the caller */
+  char own[5][64];
+};
+enum um_status um_study_forecast_changes(struct um_context *context,
+                                         const struct um_study_forecast_work *work, size_t station,
+                                         double start, double stop,
+                                         struct um_study_forecast_changes *out);
+
+/* Find what is to be pinned. The caller frees pin and its texts. UM_ERR_MEMORY. */
+enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,
+                                     struct um_study_forecast_work *work);
+
+#endif

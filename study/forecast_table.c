@@ -1,0 +1,125 @@
+/* Forecasts as CSV: a row a pass, and the curves. */
+#include <math.h>
+#include <stdio.h>
+
+#include "core/constants.h"
+#include "core/csv.h"
+#include "orbit/time.h"
+#include "study/forecast_write.h"
+
+static void put_number(FILE *file, double value)
+{
+  char text[32] = "";
+  if (isfinite(value)) um_core_number_text(value, text);
+  fprintf(file, ",%s", text);
+}
+
+static void put_time(FILE *file, double t)
+{
+  char text[32] = "";
+  if (isfinite(t)) um_orbit_time_format(t, text);
+  fprintf(file, ",%s", text);
+}
+
+/* ",NAME" and what is behind it, in quotes where the name needs it. */
+static void put_column(FILE *file, const char *name, const char *behind)
+{
+  char text[512];
+  snprintf(text, sizeof text, "%s%s", name, behind);
+  fputc(',', file);
+  um_core_csv_put(file, text, "");
+}
+
+static void head(const struct um_study_forecast *f, FILE *file)
+{
+  static const char *const of_band[] = {
+      "_brightest_mag_ab", "_brightest_utc", "_culmination_mag_ab", "_brightest_error_mag",
+      "_largest_W_m2",     "_largest_utc",   "_culmination_W_m2",   "_largest_W_sr"};
+  static const char *const of_place[] = {".mean_K", ".lowest_K", ".highest_K"};
+  fputs("pass,station,rise_utc,rise_azimuth_deg,culmination_utc,culmination_azimuth_deg,"
+        "culmination_elevation_deg,culmination_range_km,set_utc,set_azimuth_deg,"
+        "shadow_entry_utc,shadow_exit_utc,sunlit_at_rise,sunlit_at_set,sun_elevation_deg,sky,"
+        "orbit_error_s",
+        file);
+  for (size_t b = 0; b < f->nband; b++)
+    for (size_t i = 0; i < sizeof of_band / sizeof *of_band; i++)
+      put_column(file, f->band[b], of_band[i]);
+  for (size_t p = 0; p < f->nplace; p++)
+    for (size_t i = 0; i < sizeof of_place / sizeof *of_place; i++)
+      put_column(file, f->place[p], of_place[i]);
+  fputs(",reason\n", file);
+}
+
+static void geometry(const struct um_study_forecast_pass *pass, FILE *file)
+{
+  const struct um_orbit_pass *p = &pass->pass;
+  put_time(file, p->rise);
+  put_number(file, p->rise_azimuth / UM_DEG);
+  put_time(file, p->culmination);
+  put_number(file, p->culmination_azimuth / UM_DEG);
+  put_number(file, p->culmination_elevation / UM_DEG);
+  put_number(file, p->culmination_range * 1e-3);
+  put_time(file, p->set);
+  put_number(file, p->set_azimuth / UM_DEG);
+  put_time(file, pass->entry);
+  put_time(file, pass->exit);
+  fprintf(file, ",%d,%d", pass->sunlit_at_rise, pass->sunlit_at_set);
+  put_number(file, pass->sun_elevation / UM_DEG);
+  fprintf(file, ",%s", um_study_sky(pass->sun_elevation));
+}
+
+void um_study_forecast_csv(const struct um_study_forecast *f, FILE *file)
+{
+  head(f, file);
+  for (size_t i = 0; i < f->npass; i++) {
+    const struct um_study_forecast_pass *pass = &f->pass[i];
+    fprintf(file, "%zu,", i + 1);
+    um_core_csv_put(file, f->station[pass->station].name, "");
+    geometry(pass, file);
+    put_number(file, pass->delay);
+    for (size_t b = 0; b < f->nband; b++) {
+      const struct um_study_forecast_band *band = &pass->band[b];
+      put_number(file, band->brightest);
+      put_time(file, band->brightest_at);
+      put_number(file, band->culmination);
+      put_number(file, band->error);
+      put_number(file, band->largest);
+      put_time(file, band->largest_at);
+      put_number(file, band->irradiance_culmination);
+      put_number(file, band->intensity);
+    }
+    for (size_t p = 0; p < f->nplace; p++) {
+      put_number(file, pass->place[p].mean);
+      put_number(file, pass->place[p].lowest);
+      put_number(file, pass->place[p].highest);
+    }
+    fputc(',', file);
+    um_core_csv_put(file, pass->reason == NULL ? "" : pass->reason, "");
+    fputc('\n', file);
+  }
+}
+
+void um_study_forecast_curves(const struct um_study_forecast *f, FILE *file)
+{
+  const size_t n = UM_STUDY_FORECAST_CURVE;
+  fputs("pass,station,time_utc", file);
+  for (size_t b = 0; b < f->nband; b++) {
+    put_column(file, f->band[b], "_mag_ab");
+    put_column(file, f->band[b], "_W_m2");
+  }
+  fputc('\n', file);
+  for (size_t i = 0; i < f->npass; i++)
+    for (size_t k = 0; k < n; k++) {
+      const struct um_study_forecast_pass *pass = &f->pass[i];
+      /* a pass of fewer instants than a curve has, has some of them twice */
+      if (pass->reason != NULL || (k > 0 && !(pass->curve_at[k] > pass->curve_at[k - 1]))) continue;
+      fprintf(file, "%zu,", i + 1);
+      um_core_csv_put(file, f->station[pass->station].name, "");
+      put_time(file, pass->curve_at[k]);
+      for (size_t b = 0; b < f->nband; b++) {
+        put_number(file, pass->curve[2 * b * n + k]);
+        put_number(file, pass->curve[(2 * b + 1) * n + k]);
+      }
+      fputc('\n', file);
+    }
+}

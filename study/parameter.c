@@ -1,0 +1,217 @@
+/* What a value of a parameter does to the scenario: it becomes an override or the parameter of an
+ * effect, with all its digits (%.17g), so that `umbra run --set` or `--with` is the same point. */
+#include "study/parameter_impl.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/words.h"
+#include "effects/effects.h"
+#include "model/effects.h"
+
+#define ROOM 300.0 /* temperature of an emittance [K] */
+
+/* --- against the scenario -------------------------------------------------------------------- */
+
+static enum um_status blame(struct um_context *context, const struct um_study_file_parameter *p,
+                            const char *key, enum um_status status)
+{
+  const struct um_mark *at = um_document_mark_key(&p->at, key);
+  if (status == UM_ERR_INPUT || status == UM_ERR_REFUSED)
+    um_core_message_prefix(context, "%s:%d: %s", at->file, at->line, at->path);
+  return status == UM_ERR_REFUSED ? UM_ERR_INPUT : status;
+}
+
+/* The value that the scenario has of an effect's parameter: the null value where it has it not. */
+static double value_in(const struct um_model *model, const struct um_study_way *way)
+{
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    if (!e->off && e->effect == way->effect && um_core_words_same(e->target, way->target))
+      return e->value[way->which];
+  }
+  return way->effect->parameters[way->which].null_value;
+}
+
+static enum um_status material_way(struct um_context *context, const struct um_model *model,
+                                   const struct um_study_file_parameter *p,
+                                   struct um_study_way *out)
+{
+  bool emittance = p->property == UM_STUDY_EMITTANCE;
+  out->effect = um_effects_find(emittance ? "emittance" : "solar_absorptance");
+  out->target = p->material;
+  out->unit = "1";
+  UM_TRY(blame(context, p, "material",
+               um_model_check_target(context, model, out->effect, p->material)));
+  for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
+    if (strcmp(um_geometry_material_name(model->geometry, m), p->material) != 0) continue;
+    out->of_record = emittance ? um_materials_emittance(model->material[m], NULL, ROOM)
+                               : um_materials_solar_absorptance(model->material[m], NULL);
+  }
+  double had = value_in(model, out), least, largest;
+  out->nominal = emittance ? had * out->of_record : had + out->of_record;
+  um_uncertainty_distribution_ends(&out->distribution, &least, &largest);
+  if (!(least > 0.0 && largest <= 1.0))
+    return um_document_mark_fail(context, &p->at, "%s from %g to %g; accepted: above 0, at most 1",
+                                 out->name, least, largest);
+  return UM_OK;
+}
+
+static enum um_status effect_way(struct um_context *context, const struct um_model *model,
+                                 const struct um_study_file_parameter *p, struct um_study_way *out)
+{
+  const struct um_effect *effect = um_effects_registry_find(model->registry, p->effect);
+  if (effect == NULL)
+    return blame(context, p, "effect",
+                 um_effects_registry_refuse(context, model->registry, p->effect));
+  out->effect = effect;
+  out->target = p->target;
+  UM_TRY(blame(context, p, p->target != NULL ? "target" : "effect",
+               um_model_check_target(context, model, effect, p->target)));
+  if (effect->nparameter == 0)
+    return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
+                                 "'%s' is on or off and has no number to move", effect->name);
+  out->which = effect->nparameter;
+  for (size_t k = 0; k < effect->nparameter; k++)
+    if (p->parameter != NULL ? strcmp(effect->parameters[k].name, p->parameter) == 0
+                             : effect->nparameter == 1)
+      out->which = k;
+  if (out->which == effect->nparameter) {
+    if (p->parameter == NULL)
+      return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
+                                   "'%s' has %zu parameters; accepted: parameter beside it, one of "
+                                   "`umbra effects %s`",
+                                   effect->name, effect->nparameter, effect->name);
+    return blame(context, p, "parameter",
+                 um_effects_refuse_parameter(context, effect, p->parameter));
+  }
+  const struct um_effect_parameter *of = &effect->parameters[out->which];
+  double least, largest;
+  um_uncertainty_distribution_ends(&out->distribution, &least, &largest);
+  out->unit = of->unit;
+  out->nominal = value_in(model, out);
+  if (!(least >= of->minimum && largest <= of->maximum))
+    return um_document_mark_fail(context, &p->at, "%s from %g to %g; accepted: %g to %g %s",
+                                 out->name, least, largest, of->minimum, of->maximum, of->unit);
+  return UM_OK;
+}
+
+enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
+                                 const struct um_study_file_parameter *p, struct um_study_way *out)
+{
+  *out = (struct um_study_way){.file = p,
+                               .distribution = um_study_distribution(p),
+                               .unit = "",
+                               .of_record = NAN,
+                               .nominal = NAN};
+  um_study_parameter_name(p, out->name);
+  if (p->material != NULL) UM_TRY(material_way(context, model, p, out));
+  if (p->effect != NULL) UM_TRY(effect_way(context, model, p, out));
+  if (p->unit != NULL) out->unit = p->unit;
+  return UM_OK;
+}
+
+/* --- options of a point ---------------------------------------------------------------------- */
+
+/* Has the scenario this effect on this target? Its other parameters then stay as they are. */
+static bool has_use(const struct um_model *model, const struct um_study_way *way)
+{
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    if (!e->off && e->effect == way->effect && um_core_words_same(e->target, way->target))
+      return true;
+  }
+  return false;
+}
+
+static bool same_use(const struct um_study_way *a, const struct um_study_way *b)
+{
+  return a->effect != NULL && a->effect == b->effect && um_core_words_same(a->target, b->target);
+}
+
+/* The number that the effect's parameter takes. */
+static double effect_value(const struct um_study_way *way, double value)
+{
+  if (isnan(way->of_record)) return value;
+  return way->file->property == UM_STUDY_EMITTANCE ? value / way->of_record
+                                                   : value - way->of_record;
+}
+
+/* "effect:target,name=value" with those of its parameters that ways move, the others where they
+ * vanish unless the scenario has them. */
+static enum um_status with_text(struct um_context *context, const struct um_model *nominal,
+                                const struct um_study_way *way, size_t nway, const double *value,
+                                size_t first, char **out)
+{
+  const struct um_effect *effect = way[first].effect;
+  bool has = has_use(nominal, &way[first]);
+  char text[1024];
+  size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s", effect->name,
+                              way[first].target != NULL ? ":" : "",
+                              way[first].target != NULL ? way[first].target : "");
+  for (size_t p = 0; p < effect->nparameter && n < sizeof text; p++) {
+    double number = effect->parameters[p].null_value;
+    bool moved = false;
+    for (size_t i = first; i < nway; i++)
+      if (same_use(&way[first], &way[i]) && way[i].which == p) {
+        number = effect_value(&way[i], value[i]);
+        moved = true;
+      }
+    if (moved || !has)
+      n += (size_t)snprintf(text + n, sizeof text - n, ",%s=%.17g", effect->parameters[p].name,
+                            number);
+  }
+  return um_core_strdup(context, text, out);
+}
+
+enum um_status um_study_options_make(struct um_context *context,
+                                     const struct um_model_options *user,
+                                     const struct um_model *nominal, const struct um_study_way *way,
+                                     size_t nway, const double *value, struct um_study_options *out)
+{
+  *out = (struct um_study_options){0};
+  UM_TRY(
+      um_core_allocate(context, user->noverride + nway, sizeof *out->overrides, &out->overrides));
+  UM_TRY(um_core_allocate(context, user->nwith + nway, sizeof *out->with, &out->with));
+  UM_TRY(um_core_allocate(context, nway, sizeof *out->text, &out->text));
+  for (size_t i = 0; i < user->noverride; i++)
+    out->overrides[out->noverride++] = user->overrides[i];
+  for (size_t i = 0; i < user->nwith; i++) out->with[out->nwith++] = user->with[i];
+  for (size_t i = 0; i < nway; i++) {
+    char **text = &out->text[out->ntext];
+    bool done = false;
+    for (size_t j = 0; j < i; j++) done = done || same_use(&way[j], &way[i]);
+    if (done) continue;
+    if (way[i].effect == NULL)
+      UM_TRY(um_core_asprintf(context, text, "%s=%.17g", way[i].file->key, value[i]));
+    else
+      UM_TRY(with_text(context, nominal, way, nway, value, i, text));
+    out->ntext++;
+    if (way[i].effect == NULL)
+      out->overrides[out->noverride++] = *text;
+    else
+      out->with[out->nwith++] = *text;
+  }
+  return UM_OK;
+}
+
+void um_study_options_clear(struct um_context *context, struct um_study_options *options)
+{
+  for (size_t i = 0; i < options->ntext; i++) um_core_free(context, options->text[i]);
+  um_core_free(context, (void *)options->text);
+  um_core_free(context, (void *)options->overrides);
+  um_core_free(context, (void *)options->with);
+  *options = (struct um_study_options){0};
+}
+
+struct um_model_options um_study_options_of(const struct um_study_options *options,
+                                            const struct um_model_options *user)
+{
+  struct um_model_options all = *user;
+  all.overrides = options->overrides;
+  all.noverride = options->noverride;
+  all.with = options->with;
+  all.nwith = options->nwith;
+  return all;
+}

@@ -1,0 +1,46 @@
+/* A parameter of a study: its name, its distribution, and what a value does to the scenario.
+ * Private to study/. */
+#ifndef UMBRA_STUDY_PARAMETER_IMPL_H
+#define UMBRA_STUDY_PARAMETER_IMPL_H
+
+#include "model/model.h"
+#include "study/file.h"
+#include "uncertainty/distribution.h"
+
+/* What a value becomes: an override, or an effect's parameter. */
+struct um_study_way {
+  const struct um_study_file_parameter *file;
+  struct um_uncertainty_distribution distribution;
+  char name[UM_STUDY_NAME];
+  const char *unit;               /* "" where none is known */
+  const struct um_effect *effect; /* NULL: an override of file->key */
+  const char *target;             /* of the effect; NULL: none */
+  size_t which;                   /* its parameter */
+  double of_record;               /* of a material: the property that its record has; else NaN */
+  double nominal;                 /* value that the scenario has; NaN: unknown */
+};
+/* Against the scenario as it stands. UM_ERR_INPUT with file and line of the study: no such
+ * material, effect, parameter or target, a property outside 0 to 1. */
+enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
+                                 const struct um_study_file_parameter *parameter,
+                                 struct um_study_way *out);
+
+/* Options of a model at parameter values; texts owned. */
+struct um_study_options {
+  const char **overrides, **with; /* [noverride], [nwith]: the user's, then those of the values */
+  char **text;                    /* [ntext] owned */
+  size_t noverride, nwith, ntext;
+};
+/* user: of the command line. way, value: [nway]. UM_ERR_MEMORY. Cleared by the caller, after a
+ * failure too. */
+enum um_status um_study_options_make(struct um_context *context,
+                                     const struct um_model_options *user,
+                                     const struct um_model *nominal, const struct um_study_way *way,
+                                     size_t nway, const double *value,
+                                     struct um_study_options *out);
+void um_study_options_clear(struct um_context *context, struct um_study_options *options);
+/* As um_model_create takes them, the rest as the user's. */
+struct um_model_options um_study_options_of(const struct um_study_options *options,
+                                            const struct um_model_options *user);
+
+#endif

@@ -1,0 +1,117 @@
+/* A point of a study, exactly: geometry and heat are shared where they are the same number for
+ * number. Heat starts from the periodic state of the scenario as it stands, never from another
+ * point, so that a point has the same bits in any order and process. */
+#include "geometry/geometry.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/precomputed_serves.h"
+#include "model/run.h"
+#include "study/study_impl.h"
+
+enum um_status um_study_model(struct um_context *context, const struct um_study *study,
+                              const struct um_study_way *way, size_t nway, const double *value,
+                              struct um_model **out)
+{
+  enum um_status status;
+  struct um_study_options options = {0};
+  um_core_quiet_begin(context); /* what is to say of the scenario was said once */
+  UM_CHECK(um_study_options_make(context, &study->options.model, study->model, way, nway, value,
+                                 &options));
+  const struct um_model_options all = um_study_options_of(&options, &study->options.model);
+  UM_CHECK(um_model_create(context, study->scenario, &all, out));
+done:
+  um_core_quiet_end(context);
+  um_study_options_clear(context, &options);
+  return status;
+}
+
+/* --- geometry -------------------------------------------------------------------------------- */
+
+static void geometry_clear(struct um_context *context, struct um_study_geometry *g)
+{
+  um_model_precomputed_destroy(context, &g->precomputed);
+  um_model_destroy(context, &g->model);
+  *g = (struct um_study_geometry){0};
+}
+
+/* The geometry precomputation of the model: the scenario's own, one that is kept, or a new one,
+ * which takes the model. */
+static enum um_status find_geometry(struct um_context *context, struct um_study *study,
+                                    struct um_model **model,
+                                    const struct um_model_precomputed **out)
+{
+  bool serves = false;
+  UM_TRY(um_model_precomputed_serves(context, study->model, study->precomputed, *model, &serves));
+  *out = study->precomputed;
+  struct um_study_geometry *oldest = &study->kept[0];
+  for (size_t i = 0; i < UM_STUDY_GEOMETRIES && !serves; i++) {
+    struct um_study_geometry *g = &study->kept[i];
+    if (g->used < oldest->used) oldest = g;
+    if (g->model == NULL) continue;
+    UM_TRY(um_model_precomputed_serves(context, g->model, g->precomputed, *model, &serves));
+    if (!serves) continue;
+    g->used = study->npoint;
+    *out = g->precomputed;
+  }
+  if (serves) return UM_OK;
+  geometry_clear(context, oldest);
+  UM_TRY(um_model_precompute(context, *model, &oldest->precomputed));
+  oldest->model = *model;
+  oldest->used = study->npoint;
+  *model = NULL;
+  *out = oldest->precomputed;
+  return UM_OK;
+}
+
+/* --- heat and light -------------------------------------------------------------------------- */
+
+/* May heat of the model start from the scenario's own? Same nodes on the same number of surfaces.
+ */
+static bool starts_warm(const struct um_study *study, const struct um_model *model)
+{
+  return um_geometry_mesh(study->model->geometry)->nsurface ==
+             um_geometry_mesh(model->geometry)->nsurface &&
+         um_thermal_network_nodes(study->model->body->network) ==
+             um_thermal_network_nodes(model->body->network);
+}
+
+enum um_status um_study_values(struct um_context *context, const struct um_study *study,
+                               const struct um_model *model,
+                               const struct um_model_precomputed *precomputed, bool cold,
+                               double *value)
+{
+  enum um_status status = UM_OK;
+  struct um_model_thermal_solution *heat = NULL;
+  struct um_model_result *result = NULL;
+  bool matches = false;
+  if (!cold)
+    UM_CHECK(um_model_thermal_solution_matches(context, study->heat, model, precomputed, &matches));
+  if (!matches)
+    UM_CHECK(um_model_thermal_solution_create(
+        context, model, precomputed, !cold && starts_warm(study, model) ? study->heat : NULL,
+        cold ? 1.0 : study->tolerance_factor, &heat));
+  UM_CHECK(um_model_run_with(context, model, precomputed, matches ? study->heat : heat, &result));
+  UM_CHECK(um_study_outputs_take(context, study, model, result, value));
+done:
+  um_model_result_destroy(context, &result);
+  um_model_thermal_solution_destroy(context, &heat);
+  return status;
+}
+
+enum um_status um_study_point(struct um_context *context, void *user, const double *parameter,
+                              double *value)
+{
+  struct um_study *study = user;
+  struct um_model *model = NULL;
+  const struct um_model *used = NULL;
+  const struct um_model_precomputed *precomputed = NULL;
+  enum um_status status;
+  study->npoint++;
+  UM_CHECK(um_study_model(context, study, study->way, study->nway, parameter, &model));
+  used = model;
+  UM_CHECK(find_geometry(context, study, &model, &precomputed));
+  UM_CHECK(um_study_values(context, study, used, precomputed, false, value));
+done:
+  um_model_destroy(context, &model);
+  return status;
+}

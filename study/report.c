@@ -1,0 +1,205 @@
+/* Tables of what a study teaches. Numbers are written with the fewest digits that read back. */
+#include "study/report.h"
+
+#include <math.h>
+
+#include "core/csv.h"
+#include "orbit/time.h"
+#include "study/per_point.h"
+#include "study/rule.h"
+
+static void put(FILE *file, double value)
+{
+  char text[32] = "";
+  if (isfinite(value)) um_core_number_text(value, text);
+  fprintf(file, ",%s", text);
+}
+
+static bool is_curve(const struct um_study_result *r, const struct um_study_quantity *q)
+{
+  return q->count == r->ntime && q->count > 1;
+}
+
+/* ---- summary.csv ---- */
+
+static enum um_status summary(struct um_context *context, const struct um_study_result *r,
+                              const struct um_study_learnt *l, FILE *file)
+{
+  fputs("quantity,statistic,unit,points,nominal,mean,standard_deviation,q05,q25,q50,q75,q95", file);
+  for (size_t i = 0; i < r->nparameter; i++) {
+    fputs(",share:", file);
+    um_core_csv_put(file, r->parameter_name[i], "");
+  }
+  fputs("\n", file);
+  for (size_t q = 0; q < r->nquantity; q++) {
+    const struct um_study_quantity *of = &r->quantity[q];
+    for (enum um_study_statistic s = 0; s < (of->count > 1 ? UM_STUDY_STATISTICS : 1); s++) {
+      struct um_study_summary spread;
+      UM_TRY(um_study_summarise(context, r, of, s, NULL, &spread));
+      um_core_csv_put(file, of->name, "");
+      fputs(",", file);
+      fprintf(file, "%s,", um_study_statistic_word(of, s));
+      um_core_csv_put(file, of->unit, "");
+      fprintf(file, ",%zu", l->ndone);
+      put(file, spread.nominal);
+      put(file, spread.mean);
+      put(file, spread.deviation);
+      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) put(file, spread.quantile[p]);
+      for (size_t i = 0; i < r->nparameter; i++)
+        put(file, s == 0 && l->over_curve != NULL ? l->over_curve[i * r->nquantity + q] : NAN);
+      fputs("\n", file);
+    }
+  }
+  return UM_OK;
+}
+
+/* ---- curves.csv, indices.csv ---- */
+
+static void curves(const struct um_study_result *r, const struct um_study_learnt *l, FILE *file)
+{
+  fputs("time_utc,quantity,unit,nominal,mean,standard_deviation,q05,q25,q50,q75,q95\n", file);
+  for (size_t q = 0; q < r->nquantity; q++) {
+    const struct um_study_quantity *of = &r->quantity[q];
+    for (size_t k = 0; k < of->count && is_curve(r, of); k++) {
+      char time[32];
+      size_t at = of->first + k;
+      um_orbit_time_format(r->time[k], time);
+      fprintf(file, "%s,", time);
+      um_core_csv_put(file, of->name, "");
+      fputs(",", file);
+      um_core_csv_put(file, of->unit, "");
+      put(file, r->nominal == NULL ? NAN : r->nominal[at]);
+      put(file, l->mean[at]);
+      put(file, l->deviation[at]);
+      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) put(file, l->quantile[p * r->nvalue + at]);
+      fputs("\n", file);
+    }
+  }
+}
+
+/* One row an instant, columns in fours for each parameter, so that a picture stacks them. */
+static void indices(const struct um_study_result *r, const struct um_study_learnt *l, FILE *file)
+{
+  static const char *const column[] = {"first", "first_error", "total", "correlation"};
+  const double *const from[] = {l->first, l->first_error, l->total, l->correlation};
+  fputs("time_utc,quantity,standard_deviation", file);
+  for (size_t i = 0; i < r->nparameter; i++)
+    for (size_t c = 0; c < 4; c++) {
+      fprintf(file, ",%s:", column[c]);
+      um_core_csv_put(file, r->parameter_name[i], "");
+    }
+  fputs("\n", file);
+  for (size_t q = 0; q < r->nquantity; q++) {
+    const struct um_study_quantity *of = &r->quantity[q];
+    for (size_t k = 0; k < of->count && is_curve(r, of); k++) {
+      char time[32];
+      um_orbit_time_format(r->time[k], time);
+      fprintf(file, "%s,", time);
+      um_core_csv_put(file, of->name, "");
+      put(file, l->deviation[of->first + k]);
+      for (size_t i = 0; i < r->nparameter; i++)
+        for (size_t c = 0; c < 4; c++)
+          put(file, from[c] == NULL ? NAN : from[c][i * r->nvalue + of->first + k]);
+      fputs("\n", file);
+    }
+  }
+}
+
+/* ---- table.md ---- */
+
+static void cell(FILE *file, const char *text)
+{
+  for (; *text != '\0'; text++) {
+    if (*text == '|') fputc('\\', file);
+    fputc(*text == '\n' || *text == '\r' ? ' ' : *text, file);
+  }
+}
+
+static void number(FILE *file, double value)
+{
+  if (isfinite(value))
+    fprintf(file, " %.4g |", value);
+  else
+    fputs(" - |", file);
+}
+
+static enum um_status table(struct um_context *context, const struct um_study_result *r,
+                            const struct um_study_learnt *l, FILE *file)
+{
+  fputs("| quantity | unit | nominal | median | 5 % | 95 % |", file);
+  for (size_t i = 0; i < r->nparameter; i++) {
+    fputs(" ", file);
+    cell(file, r->parameter_name[i]);
+    fputs(" [%] |", file);
+  }
+  fputs("\n|---|---|--:|--:|--:|--:|", file);
+  for (size_t i = 0; i < r->nparameter; i++) fputs("--:|", file);
+  fputs("\n", file);
+  for (size_t q = 0; q < r->nquantity; q++) {
+    const struct um_study_quantity *of = &r->quantity[q];
+    struct um_study_summary spread;
+    UM_TRY(um_study_summarise(context, r, of, UM_STUDY_MEAN, NULL, &spread));
+    fputs("| ", file);
+    cell(file, of->name);
+    fputs(of->count > 1 ? ", mean | " : " | ", file);
+    cell(file, of->unit);
+    fputs(" |", file);
+    number(file, spread.nominal);
+    number(file, spread.quantile[2]);
+    number(file, spread.quantile[0]);
+    number(file, spread.quantile[4]);
+    for (size_t i = 0; i < r->nparameter; i++) {
+      double share = l->over_curve == NULL ? NAN : l->over_curve[i * r->nquantity + q];
+      if (isfinite(share))
+        fprintf(file, " %.0f |", fmax(100.0 * share, 0.0)); /* sampled ones may be -0.4 % */
+      else
+        fputs(" - |", file);
+    }
+    fputs("\n", file);
+  }
+  fprintf(file,
+          "\n%zu points; of curves the mean over time; last columns: share of the variance of "
+          "the curve, %s.\n",
+          l->ndone, um_study_indices_words(l->indices));
+  for (size_t q = 0; q < r->nquantity; q++) {
+    char *sentence = NULL;
+    if (!is_curve(r, &r->quantity[q])) continue;
+    UM_TRY(um_study_sentence(context, r, l, &r->quantity[q], &sentence));
+    fputs("\n", file);
+    cell(file, sentence);
+    fputs("\n", file);
+    um_core_free(context, sentence);
+  }
+  return UM_OK;
+}
+
+/* ---- all ---- */
+
+static enum um_status end(struct um_context *context, const char *name, enum um_status written,
+                          FILE **file)
+{
+  enum um_status closed = um_core_file_close(context, name, file);
+  return written != UM_OK ? written : closed;
+}
+
+enum um_status um_study_report_write(struct um_context *context,
+                                     const struct um_study_result *result,
+                                     const struct um_study_learnt *learnt,
+                                     struct um_core_folder *folder)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, "summary.csv", &file));
+  UM_TRY(end(context, "summary.csv", summary(context, result, learnt, file), &file));
+  UM_TRY(um_core_folder_open(context, folder, "curves.csv", &file));
+  curves(result, learnt, file);
+  UM_TRY(end(context, "curves.csv", UM_OK, &file));
+  UM_TRY(um_core_folder_open(context, folder, "indices.csv", &file));
+  indices(result, learnt, file);
+  UM_TRY(end(context, "indices.csv", UM_OK, &file));
+  if (result->nlimit > 0) {
+    UM_TRY(um_core_folder_open(context, folder, "limits.csv", &file));
+    UM_TRY(end(context, "limits.csv", um_study_limits_write(context, result, file, NULL), &file));
+  }
+  UM_TRY(um_core_folder_open(context, folder, "table.md", &file));
+  return end(context, "table.md", table(context, result, learnt, file), &file);
+}

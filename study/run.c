@@ -1,0 +1,321 @@
+/* All points of a study: each one solved, or a surrogate grown from few that are. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "batch/batch.h"
+#include "core/file.h"
+#include "core/sort.h"
+#include "model/precompute.h"
+#include "study/study_impl.h"
+#include "uncertainty/surrogate.h"
+
+/* --- identity -------------------------------------------------------------------------------- */
+
+/* Fowler-Noll-Vo of bytes, on from a hash. */
+static uint64_t mix(uint64_t hash, const void *bytes, size_t n)
+{
+  for (size_t i = 0; i < n; i++) hash = (hash ^ ((const unsigned char *)bytes)[i]) * 1099511628211u;
+  return hash;
+}
+
+static uint64_t mix_texts(uint64_t hash, const char *const *text, size_t n)
+{
+  for (size_t i = 0; i < n; i++) hash = mix(hash, text[i], strlen(text[i]) + 1);
+  return hash;
+}
+
+/* Of what a point is: which number means what, scenario, changes, version and tolerances. Curves of
+ * the scenario as it stands speak for the files that it names. */
+static enum um_status identify(struct um_context *context, const struct um_study *study,
+                               uint64_t *out)
+{
+  const struct um_model_options *o = &study->options.model;
+  char *text = NULL;
+  uint64_t hash = 14695981039346656037u;
+  UM_TRY(um_document_text(context, study->model->document, &text));
+  hash = mix(hash, text, strlen(text));
+  um_core_free(context, text);
+  hash = mix_texts(hash, o->overrides, o->noverride);
+  hash = mix_texts(hash, o->with, o->nwith);
+  hash = mix_texts(hash, o->without, o->nwithout);
+  if (study->options.version != NULL) hash = mix_texts(hash, &study->options.version, 1);
+  for (size_t i = 0; i < study->nway; i++) {
+    const struct um_study_way *w = &study->way[i];
+    const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
+                              w->target != NULL ? w->target : ""};
+    hash = mix_texts(hash, is, 2);
+    hash = mix(hash, &w->which, sizeof w->which);
+    hash = mix(hash, &w->of_record, sizeof w->of_record);
+  }
+  for (size_t q = 0; q < study->noutput; q++) {
+    hash = mix(hash, &study->output[q].kind, sizeof study->output[q].kind);
+    hash = mix_texts(hash, &study->output[q].of, 1);
+  }
+  hash = mix(hash, study->nominal, study->nvalue * sizeof(double));
+  *out = mix(hash, &study->tolerance_factor, sizeof study->tolerance_factor);
+  return UM_OK;
+}
+
+/* --- points by geometry ---------------------------------------------------------------------- */
+
+struct place {
+  const double *key; /* [nkey] values of the parameters that move the geometry */
+  size_t nkey, point;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+  const struct place *x = a, *y = b;
+  for (size_t i = 0; i < x->nkey; i++)
+    if (x->key[i] != y->key[i]) return x->key[i] < y->key[i] ? -1 : 1;
+  return (x->point > y->point) - (x->point < y->point);
+}
+
+/* Solve points, those of one geometry one after another. */
+static enum um_status solve(struct um_context *context, const struct um_study *study,
+                            struct um_batch *batch, const double *parameter, size_t n,
+                            double *value, char **reason)
+{
+  enum um_status status;
+  size_t d = study->nway, nkey = 0;
+  struct place *place = NULL;
+  double *key = NULL, *sorted = NULL, *answer = NULL;
+  char **why = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *place, &place));
+  UM_CHECK(um_core_allocate(context, n * d, sizeof *key, &key));
+  UM_CHECK(um_core_allocate(context, n * d, sizeof *sorted, &sorted));
+  UM_CHECK(um_core_allocate(context, n * study->nvalue, sizeof *answer, &answer));
+  UM_CHECK(um_core_allocate(context, n, sizeof *why, &why));
+  for (size_t i = 0; i < n; i++) {
+    nkey = 0;
+    for (size_t j = 0; j < d; j++)
+      if (study->moves_geometry[j]) key[i * d + nkey++] = parameter[i * d + j];
+    place[i] = (struct place){key + i * d, nkey, i};
+  }
+  UM_CHECK(um_core_sort(context, place, n, sizeof *place, compare_places));
+  for (size_t i = 0; i < n; i++)
+    memcpy(sorted + i * d, parameter + place[i].point * d, d * sizeof *sorted);
+  UM_CHECK(um_batch_run(context, batch, sorted, n, answer, why));
+  for (size_t i = 0; i < n; i++) {
+    memcpy(value + place[i].point * study->nvalue, answer + i * study->nvalue,
+           study->nvalue * sizeof *value);
+    reason[place[i].point] = why[i];
+  }
+done:
+  um_core_free(context, place);
+  um_core_free(context, key);
+  um_core_free(context, sorted);
+  um_core_free(context, answer);
+  um_core_free(context, (void *)why);
+  return status;
+}
+
+/* --- surrogate ------------------------------------------------------------------------------- */
+
+struct evaluator {
+  const struct um_study *study;
+  struct um_batch *batch;
+  size_t solved;
+};
+
+/* Points that the surrogate wants. Nothing is seen where the scenario as it stands shows nothing:
+ * there the values are 0. A point that failed, or sees something else, is all NaN. */
+static enum um_status evaluate(struct um_context *context, void *user, const double *place,
+                               size_t n, double *value)
+{
+  enum um_status status;
+  struct evaluator *e = user;
+  const struct um_study *study = e->study;
+  size_t d = study->nway, nvalue = study->nvalue;
+  double *parameter = NULL;
+  char **reason = NULL;
+  UM_CHECK(um_core_allocate(context, n * d, sizeof *parameter, &parameter));
+  UM_CHECK(um_core_allocate(context, n, sizeof *reason, &reason));
+  for (size_t i = 0; i < n * d; i++)
+    parameter[i] = um_uncertainty_distribution_at_place(&study->way[i % d].distribution, place[i]);
+  UM_CHECK(solve(context, study, e->batch, parameter, n, value, reason));
+  e->solved += n;
+  for (size_t i = 0; i < n; i++) {
+    double *v = value + i * nvalue;
+    bool whole = reason[i] == NULL;
+    for (size_t k = 0; k < nvalue; k++) {
+      whole = whole && isnan(v[k]) == isnan(study->nominal[k]);
+      if (isnan(study->nominal[k])) v[k] = 0.0;
+    }
+    for (size_t k = 0; k < nvalue && !whole; k++) v[k] = NAN;
+    if (reason[i] != NULL)
+      um_core_log(context, UM_LOG_WARNING, "a point of the surrogate failed: %s", reason[i]);
+    um_core_free(context, reason[i]);
+  }
+done:
+  um_core_free(context, parameter);
+  um_core_free(context, (void *)reason);
+  return status;
+}
+
+static enum um_status grow(struct um_context *context, const struct um_study *study,
+                           struct um_batch *batch, struct um_study_result *r)
+{
+  enum um_status status;
+  struct um_uncertainty_group *group = NULL;
+  struct evaluator user = {study, batch, 0};
+  UM_CHECK(um_core_allocate(context, r->nquantity, sizeof *group, &group));
+  for (size_t q = 0; q < r->nquantity; q++) {
+    bool relative = study->output[q].kind == UM_STUDY_IRRADIANCE;
+    double asked = um_study_asked(study, q);
+    group[q] = (struct um_uncertainty_group){.name = r->quantity[q].name,
+                                             .first = r->quantity[q].first,
+                                             .count = r->quantity[q].count,
+                                             .absolute = relative ? 0.0 : asked,
+                                             .relative = relative ? asked : 0.0,
+                                             .floor = UM_STUDY_FLOOR};
+  }
+  const struct um_uncertainty_surrogate_request request = {
+      .d = study->nway,
+      .nvalue = study->nvalue,
+      .ngroup = r->nquantity,
+      .group = group,
+      .evaluate = evaluate,
+      .user = &user,
+      .held_out = (size_t)study->file->held_out,
+      .evaluations_max = (size_t)study->file->evaluations};
+  UM_CHECK(um_uncertainty_surrogate_create(context, &request, &r->surrogate));
+  r->exact = um_uncertainty_surrogate_evaluations(r->surrogate);
+  const struct um_uncertainty_surrogate_error *error =
+      um_uncertainty_surrogate_errors(r->surrogate);
+  for (size_t q = 0; q < r->nquantity; q++)
+    r->error[q] += group[q].relative > 0.0 ? error[q].relative : error[q].absolute;
+done:
+  um_core_free(context, group);
+  return status;
+}
+
+/* Values of the surrogate at the points. */
+static enum um_status look_up(struct um_context *context, const struct um_study *study,
+                              struct um_study_result *r)
+{
+  enum um_status status;
+  size_t d = study->nway;
+  double *place = NULL;
+  UM_CHECK(um_core_allocate(context, r->npoint * d, sizeof *place, &place));
+  for (size_t i = 0; i < r->npoint * d; i++)
+    place[i] = um_uncertainty_distribution_place(&study->way[i % d].distribution, r->parameter[i]);
+  UM_CHECK(um_uncertainty_surrogate_at(context, r->surrogate, place, r->npoint, r->value));
+  for (size_t i = 0; i < r->npoint * r->nvalue; i++)
+    if (isnan(study->nominal[i % r->nvalue])) r->value[i] = NAN;
+done:
+  um_core_free(context, place);
+  return status;
+}
+
+/* --- the result ------------------------------------------------------------------------------ */
+
+static enum um_status describe_quantities(struct um_context *context, const struct um_study *study,
+                                          struct um_study_result *r)
+{
+  static const char *const kind[] = {"irradiance", "magnitude", "temperature"};
+  static const char *const unit[] = {"W/m2", "mag", "K"};
+  r->nquantity = study->noutput;
+  UM_TRY(um_core_allocate(context, r->nquantity, sizeof *r->quantity, &r->quantity));
+  UM_TRY(um_core_allocate(context, r->nquantity, sizeof(double), &r->error));
+  for (size_t q = 0; q < r->nquantity; q++) {
+    struct um_study_quantity *to = &r->quantity[q];
+    const struct um_study_output *from = &study->output[q];
+    UM_TRY(um_core_asprintf(context, &to->name, "%s:%s", kind[from->kind], from->of));
+    UM_TRY(um_core_strdup(context, unit[from->kind], &to->unit));
+    UM_TRY(um_core_strdup(context, from->of, &to->of));
+    to->first = q * study->ntime;
+    to->count = study->ntime;
+    to->light = from->kind != UM_STUDY_TEMPERATURE;
+    r->error[q] = study->measured[q];
+  }
+  return UM_OK;
+}
+
+static enum um_status copy_distribution(struct um_context *context,
+                                        const struct um_uncertainty_distribution *from,
+                                        struct um_uncertainty_distribution *to)
+{
+  double *value = NULL;
+  UM_TRY(um_core_allocate(context, from->nvalue, sizeof *value, &value));
+  if (from->nvalue > 0) memcpy(value, from->value, from->nvalue * sizeof *value);
+  *to = *from;
+  to->value = value;
+  return UM_OK;
+}
+
+static enum um_status describe(struct um_context *context, const struct um_study *study,
+                               struct um_study_result *r)
+{
+  size_t n = study->nway;
+  r->design = (enum um_study_design)study->file->design->kind;
+  r->base = um_study_base(study);
+  r->nparameter = n;
+  r->nvalue = study->nvalue;
+  UM_TRY(um_core_strdup(context, study->file->name, &r->name));
+  UM_TRY(um_core_strdup(context, study->model->scenario->name, &r->scenario));
+  UM_TRY(um_core_allocate(context, n, sizeof *r->parameter_name, &r->parameter_name));
+  UM_TRY(um_core_allocate(context, n, sizeof *r->parameter_unit, &r->parameter_unit));
+  UM_TRY(um_core_allocate(context, n, sizeof *r->distribution, &r->distribution));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &r->at_nominal));
+  for (size_t i = 0; i < n; i++) {
+    UM_TRY(um_core_strdup(context, study->way[i].name, &r->parameter_name[i]));
+    UM_TRY(um_core_strdup(context, study->way[i].unit, &r->parameter_unit[i]));
+    UM_TRY(copy_distribution(context, &study->way[i].distribution, &r->distribution[i]));
+    r->at_nominal[i] = study->way[i].nominal;
+  }
+  UM_TRY(um_model_scenario_times(context, study->model, &r->time, &r->ntime));
+  UM_TRY(um_core_allocate(context, r->ntime, sizeof(double), &r->sunlit));
+  memcpy(r->sunlit, study->precomputed->sunlit, r->ntime * sizeof(double));
+  UM_TRY(um_core_allocate(context, r->nvalue, sizeof(double), &r->nominal));
+  memcpy(r->nominal, study->nominal, r->nvalue * sizeof(double));
+  UM_TRY(describe_quantities(context, study, r));
+  UM_TRY(um_study_limits_make(context, study, r));
+  UM_TRY(um_study_points(context, study, &r->coordinate, &r->parameter, &r->npoint));
+  UM_TRY(um_core_allocate(context, r->npoint, sizeof *r->reason, &r->reason));
+  return um_core_allocate(context, r->npoint * r->nvalue, sizeof(double), &r->value);
+}
+
+static enum um_status lead(struct um_context *context, const struct um_study *study,
+                           struct um_batch *batch, struct um_study_result *r)
+{
+  if (study->file->mode == UM_STUDY_SURROGATE) {
+    UM_TRY(grow(context, study, batch, r));
+    return look_up(context, study, r);
+  }
+  r->exact = r->npoint;
+  return solve(context, study, batch, r->parameter, r->npoint, r->value, r->reason);
+}
+
+enum um_status um_study_run(struct um_context *context, struct um_study *study,
+                            struct um_study_result **out)
+{
+  enum um_status status;
+  struct um_study_result *result = NULL;
+  struct um_batch *batch = NULL;
+  struct um_batch_task task = study->options.batch;
+  task.ncoordinate = study->nway;
+  task.nvalue = study->nvalue;
+  task.compute = um_study_point;
+  task.user = study;
+  *out = NULL;
+  UM_CHECK(um_study_tolerance(context, study));
+  UM_CHECK(identify(context, study, &task.identity));
+  UM_CHECK(um_batch_open(context, &task, &batch));
+  if (!um_batch_leads(batch)) {
+    status = um_batch_serve(context, batch);
+    goto done;
+  }
+  UM_CHECK(um_core_allocate(context, 1, sizeof *result, &result));
+  UM_CHECK(describe(context, study, result));
+  UM_CHECK(lead(context, study, batch, result));
+  if (task.nshare <= 1) {
+    *out = result;
+    result = NULL;
+  }
+done:
+  um_batch_close(context, &batch);
+  um_study_result_destroy(context, &result);
+  return status;
+}

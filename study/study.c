@@ -1,0 +1,124 @@
+/* A study from its file to where points can be computed. */
+#include "study/study.h"
+
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+#include "core/file.h"
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "study/study_impl.h"
+
+static enum um_status find_ways(struct um_context *context, struct um_study *study)
+{
+  const struct um_study_file_parameter *p = study->file->parameters.items;
+  study->nway = study->file->parameters.count;
+  UM_TRY(um_core_allocate(context, study->nway, sizeof *study->way, &study->way));
+  for (size_t i = 0; i < study->nway; i++)
+    UM_TRY(um_study_way_find(context, study->model, &p[i], &study->way[i]));
+  return UM_OK;
+}
+
+/* The scenario as it stands, with the time that each part of it takes. */
+static enum um_status solve_nominal(struct um_context *context, struct um_study *study)
+{
+  struct um_model_result *result = NULL;
+  double begin = omp_get_wtime();
+  UM_TRY(um_model_precompute(context, study->model, &study->precomputed));
+  study->seconds_geometry = omp_get_wtime() - begin;
+  begin = omp_get_wtime();
+  UM_TRY(um_model_thermal_solution_create(context, study->model, study->precomputed, NULL, 1.0,
+                                          &study->heat));
+  study->seconds_heat = omp_get_wtime() - begin;
+  begin = omp_get_wtime();
+  UM_TRY(um_model_run_with(context, study->model, study->precomputed, study->heat, &result));
+  study->seconds_run = study->seconds_geometry + study->seconds_heat + omp_get_wtime() - begin;
+  enum um_status status =
+      um_study_outputs_take(context, study, study->model, result, study->nominal);
+  um_model_result_destroy(context, &result);
+  return status;
+}
+
+/* Curves of the scenario as it stands, and their largest values. */
+static enum um_status make_nominal(struct um_context *context, struct um_study *study)
+{
+  const struct um_scenario_time *time = study->model->scenario->time;
+  double *times = NULL;
+  UM_TRY(um_study_outputs_make(context, study));
+  UM_TRY(um_model_scenario_times(context, study->model, &times, &study->ntime));
+  um_core_free(context, times);
+  study->nvalue = study->noutput * study->ntime;
+  if (study->nvalue > UM_STUDY_VALUES_MAX)
+    return um_document_mark_fail(
+        context, &study->file->outputs->at,
+        "%zu curves of %zu observations every %g s; accepted: %d values of "
+        "a point",
+        study->noutput, study->ntime, time->step_s, UM_STUDY_VALUES_MAX);
+  UM_TRY(um_core_allocate(context, study->nvalue, sizeof(double), &study->nominal));
+  UM_TRY(um_core_allocate(context, study->noutput, sizeof(double), &study->scale));
+  UM_TRY(um_core_allocate(context, study->noutput, sizeof(double), &study->measured));
+  UM_TRY(solve_nominal(context, study));
+  for (size_t q = 0; q < study->noutput; q++)
+    for (size_t k = q * study->ntime; k < (q + 1) * study->ntime; k++)
+      if (!isnan(study->nominal[k]))
+        study->scale[q] = fmax(study->scale[q], fabs(study->nominal[k]));
+  return UM_OK;
+}
+
+static enum um_status prepare(struct um_context *context, const char *path, struct um_study *study)
+{
+  UM_TRY(um_study_file_read(context, path, &study->document, &study->file));
+  UM_TRY(um_core_path_resolve(context, path, study->file->scenario, &study->scenario));
+  UM_TRY(um_core_files_hold(context));
+  study->holds_files = true;
+  UM_TRY(um_model_create(context, study->scenario, &study->options.model, &study->model));
+  if (study->model->points)
+    return um_document_mark_fail(context, um_document_mark_key(&study->file->at, "scenario"),
+                                 "its observations stand alone (orbit.points); accepted: an orbit");
+  UM_TRY(find_ways(context, study));
+  UM_TRY(make_nominal(context, study));
+  return um_study_share(context, study);
+}
+
+enum um_status um_study_create(struct um_context *context, const char *path,
+                               const struct um_study_run_options *options, struct um_study **out)
+{
+  struct um_study *study = NULL;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *study, &study));
+  study->options = *options;
+  study->tolerance_factor = 6.0;
+  enum um_status status = prepare(context, path, study);
+  if (status != UM_OK) um_study_destroy(context, &study);
+  *out = study;
+  return status;
+}
+
+void um_study_destroy(struct um_context *context, struct um_study **study)
+{
+  if (study == NULL || *study == NULL) return;
+  struct um_study *s = *study;
+  for (size_t i = 0; i < UM_STUDY_GEOMETRIES; i++) {
+    um_model_precomputed_destroy(context, &s->kept[i].precomputed);
+    um_model_destroy(context, &s->kept[i].model);
+  }
+  um_model_thermal_solution_destroy(context, &s->heat);
+  um_model_precomputed_destroy(context, &s->precomputed);
+  um_model_destroy(context, &s->model);
+  if (s->holds_files) um_core_files_let_go(context);
+  um_core_free(context, s->way);
+  um_core_free(context, s->moves_geometry);
+  um_core_free(context, s->moves_heat);
+  um_core_free(context, s->output);
+  um_core_free(context, s->nominal);
+  um_core_free(context, s->scale);
+  um_core_free(context, s->measured);
+  um_core_free(context, s->scenario);
+  um_document_destroy(&s->document);
+  um_core_free(context, s);
+  *study = NULL;
+}
+
+const char *um_study_name(const struct um_study *study) { return study->file->name; }

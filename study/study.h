@@ -1,0 +1,47 @@
+/* A parameter study: many points of one scenario, with what they have in common computed once. */
+#ifndef UMBRA_STUDY_STUDY_H
+#define UMBRA_STUDY_STUDY_H
+
+#include <stdio.h>
+
+#include "batch/task.h"
+#include "model/model.h"
+#include "study/result.h"
+
+struct um_study;
+
+/* How a study is run. Texts are borrowed while the study lives. */
+struct um_study_run_options {
+  struct um_model_options model; /* of the command line: --set, --with, --without */
+  const char *version;           /* of the program: records of another are refused */
+  /* folder of the records, resume, workers, share; the rest is filled in */
+  struct um_batch_task batch;
+};
+
+/* Read study.yaml and its scenario; trace its geometry, solve its heat. Every parameter is tried at
+ * both ends of its range. UM_ERR_INPUT with file, line and key: what is wrong there, a parameter
+ * that changes nothing; errors of um_model_create, _precompute and _run. Progress is reported. The
+ * caller destroys. */
+enum um_status um_study_create(struct um_context *context, const char *path,
+                               const struct um_study_run_options *options, struct um_study **out);
+/* Accepts NULL, sets NULL. */
+void um_study_destroy(struct um_context *context, struct um_study **study);
+const char *um_study_name(const struct um_study *study);
+
+/* What is known before it runs, as text for people: how many points, what each parameter wants
+ * computed anew, how long and how much disk. One point is computed for that. */
+enum um_status um_study_print_check(struct um_context *context, struct um_study *study, FILE *file);
+
+/* All points. *out NULL: this process served another (um_batch_serve), or had a share of a job
+ * array, which writes no results. UM_ERR_REFUSED: a surrogate that is not accurate enough at its
+ * limit of points. Errors of um_batch_run. The caller destroys the result before the study. */
+enum um_status um_study_run(struct um_context *context, struct um_study *study,
+                            struct um_study_result **out);
+
+/* study.nc: netCDF-4 with coordinates (docs/files.md). points.csv: a row for every point, with its
+ * parameters and the extremes of its curves. UM_ERR_IO, UM_ERR_MEMORY. */
+enum um_status um_study_write_netcdf(struct um_context *context,
+                                     const struct um_study_result *result, FILE *file);
+void um_study_write_points(const struct um_study_result *result, FILE *file);
+
+#endif

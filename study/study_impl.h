@@ -1,0 +1,100 @@
+/* A study that is prepared: the scenario as it stands with geometry and heat, what parameters do,
+ * what is kept of a point. Private to study/. */
+#ifndef UMBRA_STUDY_STUDY_IMPL_H
+#define UMBRA_STUDY_STUDY_IMPL_H
+
+#include "model/precomputed.h"
+#include "model/result.h"
+#include "model/thermal_solution.h"
+#include "study/parameter_impl.h"
+#include "study/study.h"
+
+/* Geometries kept beside the scenario's own, in each process. Points come sorted by them. */
+#define UM_STUDY_GEOMETRIES 2
+
+/* A geometry precomputation, and the model it was made from. */
+struct um_study_geometry {
+  struct um_model *model; /* NULL: empty */
+  struct um_model_precomputed *precomputed;
+  size_t used; /* number of the point that used it last */
+};
+
+/* What is wanted of a point. */
+enum um_study_wanted { UM_STUDY_IRRADIANCE, UM_STUDY_MAGNITUDE, UM_STUDY_TEMPERATURE };
+struct um_study_output {
+  enum um_study_wanted kind;
+  const char *of; /* band or place; of the file or the nominal model */
+};
+
+struct um_study {
+  struct um_study_run_options options;
+  struct um_document *document;
+  struct um_study_file *file;
+  char *scenario;         /* its path */
+  struct um_model *model; /* the scenario as it stands */
+  struct um_model_precomputed *precomputed;
+  struct um_model_thermal_solution *heat;
+  bool holds_files;
+  struct um_study_way *way; /* [nway] */
+  size_t nway;
+  bool *moves_geometry, *moves_heat; /* [nway] */
+  struct um_study_output *output;    /* [noutput] */
+  size_t noutput, ntime, nvalue;     /* nvalue: noutput curves of ntime */
+  double *nominal;                   /* [nvalue]; NaN: nothing is seen */
+  double *scale;                     /* [noutput] largest of the nominal curve */
+  double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
+  double tolerance_factor;
+  struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
+  size_t npoint;                                      /* computed by this process */
+  double seconds_geometry, seconds_heat, seconds_run; /* wall time of the nominal's [s] */
+};
+
+/* --- outputs.c --- */
+/* Which curves; the nominal model is built. UM_ERR_INPUT: no such band or place. */
+enum um_status um_study_outputs_make(struct um_context *context, struct um_study *study);
+/* From a run to value [nvalue]; what is not finite is NaN. */
+enum um_status um_study_outputs_take(struct um_context *context, const struct um_study *study,
+                                     const struct um_model *model,
+                                     const struct um_model_result *result, double *value);
+/* Asked error of an output at a value of its curve, and largest difference of two points over it
+ * [noutput], in units of light: relative, else of the output. */
+double um_study_asked(const struct um_study *study, size_t output);
+void um_study_differences(const struct um_study *study, const double *a, const double *b,
+                          double *largest);
+
+/* --- limits.c --- */
+/* UM_ERR_INPUT with file and line: a limit of what is not among the outputs. */
+enum um_status um_study_limits_check(struct um_context *context, const struct um_study *study);
+enum um_status um_study_limits_make(struct um_context *context, const struct um_study *study,
+                                    struct um_study_result *result);
+
+/* --- point.c --- */
+/* Model and values of a point. value [nvalue]; parameter [nway]. um_batch_compute, whose user is
+ * the study. */
+enum um_status um_study_point(struct um_context *context, void *user, const double *parameter,
+                              double *value);
+/* The model with some ways at values. */
+enum um_status um_study_model(struct um_context *context, const struct um_study *study,
+                              const struct um_study_way *way, size_t nway, const double *value,
+                              struct um_model **out);
+/* Values of a model on a geometry precomputation: heat from the nominal's with the study's factor,
+ * or cold with the scenario's own tolerances. */
+enum um_status um_study_values(struct um_context *context, const struct um_study *study,
+                               const struct um_model *model,
+                               const struct um_model_precomputed *precomputed, bool cold,
+                               double *value);
+
+/* --- points.c --- */
+/* Points of the design: u, parameter [*n][nway], which the caller frees. */
+enum um_status um_study_points(struct um_context *context, const struct um_study *study, double **u,
+                               double **parameter, size_t *n);
+/* Rows of u of a Saltelli or Morris design; 0 of others. */
+size_t um_study_base(const struct um_study *study);
+/* --- share.c --- */
+/* What every parameter wants computed anew; it is tried at both ends. */
+enum um_status um_study_share(struct um_context *context, struct um_study *study);
+/* --- tolerance.c --- */
+/* The loosest tolerances that keep the asked error, held against a run with the scenario's own. */
+enum um_status um_study_tolerance(struct um_context *context, struct um_study *study);
+
+#endif

@@ -1,0 +1,56 @@
+/* points.csv: a row for every point. */
+#include <math.h>
+
+#include "core/csv.h"
+#include "study/study.h"
+
+static void number(FILE *file, double value)
+{
+  if (isfinite(value))
+    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value);
+  else
+    fputc(',', file);
+}
+
+/* Least, mean and largest of what is seen. */
+static void extremes(const double *value, size_t n, double out[3])
+{
+  size_t seen = 0;
+  out[0] = INFINITY, out[1] = 0.0, out[2] = -INFINITY;
+  for (size_t k = 0; k < n; k++) {
+    if (isnan(value[k])) continue;
+    out[0] = fmin(out[0], value[k]);
+    out[2] = fmax(out[2], value[k]);
+    out[1] += value[k];
+    seen++;
+  }
+  out[1] = seen > 0 ? out[1] / (double)seen : (double)NAN;
+}
+
+void um_study_write_points(const struct um_study_result *r, FILE *file)
+{
+  static const char *const tail[] = {":least", ":mean", ":largest"};
+  fputs("point", file);
+  for (size_t j = 0; j < r->nparameter; j++) {
+    fputc(',', file);
+    um_core_csv_put(file, r->parameter_name[j], "");
+  }
+  for (size_t q = 0; q < r->nquantity; q++)
+    for (int e = 0; e < 3; e++) {
+      fputc(',', file);
+      um_core_csv_put(file, r->quantity[q].name, tail[e]);
+    }
+  fputs(",reason\n", file);
+  for (size_t i = 0; i < r->npoint; i++) {
+    fprintf(file, "%zu", i);
+    for (size_t j = 0; j < r->nparameter; j++) number(file, r->parameter[i * r->nparameter + j]);
+    for (size_t q = 0; q < r->nquantity; q++) {
+      double of[3];
+      extremes(um_study_result_values(r, i, &r->quantity[q]), r->quantity[q].count, of);
+      for (int e = 0; e < 3; e++) number(file, of[e]);
+    }
+    fputc(',', file);
+    um_core_csv_put(file, r->reason[i] != NULL ? r->reason[i] : "", "");
+    fputc('\n', file);
+  }
+}

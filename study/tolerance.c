@@ -1,0 +1,88 @@
+/* Tolerances of the points' heat. A factor on the scenario's own saves most of an integration; what
+ * it costs in accuracy is measured, not guessed: at the upper ends of all ranges a point is
+ * computed both ways. */
+#include <math.h>
+
+#include "model/build.h"
+#include "model/precomputed_serves.h"
+#include "study/study_impl.h"
+
+/* Of the asked error that tolerances may use up at the place where they are measured. A surrogate
+ * takes what is left of them from point to point for structure, and wants more points for it than
+ * tighter tolerances cost. */
+#define SHARE           0.5
+#define SHARE_SURROGATE 0.2
+
+/* Above 6 points cost less, but a surrogate wants more of them, and the search for a periodic state
+ * was seen to go on for long (docs/decisions/0013-studies.md). */
+static const double factors[] = {6.0, 3.0, 1.0};
+#define FACTORS (sizeof factors / sizeof factors[0])
+
+/* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
+static enum um_status corner_model(struct um_context *context, const struct um_study *study,
+                                   struct um_model **out)
+{
+  enum um_status status;
+  struct um_study_way *way = NULL;
+  double *value = NULL, least;
+  size_t n = 0;
+  UM_CHECK(um_core_allocate(context, study->nway, sizeof *way, &way));
+  UM_CHECK(um_core_allocate(context, study->nway, sizeof *value, &value));
+  for (size_t i = 0; i < study->nway; i++) {
+    if (study->moves_geometry[i]) continue;
+    way[n] = study->way[i];
+    um_uncertainty_distribution_ends(&way[n].distribution, &least, &value[n]);
+    n++;
+  }
+  UM_CHECK(um_study_model(context, study, way, n, value, out));
+done:
+  um_core_free(context, way);
+  um_core_free(context, value);
+  return status;
+}
+
+/* Does anything need heat of its own? */
+static bool any_heat(const struct um_study *study)
+{
+  for (size_t i = 0; i < study->nway; i++)
+    if (study->moves_heat[i]) return true;
+  return false;
+}
+
+static bool good_enough(const struct um_study *study)
+{
+  double share = study->file->mode == UM_STUDY_SURROGATE ? SHARE_SURROGATE : SHARE;
+  for (size_t q = 0; q < study->noutput; q++)
+    if (!(study->measured[q] <= share * um_study_asked(study, q))) return false;
+  return true;
+}
+
+enum um_status um_study_tolerance(struct um_context *context, struct um_study *study)
+{
+  enum um_status status = UM_OK;
+  struct um_model *model = NULL;
+  double *value = NULL, *own;
+  bool serves = false;
+  study->tolerance_factor = factors[0];
+  if (!any_heat(study)) return UM_OK;
+  UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
+  own = value + study->nvalue;
+  UM_CHECK(corner_model(context, study, &model));
+  /* what two parameters do together may need another geometry though neither does alone */
+  UM_CHECK(um_model_precomputed_serves(context, study->model, study->precomputed, model, &serves));
+  if (!serves) {
+    study->tolerance_factor = 1.0;
+    goto done;
+  }
+  UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
+  for (size_t i = 0; i < FACTORS; i++) {
+    study->tolerance_factor = factors[i];
+    UM_CHECK(um_study_values(context, study, model, study->precomputed, false, value));
+    um_study_differences(study, value, own, study->measured);
+    if (good_enough(study)) break;
+  }
+done:
+  um_model_destroy(context, &model);
+  um_core_free(context, value);
+  return status;
+}

@@ -1,0 +1,283 @@
+/* umbra forecast: the passes of umbra passes, with what umbra run gives of each alone; the same
+ * bytes for any number of processes, after a stop, and from shares. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/table.h"
+
+static int enter(void **state)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data("box.yaml");
+  return 0;
+}
+
+/* Row of a table of a run nearest below or at a time, both "2016-09-06T18:07:00.000Z". */
+static size_t row_of(const struct table *t, const char *utc)
+{
+  for (size_t i = 0; i < t->nrow; i++)
+    if (strcmp(table_text(t, i, "time_utc"), utc) == 0) return i;
+  fail_msg("no row at %s", utc);
+  return 0;
+}
+
+/* "KEY=2016-..." with the second after or before a time of milliseconds. */
+static void second_of(char out[80], const char *key, const char *utc, int up)
+{
+  char head[32];
+  snprintf(head, sizeof head, "%.17s", utc);
+  int seconds = (int)strtol(utc + 17, NULL, 10), rest = (int)strtol(utc + 20, NULL, 10);
+  if (up && rest > 0) seconds++;
+  assert_in_range(seconds, 0, 59); /* of the passes of this test */
+  snprintf(out, 80, "%s=%s%02d.000Z", key, head, seconds);
+}
+
+/* Every number of the table is that of a run over the pass alone; times are those of umbra passes.
+ */
+static void test_alone(void **state)
+{
+  (void)state;
+  command_expect(0, "forecast", "box.yaml", "--days", "0.2", "-o", "f", "--no-plots", "--workers",
+                 "2", "--set", "time.step_s=20", NULL);
+  struct table f = table_read("f/passes.csv");
+  struct command passes = command_run("passes", "box.yaml", NULL);
+  assert_true(f.nrow >= 2);
+  for (size_t i = 0; i < f.nrow; i++) {
+    char start[80], stop[80];
+    const char *rise = table_text(&f, i, "rise_utc"), *set = table_text(&f, i, "set_utc");
+    assert_non_null(strstr(passes.out, rise));
+    assert_non_null(strstr(passes.out, table_text(&f, i, "culmination_utc")));
+    assert_non_null(strstr(passes.out, set));
+    if (table_text(&f, i, "shadow_exit_utc")[0] != '\0')
+      assert_non_null(strstr(passes.out, table_text(&f, i, "shadow_exit_utc")));
+    if (i > 1) continue; /* two runs tell */
+    second_of(start, "time.start_utc", rise, 1);
+    second_of(stop, "time.stop_utc", set, 0);
+    command_expect(0, "run", "box.yaml", "-o", "alone", "--no-plots", "--set", "time.step_s=20",
+                   "--set", start, "--set", stop, NULL);
+    struct table light = table_read("alone/lightcurve.csv");
+    struct table heat = table_read("alone/temperatures.csv");
+    size_t k = row_of(&light, table_text(&f, i, "vis_brightest_utc"));
+    double least = table_number(&light, k, "vis_mag_ab"), mean = 0.0;
+    assert_close(table_number(&f, i, "vis_brightest_mag_ab"), least, 1e-8 * 10.0);
+    for (size_t r = 0; r < light.nrow; r++) {
+      const char *text = table_text(&light, r, "vis_mag_ab");
+      if (text[0] != '\0') assert_true(strtod(text, NULL) >= least);
+      mean += table_number(&heat, r, "bus.mean_K") / (double)light.nrow;
+    }
+    k = row_of(&light, table_text(&f, i, "lwir_largest_utc"));
+    double e = table_number(&light, k, "lwir_irradiance_W_m2");
+    assert_close(table_number(&f, i, "lwir_largest_W_m2"), e, 1e-8 * e);
+    assert_close(table_number(&f, i, "bus.mean_K"), mean, 1e-6);
+    table_release(&light);
+    table_release(&heat);
+  }
+  command_release(&passes);
+  table_release(&f);
+}
+
+static void expect_same(const char *a, const char *b)
+{
+  static const char *const files[] = {"passes.csv", "curves.csv", "passes.ics"};
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    char path[64];
+    size_t na, nb;
+    snprintf(path, sizeof path, "%s/%s", a, files[i]);
+    char *of_a = command_read_bytes(path, &na);
+    snprintf(path, sizeof path, "%s/%s", b, files[i]);
+    char *of_b = command_read_bytes(path, &nb);
+    assert_true(na > 1000);
+    assert_int_equal(na, nb);
+    assert_memory_equal(of_a, of_b, na);
+    free(of_a);
+    free(of_b);
+  }
+}
+
+/* One process, two, two shares and a gathering, a stop and a resume: the same files. */
+static void test_same(void **state)
+{
+  (void)state;
+#define ASKED "forecast", "box.yaml", "--days", "0.3", "--no-plots", "--set", "time.step_s=60"
+  command_expect(0, ASKED, "-o", "one", "--workers", "1", NULL);
+  command_expect(0, ASKED, "-o", "two", "--workers", "2", NULL);
+  expect_same("one", "two");
+  assert_false(command_exists("one.records"));
+  command_expect(0, ASKED, "-o", "shared", "--share", "1/2", NULL);
+  assert_false(command_exists("shared"));
+  command_expect(0, ASKED, "-o", "shared", "--share", "2/2", NULL);
+  command_expect(0, ASKED, "-o", "shared", "--resume", NULL);
+  expect_same("one", "shared");
+  const char *const stopped[] = {ASKED, "-o", "stopped", "--workers", "2", NULL};
+  struct command c = command_run_for(0.25, SIGTERM, stopped);
+  if (c.code != 0) {
+    assert_int_equal(c.code, 128 + SIGTERM);
+    assert_true(c.seconds < 2.0);
+    assert_false(command_exists("stopped"));
+    command_expect(0, ASKED, "-o", "stopped", "--resume", NULL);
+  }
+  command_release(&c);
+  expect_same("one", "stopped");
+#undef ASKED
+}
+
+/* Records of another forecast are not taken, and not thrown away. */
+static void test_other(void **state)
+{
+  (void)state;
+  command_expect(0, "forecast", "box.yaml", "--days", "0.1", "-o", "f", "--share", "1/1", NULL);
+  struct command c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", "--resume",
+                                 "--set", "time.step_s=9", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "f.records/points.records: holds points of other work"));
+  command_release(&c);
+  c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "points are on record there"));
+  command_release(&c);
+  command_expect(0, "forecast", "box.yaml", "--days", "0.1", "-o", "f", "--resume", "--no-plots",
+                 NULL);
+}
+
+/* Lines end in CRLF, hold at most 75 bytes, and unfold to what was meant. */
+static void test_calendar(void **state)
+{
+  (void)state;
+  command_expect(0, "forecast", "box.yaml", "--days", "0.3", "-o", "f", "--no-plots", "--station",
+                 "Göttingen; Sternwarte, Süd,51.53,9.94,150", NULL);
+  char *text = command_read("f/passes.ics"), *to = text;
+  size_t column = 0, events = 0;
+  for (const char *at = text; *at != '\0'; at++) {
+    if (*at == '\n') fail_msg("a line feed alone");
+    if (*at != '\r') {
+      assert_true(++column <= 75);
+      *to++ = *at;
+      continue;
+    }
+    assert_int_equal(*++at, '\n');
+    assert_false(column == 0);
+    column = 0;
+    if (at[1] == ' ') {
+      at++;
+      column = 1;
+    } else {
+      *to++ = '\n';
+    }
+    assert_int_not_equal((unsigned char)at[1] & 0xc0, 0x80); /* no character is broken */
+  }
+  *to = '\0';
+  for (const char *at = text; (at = strstr(at, "BEGIN:VEVENT\nUID:")) != NULL; at++) events++;
+  assert_true(events >= 2);
+  assert_non_null(
+      strstr(text, "\nLOCATION:Göttingen\\; Sternwarte\\, Süd\nGEO:51.530000;9.940000"));
+  assert_true(strncmp(text, "BEGIN:VCALENDAR\nVERSION:2.0\nPRODID:", 35) == 0);
+  assert_non_null(strstr(text, "\nEND:VEVENT\nEND:VCALENDAR\n"));
+  free(text);
+}
+
+static void test_refused(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *option, *value, *says;
+  } cases[] = {
+      {"--days", "0", "--days '0': accepted: a number from 0.001 to 400"},
+      {"--days", "nan", "--days 'nan': accepted"},
+      {"--days", "2d", "--days '2d': accepted"},
+      {"--minimum-elevation", "90", "accepted: a number from 0 to 89"},
+      {"--station", "Graz", "accepted: NAME,LATITUDE,LONGITUDE,HEIGHT"},
+      {"--station", "Graz,97,15,495", "accepted: NAME,LATITUDE,LONGITUDE,HEIGHT"},
+      {"--station", ",47,15,495", "accepted: NAME,LATITUDE,LONGITUDE,HEIGHT"},
+      {"--station", "a`b,47,15,495", "accepted: NAME,LATITUDE,LONGITUDE,HEIGHT"},
+      {"--share", "3/2", "--share '3/2': accepted: K/N with K from 1 to N"},
+      {"--share", "1", "accepted: K/N"},
+      {"--from", "yesterday", "yesterday"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct command c =
+        command_run("forecast", "box.yaml", "-o", "f", cases[i].option, cases[i].value, NULL);
+    assert_int_equal(c.code, 1);
+    if (strstr(c.err, cases[i].says) == NULL) fail_msg("%s", c.err);
+    assert_int_equal(command_count_lines(c.err), 1);
+    command_release(&c);
+    assert_false(command_exists("f"));
+    assert_false(command_exists("f.records"));
+  }
+}
+
+/* A pass that cannot be computed has its reason in the table, and the others are there. */
+static void test_reason(void **state)
+{
+  (void)state;
+  char *text = command_read("box.yaml");
+  text = command_edit(text, "  - lvlh: {}\n", "  - table: {file: turns.csv}\n");
+  command_write("box.yaml", text);
+  free(text);
+  /* an attitude that is known during the first pass alone, an orbit before it included */
+  command_write("turns.csv", "time_utc,q0,q1,q2,q3\n2016-09-06T16:00:00Z,1,0,0,0\n"
+                             "2016-09-06T17:00:00Z,1,0,0,0\n2016-09-06T18:00:00Z,1,0,0,0\n"
+                             "2016-09-06T19:00:00Z,1,0,0,0\n");
+  command_expect(0, "forecast", "box.yaml", "--days", "0.2", "-o", "f", "--set",
+                 "attitude.0.table.max_gap_s=4000", NULL);
+  char *table = command_read("f/passes.csv");
+  assert_non_null(strstr(table, "turns.csv"));
+  assert_non_null(strstr(table, "is wanted at"));
+  char *calendar = command_read("f/passes.ics");
+  size_t events = 0;
+  for (const char *at = calendar; (at = strstr(at, "BEGIN:VEVENT")) != NULL; at++) events++;
+  assert_int_equal(events, 1);
+  free(table);
+  free(calendar);
+}
+
+/* An orbit that begins at the scenario's start begins there for every pass, not at the pass's: the
+ * satellite is where the pass says, and is seen. */
+static void test_pinned(void **state)
+{
+  (void)state;
+  char *text = command_read("box.yaml");
+  char *orbit = strstr(text, "orbit:"), *attitude = strstr(text, "attitude:");
+  char head[1024], whole[4096];
+  snprintf(head, sizeof head, "%.*s", (int)(orbit - text), text);
+  snprintf(whole, sizeof whole,
+           "%sorbit: {circular: {altitude_km: 765, beta_deg: 30}}\nattitude:\n  - spin: "
+           "{axis_gcrs: [0, 0, 1], axis_body: [0, 0, 1], period_s: 100}\n%s",
+           head, strstr(attitude, "observer:"));
+  command_write("box.yaml", whole);
+  free(text);
+  command_expect(0, "forecast", "box.yaml", "--days", "0.3", "-o", "f", "--no-plots", "--station",
+                 "Equator,0,15,0", NULL);
+  struct table f = table_read("f/passes.csv");
+  assert_true(f.nrow >= 1);
+  for (size_t i = 0; i < f.nrow; i++) {
+    char turn[80], epoch[80], start[80], stop[80];
+    assert_true(table_number(&f, i, "lwir_culmination_W_m2") > 1e-13);
+    if (i > 0) continue;
+    snprintf(epoch, sizeof epoch, "orbit.circular.epoch_utc=2016-09-06T18:07:00Z");
+    snprintf(turn, sizeof turn, "attitude.0.spin.at_utc=2016-09-06T18:07:00Z");
+    second_of(start, "time.start_utc", table_text(&f, i, "rise_utc"), 1);
+    second_of(stop, "time.stop_utc", table_text(&f, i, "set_utc"), 0);
+    command_expect(0, "run", "box.yaml", "-o", "alone", "--no-plots", "--set", epoch, "--set", turn,
+                   "--set", start, "--set", stop, "--set", "observer.station.latitude_deg=0",
+                   "--set", "observer.station.longitude_deg=15", "--set",
+                   "observer.station.height_m=0", NULL);
+    struct table light = table_read("alone/lightcurve.csv");
+    size_t k = row_of(&light, table_text(&f, i, "lwir_largest_utc"));
+    double e = table_number(&light, k, "lwir_irradiance_W_m2");
+    assert_close(table_number(&f, i, "lwir_largest_W_m2"), e, 1e-8 * e);
+    table_release(&light);
+  }
+  table_release(&f);
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
+  static const struct CMUnitTest tests[] = {
+      TEST(test_alone),   TEST(test_same),   TEST(test_other), TEST(test_calendar),
+      TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

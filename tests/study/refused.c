@@ -1,0 +1,62 @@
+/* What a study is refused for when its scenario is known: one line each that says where. */
+#include <string.h>
+
+#include "tests/study/world.h"
+#include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
+
+static const struct {
+  const char *study, *words;
+} refused[] = {
+    {"parameters: [{key: parts.box.interior.powr_W, from: 0, to: 1}]\n", "powr_W"},
+    {"parameters: [{key: parts.box.interior.power_W, from: -1, to: 1e9}]\n",
+     "'parts.box.interior.power_W' at 1000000000"},
+    {"parameters: [{key: parts.box.interior.capacity_J_K, from: -5, to: 100}]\n",
+     "'parts.box.interior.capacity_J_K' at -5"},
+    {"parameters: [{material: grey_pannel, property: emittance, from: 0.1, to: 0.9}]\n",
+     "grey_panel"},
+    {"parameters: [{material: grey_panel, property: emittance, from: 0.5, to: 1.2}]\n",
+     "accepted: above 0, at most 1"},
+    {"parameters: [{effect: emitance, target: grey_panel, from: 0.5, to: 1}]\n", "emittance"},
+    {"parameters: [{effect: emittance, from: 0.5, to: 1}]\n", "needs a target"},
+    {"parameters: [{effect: attitude_offset, from: 0.5, to: 1}]\n", "parameter beside it"},
+    {"parameters: [{effect: emittance, target: grey_panel, parameter: factor, from: 0.5, to: 1}]\n",
+     "emittance_factor"},
+    {"parameters: [{effect: emittance, target: grey_panel, from: 0.01, to: 1}]\n",
+     "accepted: 0.1 to 10"},
+    {"parameters: [{effect: zero_point, target: vis, from: 0.9, to: 1.1}]\n"
+     "outputs: {bands: [lwir]}\n",
+     "'zero_point:vis' changes nothing"},
+    {"parameters: [{key: parts.box.interior.power_W, from: 0, to: 9}]\noutputs: {bands: "
+     "[visual]}\n",
+     "no band 'visual'"},
+    {"parameters: [{key: parts.box.interior.power_W, from: 0, to: 9}]\noutputs: {places: [bos]}\n",
+     "no place 'bos'"},
+};
+
+static void test_refused(void **state)
+{
+  (void)state;
+  static const char *const quick[] = {"thermal.start=isothermal", "thermal.orbits_before=0.05"};
+  struct um_study_run_options options = world_options(1, false);
+  options.model = (struct um_model_options){.overrides = quick, .noverride = 2};
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    struct um_study *study = NULL;
+    world_put(refused[i].study);
+    enum um_status status = um_study_create(context, WORLD_STUDY, &options, &study);
+    const char *message = um_core_message(context);
+    if (status != UM_ERR_INPUT || strstr(message, refused[i].words) == NULL ||
+        strstr(message, WORLD_STUDY ":4: ") == NULL)
+      if (strstr(message, WORLD_STUDY ":5: ") == NULL || strstr(message, refused[i].words) == NULL)
+        fail_msg("%s -> %d %s", refused[i].study, (int)status, message);
+    assert_null(study);
+    assert_null(strchr(message, '\n'));
+    um_core_message_clear(context);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused)};
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
+}

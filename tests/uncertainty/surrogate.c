@@ -1,0 +1,241 @@
+/* Surrogates: polynomials exactly, smooth functions to the error that was asked, steps refused. */
+#include "uncertainty/surrogate.h"
+
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/sampling.h"
+#include "tests/support/allocator.h"
+#include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
+
+#define NVALUE 5
+
+struct function {
+  size_t d, calls, points;
+  void (*at)(const double *x, double *value);
+};
+
+static enum um_status evaluate(struct um_context *with, void *user, const double *place, size_t n,
+                               double *value)
+{
+  (void)with;
+  struct function *f = user;
+  f->calls++;
+  f->points += n;
+  for (size_t i = 0; i < n; i++) f->at(place + i * f->d, value + i * NVALUE);
+  return UM_OK;
+}
+
+static void polynomials(const double *x, double *v)
+{
+  double a = x[0] - 0.3, b = x[1];
+  v[0] = 1.0;
+  v[1] = 2.0 * a - 3.0 * b;
+  v[2] = a * a * b - 4.0 * b * b;
+  v[3] = 5.0 * a * a * a + a * b;
+  v[4] = 1e6 * (a * b * b + 1.0);
+}
+/* Heat as it is: T of a balance, T^4 of it, an exponential, products. */
+static void smooth(const double *x, double *v)
+{
+  double e = 0.7 + 0.2 * x[0], p = 600.0 * x[1], t = pow((1000.0 + p) / (2.0 * e * 5.67e-8), 0.25);
+  v[0] = t;
+  v[1] = e * exp(-1440.0 / t) * (1.0 + 0.1 * x[2]);
+  v[2] = 0.2 + sin(3.0 * x[0]) * exp(x[1]) + x[2];
+  v[3] = 7.0;
+  v[4] = 1.0 / (1.0 + 0.5 * x[0] + x[1] * x[2]);
+}
+static void step(const double *x, double *v)
+{
+  smooth(x, v);
+  if (x[0] > 0.37) v[2] += 0.5;
+}
+/* All surpluses of the first degrees vanish: x = 1/2, 0, 1 are its nodes. */
+static void wave(const double *x, double *v)
+{
+  for (size_t k = 0; k < NVALUE; k++) v[k] = sin(2.0 * UM_PI * x[0]) + 0.1 * (double)k * x[1];
+}
+
+static struct um_uncertainty_surrogate_request
+ask(struct function *f, struct um_uncertainty_group *group, double relative)
+{
+  *group = (struct um_uncertainty_group){.name = "light",
+                                         .first = 0,
+                                         .count = NVALUE,
+                                         .absolute = 0.0,
+                                         .relative = relative,
+                                         .floor = 0.01};
+  return (struct um_uncertainty_surrogate_request){
+      .d = f->d, .nvalue = NVALUE, .ngroup = 1, .group = group, .evaluate = evaluate, .user = f};
+}
+
+/* Relative differences at n random points, as the surrogate measures them: the largest, and which
+ * share of the points is off by more than `limit`. */
+static double elsewhere(struct um_context *c, const struct um_uncertainty_surrogate *s,
+                        const struct function *f, size_t n, double limit, double *above)
+{
+  double worst = 0.0, middle[10], largest = 0.0, v[NVALUE];
+  for (size_t k = 0; k < f->d; k++) middle[k] = 0.5;
+  f->at(middle, v);
+  for (size_t k = 0; k < NVALUE; k++) largest = fmax(largest, fabs(v[k]));
+  *above = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    double x[10], w[NVALUE], here = 0.0;
+    for (size_t k = 0; k < f->d; k++) x[k] = um_core_hash_uniform(um_core_hash(5, i * 10 + k));
+    f->at(x, v);
+    assert_int_equal(um_uncertainty_surrogate_at(c, s, x, 1, w), UM_OK);
+    for (size_t k = 0; k < NVALUE; k++)
+      here = fmax(here, fabs(w[k] - v[k]) / fmax(fabs(v[k]), 0.01 * largest));
+    worst = fmax(worst, here);
+    *above += here > limit ? 1.0 / (double)n : 0.0;
+  }
+  return worst;
+}
+
+/* Degree 3 of two variables has ten terms; the sum needs no more than its border besides. */
+static void test_polynomials(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  struct function f = {.d = 2, .at = polynomials};
+  struct um_uncertainty_group group;
+  struct um_uncertainty_surrogate_request r = ask(&f, &group, 1e-9);
+  struct um_uncertainty_surrogate *s = NULL;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_OK);
+  double above;
+  assert_true(elsewhere(c, s, &f, 200, 1.0, &above) < 1e-12);
+  assert_int_equal(f.points, um_uncertainty_surrogate_evaluations(s));
+  assert_int_equal(f.points, um_uncertainty_surrogate_terms(s) + 20);
+  assert_true(um_uncertainty_surrogate_terms(s) <= 20);
+  assert_int_equal(um_uncertainty_surrogate_degree(s, 0), 4); /* 3, and one to see that it ends */
+  assert_true(um_uncertainty_surrogate_errors(s)[0].relative < 1e-12);
+  um_uncertainty_surrogate_destroy(c, &s);
+}
+
+/* What was asked holds at 99 of 100 random points and, in the corners, which ten held-out points do
+ * not see, within a factor of 4; what is stated is what was found at them. */
+static void test_smooth(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  double asked[4] = {1e-2, 1e-3, 1e-4, 1e-6};
+  for (size_t i = 0; i < 4; i++) {
+    struct function f = {.d = 3, .at = smooth};
+    struct um_uncertainty_group group;
+    struct um_uncertainty_surrogate_request r = ask(&f, &group, asked[i]);
+    r.evaluations_max = 600;
+    struct um_uncertainty_surrogate *s = NULL;
+    assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_OK);
+    double above, found = elsewhere(c, s, &f, 2000, asked[i], &above);
+    const struct um_uncertainty_surrogate_error *e = um_uncertainty_surrogate_errors(s);
+    print_message("asked %.0e: %zu points, held out %.2e, elsewhere %.2e, above %.4f\n", asked[i],
+                  f.points, e->relative, found, above);
+    assert_true(found <= 4.0 * asked[i] && above < 0.01);
+    assert_true(e->relative <= UM_UNCERTAINTY_CONFIRMED_SHARE * asked[i]);
+    assert_close(e->share, e->relative / asked[i], 1e-9);
+    um_uncertainty_surrogate_destroy(c, &s);
+  }
+}
+
+static void test_refused(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  struct function f = {.d = 3, .at = step};
+  struct um_uncertainty_group group;
+  struct um_uncertainty_surrogate_request r = ask(&f, &group, 1e-3);
+  struct um_uncertainty_surrogate *s = NULL;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_ERR_REFUSED);
+  assert_null(s);
+  print_message("%s\n", um_core_message(c));
+  assert_non_null(strstr(um_core_message(c), "not smooth enough"));
+  assert_non_null(strstr(um_core_message(c), "light, value 2"));
+  assert_true(f.points < 160); /* long before all 200 are spent */
+  um_core_message_clear(c);
+}
+
+/* Terms that vanish by symmetry do not end the growth. */
+static void test_hidden(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  struct function f = {.d = 2, .at = wave};
+  struct um_uncertainty_group group;
+  struct um_uncertainty_surrogate_request r = ask(&f, &group, 0.0);
+  struct um_uncertainty_surrogate *s = NULL;
+  group.absolute = 1e-4;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_OK);
+  for (size_t i = 0; i < 500; i++) {
+    double x[2] = {um_core_hash_uniform(um_core_hash(6, 2 * i)),
+                   um_core_hash_uniform(um_core_hash(6, 2 * i + 1))};
+    double v[NVALUE], w[NVALUE];
+    wave(x, v);
+    assert_int_equal(um_uncertainty_surrogate_at(c, s, x, 1, w), UM_OK);
+    for (size_t k = 0; k < NVALUE; k++) assert_close(w[k], v[k], 1e-4);
+  }
+  um_uncertainty_surrogate_destroy(c, &s);
+}
+
+static void fails_at_end(const double *x, double *v)
+{
+  smooth(x, v);
+  if (x[1] == 1.0) v[0] = NAN;
+}
+static void test_failures(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  struct function f = {.d = 3, .at = fails_at_end};
+  struct um_uncertainty_group group;
+  struct um_uncertainty_surrogate_request r = ask(&f, &group, 1e-3);
+  struct um_uncertainty_surrogate *s = NULL;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_ERR_REFUSED);
+  assert_non_null(strstr(um_core_message(c), "(0.5, 1, 0.5)"));
+  um_core_message_clear(c);
+  group.relative = 0.0;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_ERR_INPUT);
+  um_core_message_clear(c);
+  group.relative = 1.0;
+  group.count = 6;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_ERR_INPUT);
+  um_core_message_clear(c);
+  r.d = 11;
+  assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_ERR_INPUT);
+  um_core_message_clear(c);
+}
+
+static void test_memory(void **state)
+{
+  (void)state;
+  struct um_test_memory memory = {0};
+  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
+  bool done = false;
+  for (long fail = 1; !done; fail++) {
+    struct um_context *c = NULL;
+    struct function f = {.d = 3, .at = smooth};
+    struct um_uncertainty_group group;
+    struct um_uncertainty_surrogate_request r = ask(&f, &group, 1e-2);
+    struct um_uncertainty_surrogate *s = NULL;
+    memory = (struct um_test_memory){0};
+    assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
+    memory.calls = 0;
+    memory.fail_call = fail;
+    enum um_status status = um_uncertainty_surrogate_create(c, &r, &s);
+    done = status == UM_OK;
+    if (!done) assert_int_equal(status, UM_ERR_MEMORY);
+    memory.fail_call = 0;
+    um_uncertainty_surrogate_destroy(c, &s);
+    um_core_context_destroy(&c);
+    assert_int_equal(memory.alive, 0);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_polynomials), cmocka_unit_test(test_smooth),
+      cmocka_unit_test(test_refused),     cmocka_unit_test(test_hidden),
+      cmocka_unit_test(test_failures),    cmocka_unit_test(test_memory)};
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
+}

@@ -1,0 +1,218 @@
+/* Growth of a surrogate: which terms come next, and when it is good enough. */
+#include "uncertainty/surrogate.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "uncertainty/surrogate_growth_impl.h"
+
+#define FIRST_LOOK 64 /* evaluations after which the rate of convergence is looked at */
+
+static enum um_status check(struct um_context *context,
+                            const struct um_uncertainty_surrogate_request *r)
+{
+  if (r->d == 0 || r->d > UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "a surrogate of %zu parameters, at least 1 and at most %d", r->d,
+                        UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX);
+  size_t held = r->held_out ? r->held_out : UM_UNCERTAINTY_HELD_OUT;
+  if (r->evaluations_max > 0 && r->evaluations_max <= 2 * held)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "a surrogate of at most %zu points, of which %zu are held out",
+                        r->evaluations_max, 2 * held);
+  for (size_t i = 0; i < r->ngroup; i++) {
+    const struct um_uncertainty_group *g = &r->group[i];
+    if (g->first > r->nvalue || g->count > r->nvalue - g->first)
+      return um_core_fail(context, UM_ERR_INPUT, "%s: values %zu to %zu of %zu", g->name, g->first,
+                          g->first + g->count, r->nvalue);
+    if (!(g->absolute >= 0.0 && g->relative >= 0.0 && g->floor >= 0.0 &&
+          g->absolute + g->relative > 0.0))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "%s: an asked error of %g and, relative, %g; one must be above 0",
+                          g->name, g->absolute, g->relative);
+  }
+  return UM_OK;
+}
+
+static bool all_small(const struct um_uncertainty_surrogate *s)
+{
+  for (size_t t = 0; t < s->nterm; t++)
+    if (!s->term[t].passed && !(s->term[t].size <= 1.0)) return false;
+  return true;
+}
+
+static enum um_status refuse(struct um_context *context, const struct um_uncertainty_growth *g,
+                             const char *why)
+{
+  const struct um_uncertainty_surrogate *s = g->s;
+  size_t worst = 0;
+  for (size_t i = 1; i < s->ngroup; i++)
+    if (s->error[i].share > s->error[worst].share) worst = i;
+  const struct um_uncertainty_surrogate_error *e = &s->error[worst];
+  return um_core_fail(
+      context, UM_ERR_REFUSED,
+      "the response is not smooth enough for a surrogate: %s, value %zu: after %zu "
+      "points off by %.3g at a held-out point, %.3g times what is asked; %s; compute "
+      "each point exactly, or ask for less",
+      g->request->group[worst].name, e->value, g->evaluations, e->absolute, e->share, why);
+}
+
+/* Whether it will do at the rate at which the last doubling of points helped: the error falls like
+ * a power of their number, or faster where the function is smooth. */
+static enum um_status look_ahead(struct um_context *context, struct um_uncertainty_growth *g,
+                                 double share)
+{
+  char why[120];
+  if (g->evaluations < 2 * g->looked_at && g->looked_at > 0) return UM_OK;
+  if (g->evaluations < FIRST_LOOK) return UM_OK;
+  double rate = g->looked_at == 0
+                    ? INFINITY
+                    : log(g->before / share) / log((double)g->evaluations / (double)g->looked_at);
+  double wanted =
+      rate > 0.0 ? (double)g->evaluations * pow(share / UM_UNCERTAINTY_HELD_OUT_SHARE, 1.0 / rate)
+                 : INFINITY;
+  g->looked_at = g->evaluations;
+  g->before = share;
+  /* ten times as many as are allowed: a function may fall into its asymptotic rate late */
+  if (wanted <= 10.0 * (double)g->evaluations_max || share <= UM_UNCERTAINTY_HELD_OUT_SHARE)
+    return UM_OK;
+  if (wanted < 1e9)
+    snprintf(why, sizeof why, "at this rate it takes %.0f points, and %zu are allowed", wanted,
+             g->evaluations_max);
+  else
+    snprintf(why, sizeof why, "more points do not help");
+  return refuse(context, g, why);
+}
+
+/* Choose until something is wanted. */
+static enum um_status next(struct um_context *context, struct um_uncertainty_growth *g,
+                           unsigned char **list, size_t *n)
+{
+  bool left = true;
+  for (*n = 0; *n == 0 && left;) {
+    left = false;
+    for (size_t t = 0; t < g->s->nterm; t++) left = left || !g->s->term[t].passed;
+    if (left) UM_TRY(um_uncertainty_growth_choose(context, g, list, n));
+  }
+  if (*n == 0) return refuse(context, g, "the highest degrees are in use");
+  size_t room = g->evaluations_max - g->evaluations;
+  if (room == 0) return refuse(context, g, "no more points are allowed");
+  if (*n > room) *n = room;
+  return UM_OK;
+}
+
+static enum um_status grow(struct um_context *context, struct um_uncertainty_growth *g)
+{
+  enum um_status status;
+  unsigned char *list = NULL;
+  size_t batch = g->request->held_out ? g->request->held_out : UM_UNCERTAINTY_HELD_OUT;
+  UM_CHECK(um_uncertainty_growth_begin(context, g, batch));
+  for (;;) {
+    double share = um_uncertainty_growth_judge(g);
+    size_t n;
+    if (share <= UM_UNCERTAINTY_HELD_OUT_SHARE && all_small(g->s)) {
+      /* these points had a say in when to end; others have not */
+      if (g->evaluations_max - g->evaluations < batch)
+        UM_CHECK(refuse(context, g, "no points are left to confirm it by"));
+      UM_CHECK(um_uncertainty_growth_hold(context, g, batch));
+      share = um_uncertainty_growth_judge(g);
+      if (share <= UM_UNCERTAINTY_CONFIRMED_SHARE) break;
+    }
+    UM_CHECK(look_ahead(context, g, share));
+    UM_CHECK(next(context, g, &list, &n));
+    UM_CHECK(um_uncertainty_growth_add(context, g, list, n));
+  }
+done:
+  um_core_free(context, list);
+  return status;
+}
+
+enum um_status
+um_uncertainty_surrogate_create(struct um_context *context,
+                                const struct um_uncertainty_surrogate_request *request,
+                                struct um_uncertainty_surrogate **out)
+{
+  enum um_status status;
+  struct um_uncertainty_growth g = {.request = request};
+  *out = NULL;
+  UM_TRY(check(context, request));
+  UM_TRY(um_core_allocate(context, 1, sizeof *g.s, &g.s));
+  g.s->d = request->d;
+  g.s->nvalue = request->nvalue;
+  g.s->ngroup = request->ngroup;
+  g.evaluations_max =
+      request->evaluations_max ? request->evaluations_max : UM_UNCERTAINTY_EVALUATIONS_MAX;
+  for (size_t k = 0; k < request->d; k++) g.s->levels[k] = 1;
+  um_uncertainty_axis_make(&g.s->axis);
+  UM_CHECK(um_core_allocate(context, g.s->nvalue, sizeof *g.s->nowhere, &g.s->nowhere));
+  UM_CHECK(um_core_allocate(context, g.s->ngroup, sizeof *g.s->error, &g.s->error));
+  UM_CHECK(um_core_allocate(context, g.s->ngroup, sizeof *g.largest, &g.largest));
+  UM_CHECK(grow(context, &g));
+  g.s->evaluations = g.evaluations;
+  *out = g.s;
+  g.s = NULL;
+done:
+  um_core_free(context, g.largest);
+  um_core_free(context, g.held);
+  um_core_free(context, g.held_value);
+  um_core_free(context, g.left);
+  um_core_free(context, g.basis);
+  um_uncertainty_surrogate_destroy(context, &g.s);
+  return status;
+}
+
+void um_uncertainty_surrogate_destroy(struct um_context *context,
+                                      struct um_uncertainty_surrogate **surrogate)
+{
+  struct um_uncertainty_surrogate *s = *surrogate;
+  if (s == NULL) return;
+  for (size_t t = 0; t < s->nterm; t++) um_core_free(context, s->term[t].surplus);
+  um_core_free(context, s->term);
+  um_core_free(context, s->nowhere);
+  um_core_free(context, s->error);
+  um_core_free(context, s);
+  *surrogate = NULL;
+}
+
+size_t um_uncertainty_surrogate_evaluations(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->evaluations;
+}
+size_t um_uncertainty_surrogate_terms(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->nterm;
+}
+size_t um_uncertainty_surrogate_values(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->nvalue;
+}
+size_t um_uncertainty_surrogate_held_out(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->nheld;
+}
+size_t um_uncertainty_surrogate_degree(const struct um_uncertainty_surrogate *surrogate,
+                                       size_t axis)
+{
+  return surrogate->levels[axis] - 1;
+}
+const struct um_uncertainty_surrogate_error *
+um_uncertainty_surrogate_errors(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->error;
+}
+
+size_t um_uncertainty_surrogate_bytes(const struct um_uncertainty_surrogate *surrogate)
+{
+  return sizeof *surrogate + surrogate->room * sizeof *surrogate->term +
+         surrogate->nterm * surrogate->nvalue * sizeof(double);
+}
+
+/* Surpluses of all points, values and what is left of those held out, values of one step. */
+size_t um_uncertainty_surrogate_bytes_max(const struct um_uncertainty_surrogate_request *request)
+{
+  size_t held = request->held_out ? request->held_out : UM_UNCERTAINTY_HELD_OUT;
+  size_t most =
+      request->evaluations_max ? request->evaluations_max : UM_UNCERTAINTY_EVALUATIONS_MAX;
+  return (2 * most + 4 * held) * request->nvalue * sizeof(double);
+}
