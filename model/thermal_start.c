@@ -6,11 +6,13 @@
 #include "model/thermal_solution_impl.h"
 
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
-#define DRAFT_TOLERANCE    0.1  /* the same while emittances are not known [K] */
-#define DRAFT_FACTOR       30.0 /* then on the tolerances of the integration */
-#define ROUNDING           1e-9 /* an emittance that moves by less is constant */
-#define DRAFT_INSTANTS     128  /* that a mean of a stated start's run is made of */
-#define DRAFT_EMITTANCE    0.01 /* an emittance that moves by less is known: the next is the same */
+#define LOOSEST            5.0  /* factor on it where the integration is that much looser */
+#define EARLY_TOLERANCE    1.0 /* then, before emittances are those of the state that is found [K] */
+#define DRAFT_TOLERANCE    0.1   /* the same while emittances are not known [K] */
+#define DRAFT_FACTOR       30.0  /* then on the tolerances of the integration */
+#define ROUNDING           1e-9  /* an emittance that moves by less is constant */
+#define DRAFT_INSTANTS     128   /* that a mean of a stated start's run is made of */
+#define DRAFT_EMITTANCE    0.003 /* an emittance that moves by less is known: the next is the same */
 
 /* From heat->start toward the periodic start, surfaces exchanging what they do now. draft: roughly.
  * mean[nnode]: temperatures over the orbit, or of the steady state where there is none [K]. */
@@ -27,10 +29,14 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
     memcpy(mean, heat->start, um_thermal_network_nodes(network) * sizeof *mean);
     return UM_OK;
   }
-  if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-  UM_TRY(um_thermal_solve_periodic_report(
-      context, network, precomputed->loads, &options, precomputed->t_start, precomputed->period,
-      draft ? DRAFT_TOLERANCE : PERIODIC_TOLERANCE, heat->start, NULL, mean, &report));
+  double wanted = PERIODIC_TOLERANCE * fmin(options.tolerance_factor, LOOSEST);
+  if (draft) {
+    wanted = options.tolerance_factor > 1.0 ? EARLY_TOLERANCE : DRAFT_TOLERANCE;
+    options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
+  }
+  UM_TRY(um_thermal_solve_periodic_report(context, network, precomputed->loads, &options,
+                                          precomputed->t_start, precomputed->period, wanted,
+                                          heat->start, NULL, mean, &report));
   heat->periodic_drift = report.distance;
   return UM_OK;
 }
@@ -82,7 +88,8 @@ static enum um_status settle_stated(struct um_context *context,
 
 /* Periodic start and exchange by turns until the emittances are the same, from built[nnode] [K].
  * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances go
- * with temperature and nothing is known of it. */
+ * with temperature and nothing is known of it, and where the integration is loose anyhow:
+ * emittances then settle on the way. */
 static enum um_status settle_periodic(struct um_context *context,
                                       struct um_model_thermal_solution *heat, bool warm,
                                       const double *built, double *mean)
@@ -93,7 +100,7 @@ static enum um_status settle_periodic(struct um_context *context,
   if (!warm)
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
                                        0, &heat->setting, &change));
-  bool draft = change > ROUNDING;
+  bool draft = warm ? heat->setting.options.tolerance_factor > 1.0 : change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
     enum um_status status = search(context, heat, draft, mean);
@@ -107,7 +114,7 @@ static enum um_status settle_periodic(struct um_context *context,
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, same, round,
                                        &heat->setting, &change));
     if (!draft) continue;
-    draft = change > DRAFT_EMITTANCE;
+    draft = change > DRAFT_EMITTANCE && !warm;
     change = INFINITY; /* the search itself is to come */
   }
   return UM_OK;

@@ -15,7 +15,7 @@
 
 /* Above 6 points cost less, but a surrogate wants more of them, and the search for a periodic state
  * was seen to go on for long (docs/decisions/0013-studies.md). */
-static const double factors[] = {6.0, 3.0, 1.0};
+static const double factors[] = {30.0, 12.0, 6.0, 3.0, 1.0};
 #define FACTORS (sizeof factors / sizeof factors[0])
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */

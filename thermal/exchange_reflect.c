@@ -91,11 +91,14 @@ static double reflected_of(const struct um_thermal_exchange_maker *m, enum um_th
 {
   const struct um_irradiation_loads *loads = m->loads;
   size_t at = row * loads->nsurface + s;
+  const float *of = load == UM_THERMAL_SUN      ? loads->sun
+                    : load == UM_THERMAL_ALBEDO ? loads->albedo
+                                                : loads->planet;
+  if (of[at] == 0.0f) return 0.0; /* turned away, or in shadow */
   struct um_thermal_reflectances r =
       um_thermal_surface_reflectances(m->network, loads, m->aging, row, s);
-  if (load == UM_THERMAL_SUN) return r.sun * (double)loads->sun[at];
-  return load == UM_THERMAL_ALBEDO ? r.albedo * (double)loads->albedo[at]
-                                   : r.planet * (double)loads->planet[at];
+  double share = load == UM_THERMAL_SUN ? r.sun : load == UM_THERMAL_ALBEDO ? r.albedo : r.planet;
+  return share * (double)of[at];
 }
 
 /* Share of what patch p reflects that goes on as from a mirror. */
@@ -160,6 +163,14 @@ static bool take_row(const struct um_thermal_exchange_maker *m, const struct mir
   return true;
 }
 
+/* The same operations in the same order, hence the same bits, on registers as wide as the machine
+ * has them. */
+#if defined __x86_64__ && defined __GLIBC__
+#define UM_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define UM_WIDE_VECTORS
+#endif
+
 /* Rows of the loads that go through B together: it is read once for them, and their sums, each in
  * the order of the patches, are side by side in the processor. */
 #define TOGETHER 8
@@ -169,23 +180,42 @@ struct rows {
   double *reflected; /* [noutside][TOGETHER], 0 behind n */
 };
 
-/* out[row] += w A'^-1 B (scattered) of each. */
-static void spread_rows(const struct um_thermal_exchange_maker *m, const struct rows *rows,
-                        double *out)
+/* sum[TOGETHER]: of b[q] times what the lit patches reflect, q through lit[nlit]. */
+UM_WIDE_VECTORS static void gather(const double *b, const uint32_t *lit, size_t nlit,
+                                   const double *reflected, double *sum)
 {
-  size_t n = m->table->noutside, stride = m->table->patches->npatch;
-  for (size_t p = 0; p < n && rows->n > 0; p++) {
-    const double *b = m->b + p * n;
-    double sum[TOGETHER] = {0.0};
-    for (size_t q = 0; q < n; q++)
-      for (size_t k = 0; k < TOGETHER; k++) sum[k] += b[q] * rows->reflected[q * TOGETHER + k];
-    for (size_t k = 0; k < rows->n; k++)
-      out[rows->row[k] * stride + p] += rows->weight[k] * sum[k] / m->open[p];
+  for (size_t k = 0; k < TOGETHER; k++) sum[k] = 0.0;
+  for (size_t j = 0; j < nlit; j++) {
+    double share = b[lit[j]];
+    for (size_t k = 0; k < TOGETHER; k++) sum[k] += share * reflected[j * TOGETHER + k];
   }
 }
 
-/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [(TOGETHER + 2)
- * noutside]. */
+/* out[row] += w A'^-1 B (scattered) of each. lit: scratch [noutside]; sums: [noutside][TOGETHER],
+ * row by row added to what is far apart. */
+static void spread_rows(const struct um_thermal_exchange_maker *m, const struct rows *rows,
+                        uint32_t *lit, double *sums, double *out)
+{
+  size_t n = m->table->noutside, stride = m->table->patches->npatch, nlit = 0;
+  for (size_t q = 0; q < n && rows->n > 0; q++) {
+    const double *of = rows->reflected + q * TOGETHER;
+    bool any = false;
+    for (size_t k = 0; k < TOGETHER; k++) any = any || of[k] != 0.0;
+    if (!any) continue;
+    memmove(rows->reflected + nlit * TOGETHER, of, TOGETHER * sizeof *of);
+    lit[nlit++] = (uint32_t)q;
+  }
+  if (nlit == 0) return;
+  for (size_t p = 0; p < n; p++)
+    gather(m->b + p * n, lit, nlit, rows->reflected, sums + p * TOGETHER);
+  for (size_t k = 0; k < rows->n; k++) {
+    double *row = out + rows->row[k] * stride, weight = rows->weight[k];
+    for (size_t p = 0; p < n; p++) row[p] += weight * sums[p * TOGETHER + k] / m->open[p];
+  }
+}
+
+/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [SCRATCH noutside]. */
+#define SCRATCH (2 * TOGETHER + 3)
 static void reflect_rows(const struct um_thermal_exchange_maker *m,
                          const struct mirrored_incident *a, size_t first, size_t pose,
                          enum um_thermal_load load, double *scratch, double *out)
@@ -202,7 +232,7 @@ static void reflect_rows(const struct um_thermal_exchange_maker *m,
     rows.row[rows.n] = row;
     rows.weight[rows.n++] = weight;
   }
-  spread_rows(m, &rows, out);
+  spread_rows(m, &rows, (uint32_t *)(reflected + 2 * n), reflected + 3 * n, out);
 }
 
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
@@ -211,7 +241,7 @@ enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, 
   enum um_status status;
   struct mirrored_incident incident = {0};
   double *scratch = NULL;
-  size_t n = m->out->npatch, each = (TOGETHER + 2) * n;
+  size_t n = m->out->npatch, each = SCRATCH * n;
   int threads = um_core_context_threads(m->context);
   bool mirrored = m->mirrored != NULL;
   long nblock = (long)((m->loads->ntime + TOGETHER - 1) / TOGETHER);

@@ -47,7 +47,8 @@ static enum um_status segment_start(struct um_thermal_integrator *integrator)
     UM_TRY(um_thermal_integrator_set_up(integrator));
   } else {
     SUN_CHECK(CVodeReInit(integrator->cvodes, integrator->t, integrator->y));
-    SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
+    if (um_thermal_integrator_audits(system))
+      SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
   }
   if (um_thermal_integrator_has_switches(system)) UM_TRY(thermostats_turn(integrator));
   double longest;
@@ -155,7 +156,8 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
   }
   if (integrator->t < end && !integrator->switched) return UM_OK;
   realtype at;
-  SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
+  if (um_thermal_integrator_audits(integrator->system))
+    SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
   return UM_OK;
 }
 

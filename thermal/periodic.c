@@ -7,18 +7,21 @@
  *   dT = (I - dG/dT)^-1 r,   r = G(T) - T,   dG/dT ~ exp(P J)
  *
  * with J the orbit mean of the Jacobian (|T|^3 averaged over the orbit, so that fast nodes count
- * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J. Its Laurent series at 0 is
- * 1/x + 1/2 + x/12 and its limit at infinity 1; the rational function with both,
+ * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J. Of the rational functions
+ * that go with it at 0, where it is 1/x, and at infinity, 1, and that two sparse solves give,
  *
- *   1/(1 - exp(-x)) ~ 1/x + 1 - 3/(x + 6)       (within 8.6 % for every x > 0),
+ *   1/(1 - exp(-x)) ~ 1 + 1/x - a/(x + b),   a = 1.6446, b = 3.1432,
  *
- * is two sparse solves. An orbit with a frozen J then shrinks the error of every mode at least
- * elevenfold; KINSOL's fixed point with Anderson acceleration takes care of the rest. The
+ * is the nearest: within 0.0254 for every x > 0. An orbit with a frozen J shrinks the error of
+ * every mode 39-fold; KINSOL's fixed point with Anderson acceleration takes care of the rest. The
  * correction dT estimates how far T is from the periodic state, dT - r how far G(T) is; G(T) is
- * what is taken, so dT - r is judged, which the rational function has as 1/x - 3/(x + 6) where it
- * is 1/(exp(x) - 1): off by up to 0.088 in a mode, and 0 at x = 3 where a twentieth of r is left.
- * So at least 0.09 r is taken to be left of every node. Nodes that forget within an orbit have no r
- * but the noise of their integration after the second, which no iteration removes.
+ * what is taken, so dT - r is judged. Where that is small by chance, 0.05 r is taken to be left of
+ * every node: what the rational function does not know, and as much for a J that is not constant.
+ *
+ * With its correction the last orbit's end is nearer: of G(T) + (dT - r) is left 0.05 dT and what
+ * radiation bends over dT, at most 3/2 dT^2 / T. Where that is good enough it is taken, and the
+ * orbit that would only confirm it is saved. Not with thermostats, of whose slope the correction
+ * knows the mean alone.
  *
  * Thermostats act by their mean power (system_heat.c), whose slope, averaged over the orbit, is in
  * J: G is smooth. Seen from outside its narrow transition a thermostat has no slope, so a
@@ -37,6 +40,7 @@
 #include "thermal/exchange_solve_impl.h"
 #include "thermal/integrator_impl.h"
 #include "thermal/linear_impl.h"
+#include "thermal/orbit_return_impl.h"
 #include "thermal/solve.h"
 
 #define ORBITS_LIMIT   40
@@ -49,7 +53,6 @@
 #define WORTH_A_STAGE  5.0  /* a rough stage with less loosening saves nothing */
 #define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE       1e-11 /* the same with exchange between surfaces: slow modes are small in it */
-#define UNKNOWN        0.09 /* of an orbit's drift, that its correction does not know */
 #define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
@@ -158,14 +161,27 @@ static enum um_status correct(struct periodic *periodic)
   double *right = N_VGetArrayPointer(periodic->right); /* J is of the unknowns */
   for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
     right[k] /= system->warming[system->node[k]];
-  /* dT = r + (X + tiny)^-1 r - 3 (X + 6)^-1 r */
+  /* dT = r + (X + tiny)^-1 r - a (X + b)^-1 r */
   UM_TRY(shifted_solve(periodic, SLOWEST));
   N_VLinearSum(1.0, periodic->right, 1.0, periodic->part, periodic->sum);
-  UM_TRY(shifted_solve(periodic, 6.0));
-  N_VLinearSum(1.0, periodic->sum, -3.0, periodic->part, periodic->right);
+  UM_TRY(shifted_solve(periodic, UM_THERMAL_RETURN_SHIFT));
+  N_VLinearSum(1.0, periodic->sum, -UM_THERMAL_RETURN_SHARE, periodic->part, periodic->right);
   for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
     right[k] *= system->warming[system->node[k]];
   return UM_OK;
+}
+
+/* The orbit's end with its correction, and its mean, which is as far off where that matters: in
+ * nodes that are slower than the orbit. */
+static void end_correct(struct periodic *periodic, const double *y, const double *change)
+{
+  const struct um_thermal_system *system = periodic->system;
+  for (size_t k = 0; k < system->nunknown; k++) {
+    double *end = &periodic->end[system->node[k]], *cube = &periodic->mean_cube[system->node[k]];
+    double beyond = y[k] + change[k] - *end;
+    *end += beyond;
+    *cube = pow(cbrt(*cube) + beyond, 3);
+  }
 }
 
 /* One orbit from unknowns y; end, drift and the corrected state. */
@@ -183,13 +199,16 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
   for (size_t k = 0; k < system->nunknown; k++) change[k] = periodic->end[system->node[k]] - y[k];
   UM_TRY(correct(periodic));
   change = N_VGetArrayPointer(periodic->right);
-  double factor = 1.0;
+  double factor = 1.0, left = 0.0; /* of the corrected end [K] */
   periodic->distance = 0.0;
   for (size_t k = 0; k < system->nunknown; k++) {
     double limit = LARGEST_CHANGE * fmax(fabs(periodic->end[system->node[k]]), 10.0);
     double drift = periodic->end[system->node[k]] - y[k];
     double beyond = fabs(change[k] - drift);
-    periodic->distance = fmax(periodic->distance, fmax(beyond, UNKNOWN * fabs(drift)));
+    periodic->distance =
+        fmax(periodic->distance, fmax(beyond, UM_THERMAL_RETURN_ERROR * fabs(drift)));
+    double bend = 1.5 * fabs(change[k]) / fmax(periodic->end[system->node[k]], 10.0);
+    left = fmax(left, (UM_THERMAL_RETURN_ERROR + bend) * fabs(change[k]));
     if (beyond * factor > limit) factor = limit / beyond;
   }
   for (size_t k = 0; k < system->nunknown; k++) {
@@ -197,6 +216,11 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     change[k] = drift + factor * (change[k] - drift);
   }
   thermostats_hold(periodic, y, change);
+  if (periodic->distance > periodic->wanted && left <= periodic->wanted && factor == 1.0 &&
+      system->nthermostat == 0) {
+    end_correct(periodic, y, change);
+    periodic->distance = left;
+  }
   /* good enough: a fixed point, which ends KINSOL's iteration */
   double take = periodic->distance <= periodic->wanted ? 0.0 : 1.0;
   for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + take * change[k];

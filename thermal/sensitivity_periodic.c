@@ -1,10 +1,11 @@
 /* Sensitivities of the periodic state, S(0) = S(P), sought as in periodic.c: with r = S(P) - S(0)
- * and X = -P J of the orbit's mean, S(0) takes r + (X + tiny)^-1 r - 3 (X + 6)^-1 r, which leaves a
- * tenth of the error at most. S(P) is linear in S(0): only the first orbit has the forcing, the
- * others follow what was taken, to a tenth of its size. */
+ * and X = -P J of the orbit's mean, S(0) takes r + (X + tiny)^-1 r - a (X + b)^-1 r, which leaves
+ * a twentieth of the error at most. S(P) is linear in S(0): only the first orbit has the forcing,
+ * the others follow what was taken, to a tenth of its size. */
 #include <math.h>
 #include <string.h>
 
+#include "thermal/orbit_return_impl.h"
 #include "thermal/sensitivity_impl.h"
 
 #define TOLERANCE    1e-4
@@ -37,7 +38,7 @@ static enum um_status shifted_solve(struct periodic *p, double shift)
                       um_thermal_linear_fault(r->linear, fault, sizeof fault));
 }
 
-/* taken = r + (X + tiny)^-1 r - 3 (X + 6)^-1 r. */
+/* taken = r + (X + tiny)^-1 r - a (X + b)^-1 r. */
 static enum um_status correct(struct periodic *p)
 {
   struct um_thermal_sensitivity_run *r = &p->run;
@@ -50,8 +51,8 @@ static enum um_status correct(struct periodic *p)
   if (r->exchange != NULL) um_thermal_system_exchange_hold(r->system, false);
   UM_TRY(shifted_solve(p, SLOWEST));
   for (size_t k = 0; k < count; k++) p->taken[k] = p->left[k] + p->part[k];
-  UM_TRY(shifted_solve(p, 6.0));
-  for (size_t k = 0; k < count; k++) p->taken[k] -= 3.0 * p->part[k];
+  UM_TRY(shifted_solve(p, UM_THERMAL_RETURN_SHIFT));
+  for (size_t k = 0; k < count; k++) p->taken[k] -= UM_THERMAL_RETURN_SHARE * p->part[k];
   return UM_OK;
 }
 
