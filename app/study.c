@@ -4,7 +4,6 @@
 #include "app/app.h"
 #include "app/batch.h"
 #include "batch/records.h"
-#include "compare/measurements.h"
 #include "core/file.h"
 #include "study/measured.h"
 #include "study/plot.h"
@@ -25,20 +24,12 @@ static void print_result(const struct um_study_result *r, const char *folder)
   printf("results in %s\n", folder);
 }
 
-/* What is learnt, where two points or more succeeded; measured NULL: no measurements. */
+/* What is learnt, where two points or more succeeded; fit NULL: no measurements. */
 static enum um_status learn(struct um_context *context, struct um_study_result *result,
-                            const char *measured, struct um_core_folder *folder)
+                            const struct um_study_measured *fit, struct um_core_folder *folder)
 {
   enum um_status status;
   struct um_study_learnt *learnt = NULL;
-  struct um_study_measured *fit = NULL;
-  size_t done = 0;
-  for (size_t i = 0; i < result->npoint; i++) done += result->reason[i] == NULL ? 1 : 0;
-  if (done < 2) {
-    um_core_log(context, UM_LOG_WARNING, "nothing is learnt from %zu points", done);
-    return UM_OK;
-  }
-  if (measured != NULL) UM_CHECK(um_study_measured_create(context, result, measured, &fit));
   UM_CHECK(um_study_learnt_create(context, result, NULL, &learnt));
   UM_CHECK(um_study_report_write(context, result, learnt, folder));
   if (fit != NULL) UM_CHECK(um_study_measured_write(context, result, fit, folder));
@@ -46,7 +37,6 @@ static enum um_status learn(struct um_context *context, struct um_study_result *
   UM_CHECK(um_study_report_print(context, result, learnt, stdout));
   if (fit != NULL) UM_CHECK(um_study_measured_print(context, result, fit, stdout));
 done:
-  um_study_measured_destroy(context, &fit);
   um_study_learnt_destroy(context, &learnt);
   return status;
 }
@@ -55,8 +45,13 @@ static enum um_status write_folder(struct um_context *context, struct um_study_r
                                    const char *measured, const char *path, bool force)
 {
   struct um_core_folder *folder = NULL;
+  struct um_study_measured *fit = NULL;
   FILE *file = NULL;
   enum um_status status;
+  size_t done = 0;
+  for (size_t i = 0; i < result->npoint; i++) done += result->reason[i] == NULL ? 1 : 0;
+  if (measured != NULL && done > 1)
+    UM_CHECK(um_study_measured_create(context, result, measured, &fit));
   UM_CHECK(um_core_folder_begin(context, path, force, &folder));
   UM_CHECK(um_core_folder_open(context, folder, "study.nc", &file));
   UM_CHECK(um_study_write_netcdf(context, result, file));
@@ -64,10 +59,14 @@ static enum um_status write_folder(struct um_context *context, struct um_study_r
   UM_CHECK(um_core_folder_open(context, folder, "points.csv", &file));
   um_study_write_points(result, file);
   UM_CHECK(um_core_file_close(context, "points.csv", &file));
-  UM_CHECK(learn(context, result, measured, folder));
+  if (done > 1)
+    UM_CHECK(learn(context, result, fit, folder));
+  else
+    um_core_log(context, UM_LOG_WARNING, "nothing is learnt from %zu points", done);
   UM_CHECK(um_core_folder_commit(context, &folder));
 done:
   if (file != NULL) fclose(file);
+  um_study_measured_destroy(context, &fit);
   um_core_folder_abort(&folder);
   return status;
 }
@@ -86,7 +85,6 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   enum um_status status;
   struct um_study *study = NULL;
   struct um_study_result *result = NULL;
-  struct um_compare_measurements *measurements = NULL;
   char *folder = NULL, *records = NULL;
   const char *path = options->positional[0];
   if (!options->study_check && options->out == NULL) {
@@ -98,12 +96,9 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   if (!options->study_check) UM_CHECK(try_folder(context, folder, options->force));
   struct um_study_run_options run = {.model = um_app_model_options(options),
                                      .version = UM_APP_VERSION,
+                                     .measured = options->measured,
                                      .batch = {.folder = records}};
   UM_CHECK(um_app_batch_options(context, options, &run.batch));
-  if (options->measured != NULL) { /* what cannot be read is refused before hours of work */
-    UM_CHECK(um_compare_measurements_read(context, options->measured, &measurements));
-    um_compare_measurements_destroy(context, &measurements);
-  }
   UM_CHECK(um_study_create(context, path, &run, &study));
   if (options->study_check) {
     status = um_study_print_check(context, study, stdout);
@@ -111,7 +106,12 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   }
   UM_CHECK(um_study_run(context, study, &result));
   if (result == NULL) goto done;
-  UM_CHECK(write_folder(context, result, options->measured, folder, options->force));
+  status = write_folder(context, result, um_study_measurements(study), folder, options->force);
+  if (status != UM_OK) {
+    um_core_log(context, UM_LOG_WARNING, "all points stay on record in %s: --resume takes them",
+                records);
+    goto done;
+  }
   um_batch_records_remove(context, records);
   print_result(result, folder);
 done:

@@ -87,6 +87,15 @@ bool um_core_path_is_plain(const char *name)
          strchr(name, '/') == NULL;
 }
 
+enum um_status um_core_file_write(struct um_context *context, const char *name, const void *bytes,
+                                  size_t n, FILE *file)
+{
+  errno = 0;
+  if (fwrite(bytes, 1, n, file) == n && fflush(file) == 0) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", name,
+                      errno != 0 ? strerror(errno) : "write error");
+}
+
 enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file)
 {
   if (*file == NULL) return UM_OK;

@@ -36,6 +36,9 @@ const char *um_core_folder_path(const struct um_core_folder *folder);
 /* Open a plain file name inside for writing; the caller closes with um_core_file_close. */
 enum um_status um_core_folder_open(struct um_context *context, struct um_core_folder *folder,
                                    const char *name, FILE **out);
+/* Write all of it. UM_ERR_IO with the name and the reason. */
+enum um_status um_core_file_write(struct um_context *context, const char *name, const void *bytes,
+                                  size_t n, FILE *file);
 /* fclose with its errors (disk full) turned into UM_ERR_IO; sets *file to NULL. */
 enum um_status um_core_file_close(struct um_context *context, const char *name, FILE **file);
 /* Bring what was written to the disk. UM_ERR_IO. */

@@ -55,6 +55,7 @@ struct um_study_file_outputs {
   struct um_mark at;
   struct um_schema_list bands, places; /* of const char * */
   bool magnitudes;
+  const char *measured; /* NULL: none */
 };
 struct um_study_file {
   struct um_mark at;

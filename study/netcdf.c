@@ -6,19 +6,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/file.h"
 #include "orbit/time.h"
 #include "study/study.h"
 
 #define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
 
-enum axis { POINT, PARAMETER, TIME, BAND, PLACE, AXES };
+enum axis { POINT, PARAMETER, TIME, BAND, PLACE, METRIC, AXES };
 
 struct writer {
   struct um_context *context;
   const struct um_study_result *r;
   int file, axis[AXES];
-  size_t nband, nplace;
-  const char **band, **place; /* [nband], [nplace] borrowed */
+  size_t nband, nplace, nmetric;
+  const char **band, **place, **metric; /* [nband], [nplace], [nmetric] borrowed */
 };
 
 static enum um_status check(const struct writer *w, int code)
@@ -71,17 +72,25 @@ static bool is_kind(const struct um_study_quantity *q, const char *kind)
   return strncmp(q->name, kind, n) == 0 && q->name[n] == ':';
 }
 
+/* Against measurements: one value a point. */
+static bool is_metric(const struct um_study_quantity *q)
+{
+  return is_kind(q, "rms") || is_kind(q, "chi2_reduced");
+}
+
 static enum um_status find_axes(struct writer *w)
 {
   const struct um_study_result *r = w->r;
   UM_TRY(um_core_allocate(w->context, r->nquantity, sizeof *w->band, &w->band));
   UM_TRY(um_core_allocate(w->context, r->nquantity, sizeof *w->place, &w->place));
+  UM_TRY(um_core_allocate(w->context, r->nquantity, sizeof *w->metric, &w->metric));
   for (size_t q = 0; q < r->nquantity; q++) {
+    if (is_metric(&r->quantity[q])) w->metric[w->nmetric++] = r->quantity[q].name;
     if (is_kind(&r->quantity[q], "irradiance")) w->band[w->nband++] = r->quantity[q].of;
     if (is_kind(&r->quantity[q], "temperature")) w->place[w->nplace++] = r->quantity[q].of;
   }
-  static const char *const name[AXES] = {"point", "parameter", "time", "band", "place"};
-  const size_t length[AXES] = {r->npoint, r->nparameter, r->ntime, w->nband, w->nplace};
+  static const char *const name[AXES] = {"point", "parameter", "time", "band", "place", "metric"};
+  const size_t length[AXES] = {r->npoint, r->nparameter, r->ntime, w->nband, w->nplace, w->nmetric};
   for (int a = 0; a < AXES; a++)
     if (length[a] > 0) UM_TRY(check(w, nc_def_dim(w->file, name[a], length[a], &w->axis[a])));
   return UM_OK;
@@ -134,6 +143,7 @@ static enum um_status put_axes(const struct writer *w)
   UM_CHECK(texts(w, "parameter_unit", PARAMETER, "unit of the parameter", name));
   if (w->nband > 0) UM_CHECK(texts(w, "band", BAND, "spectral band", w->band));
   if (w->nplace > 0) UM_CHECK(texts(w, "place", PLACE, "place of the satellite", w->place));
+  if (w->nmetric > 0) UM_CHECK(texts(w, "metric", METRIC, "what is held against", w->metric));
   UM_CHECK(put_time(w));
 done:
   um_core_free(w->context, number);
@@ -200,6 +210,28 @@ done:
   return status;
 }
 
+/* Over (point, metric); chi-square [1], rms in the unit of its curve. */
+static enum um_status put_metrics(const struct writer *w)
+{
+  const enum axis all[] = {POINT, METRIC};
+  const struct um_study_result *r = w->r;
+  double *value = NULL;
+  size_t column = 0;
+  if (w->nmetric == 0) return UM_OK;
+  UM_TRY(um_core_allocate(w->context, r->npoint * w->nmetric, sizeof *value, &value));
+  for (size_t q = 0; q < r->nquantity; q++) {
+    if (!is_metric(&r->quantity[q])) continue;
+    for (size_t i = 0; i < r->npoint; i++)
+      value[i * w->nmetric + column] = r->value[i * r->nvalue + r->quantity[q].first];
+    column++;
+  }
+  enum um_status status = numbers(
+      w, "against_measurements", all, 2, NULL,
+      "a point against measurements: rms in the unit of its curve, reduced chi-square", value);
+  um_core_free(w->context, value);
+  return status;
+}
+
 static enum um_status put_all(struct writer *w)
 {
   const struct um_study_result *r = w->r;
@@ -212,6 +244,7 @@ static enum um_status put_all(struct writer *w)
   UM_TRY(put_points(w));
   UM_TRY(put_curves(w, "irradiance", BAND, w->nband, "W m-2", "1"));
   UM_TRY(put_curves(w, "magnitude", BAND, w->nband, NULL, NULL));
+  UM_TRY(put_metrics(w));
   return put_curves(w, "temperature", PLACE, w->nplace, "K", "K");
 }
 
@@ -224,9 +257,11 @@ enum um_status um_study_write_netcdf(struct um_context *context,
   enum um_status status = put_all(&w);
   int code = nc_close_memio(w.file, &image);
   if (status == UM_OK) status = check(&w, code);
-  if (status == UM_OK) (void)fwrite(image.memory, 1, image.size, file);
+  if (status == UM_OK)
+    status = um_core_file_write(context, "study.nc", image.memory, image.size, file);
   free(image.memory);
   um_core_free(context, (void *)w.band);
   um_core_free(context, (void *)w.place);
+  um_core_free(context, (void *)w.metric);
   return status;
 }

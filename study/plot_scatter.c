@@ -58,6 +58,17 @@ static void write(const struct um_study_result *r, const double *weight, FILE *f
   }
 }
 
+/* Of what hardly moves the picture shows that, not rounding: a thousandth of the value each way. */
+static void yrange(struct um_plot *plot, double least, double most, double unit)
+{
+  double size = fmax(fabs(least), fabs(most)) / unit;
+  if (most - least > 1e-6 * size * unit)
+    um_plot_add(plot, "set autoscale y\n");
+  else
+    um_plot_add(plot, "set yrange [%.9g:%.9g]\n", least / unit - 1e-3 * size,
+                most / unit + 1e-3 * size);
+}
+
 /* column: of the quantity in scatter.csv, from 1. */
 static void picture(struct um_plot *plot, const struct um_study_result *r,
                     const struct um_study_quantity *of, size_t column, const double *weight)
@@ -66,10 +77,12 @@ static void picture(struct um_plot *plot, const struct um_study_result *r,
   int rows = (int)((r->nparameter + ACROSS - 1) / ACROSS);
   int across = r->nparameter < ACROSS ? (int)r->nparameter : ACROSS;
   int wide = (WIDTH - LEFT - 24 - (across - 1) * GAP) / across;
-  double largest = 0.0, heaviest = 0.0;
+  double largest = 0.0, heaviest = 0.0, least = INFINITY, most = -INFINITY;
   for (size_t p = 0; p < r->npoint; p++) {
     double v = um_study_statistic_of(of, um_study_result_values(r, p, of), UM_STUDY_MEAN);
     largest = fmax(largest, fabs(v));
+    least = fmin(least, v);
+    most = fmax(most, v);
     if (weight != NULL) heaviest = fmax(heaviest, weight[p]);
   }
   double power = um_study_axis_unit(of, largest, unit);
@@ -85,6 +98,7 @@ static void picture(struct um_plot *plot, const struct um_study_result *r,
     um_plot_panel(plot, left, top, left + wide, top + PANEL);
     um_plot_ylabel(plot, column_at == 0 ? of->name : "", column_at == 0 ? unit : "");
     um_study_plot_xaxis(plot, r, i, wide);
+    yrange(plot, least, most, power);
     um_plot_add(plot, "set format y %s\n", column_at == 0 ? "%g" : "");
     um_plot_add(plot, "plot 'scatter.csv' using (column(%zu)):(column(%zu) / %g)", i + 2, column,
                 power);

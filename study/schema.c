@@ -102,6 +102,10 @@ static const struct um_schema_field outputs_fields[] = {
       HELP("whose mean temperature is wanted, named as in temperatures.csv")),
     F(magnitudes, "magnitudes", UM_SCHEMA_BOOL, DEFAULT(0),
       HELP("AB magnitudes of the bands as well")),
+    F(measured, "measured", UM_SCHEMA_TEXT, .file = true,
+      HELP("a file of measurements (that of umbra compare), from this file's folder: every point's "
+           "rms and reduced chi-square against each channel are kept, and points are weighed by "
+           "them; --measured takes its place")),
 };
 #undef F
 OBJECT(outputs_object, struct um_study_file_outputs, "outputs", "What is kept of every point.",

@@ -3,8 +3,10 @@
 
 #include <math.h>
 #include <omp.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "compare/measurements.h"
 #include "core/file.h"
 #include "model/build.h"
 #include "model/precompute.h"
@@ -67,10 +69,35 @@ static enum um_status make_nominal(struct um_context *context, struct um_study *
   return UM_OK;
 }
 
+/* Whose measurements; what cannot be read is refused before hours of work. */
+static enum um_status find_measurements(struct um_context *context, const char *path,
+                                        struct um_study *study)
+{
+  struct um_compare_measurements *measurements = NULL;
+  if (study->options.measured != NULL)
+    UM_TRY(um_core_strdup(context, study->options.measured, &study->measurements));
+  else if (study->file->outputs->measured != NULL)
+    UM_TRY(
+        um_core_path_resolve(context, path, study->file->outputs->measured, &study->measurements));
+  if (study->measurements == NULL) return UM_OK;
+  enum um_status status = um_compare_measurements_read(context, study->measurements, &measurements);
+  if (status == UM_ERR_IO && study->options.measured == NULL) { /* with its place in study.yaml */
+    char reason[256];
+    snprintf(reason, sizeof reason, "%s", um_core_message(context));
+    um_core_message_clear(context);
+    return um_document_mark_fail(
+        context, um_document_mark_key(&study->file->outputs->at, "measured"), "%s", reason);
+  }
+  UM_TRY(status);
+  um_compare_measurements_destroy(context, &measurements);
+  return UM_OK;
+}
+
 static enum um_status prepare(struct um_context *context, const char *path, struct um_study *study)
 {
   UM_TRY(um_study_file_read(context, path, &study->document, &study->file));
   UM_TRY(um_core_path_resolve(context, path, study->file->scenario, &study->scenario));
+  UM_TRY(find_measurements(context, path, study));
   UM_TRY(um_core_files_hold(context));
   study->holds_files = true;
   UM_TRY(um_model_create(context, study->scenario, &study->options.model, &study->model));
@@ -116,9 +143,11 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_core_free(context, s->scale);
   um_core_free(context, s->measured);
   um_core_free(context, s->scenario);
+  um_core_free(context, s->measurements);
   um_document_destroy(&s->document);
   um_core_free(context, s);
   *study = NULL;
 }
 
 const char *um_study_name(const struct um_study *study) { return study->file->name; }
+const char *um_study_measurements(const struct um_study *study) { return study->measurements; }

@@ -14,19 +14,22 @@ struct um_study;
 struct um_study_run_options {
   struct um_model_options model; /* of the command line: --set, --with, --without */
   const char *version;           /* of the program: records of another are refused */
+  const char *measured;          /* measurements in place of the file's, or NULL */
   /* folder of the records, resume, workers, share; the rest is filled in */
   struct um_batch_task batch;
 };
 
 /* Read study.yaml and its scenario; trace its geometry, solve its heat. Every parameter is tried at
- * both ends of its range. UM_ERR_INPUT with file, line and key: what is wrong there, a parameter
- * that changes nothing; errors of um_model_create, _precompute and _run. Progress is reported. The
- * caller destroys. */
+ * both ends of its range; measurements are read once, to know that they can be. UM_ERR_INPUT with
+ * file, line and key: what is wrong there, a parameter that changes nothing; errors of
+ * um_model_create, _precompute and _run. Progress is reported. The caller destroys. */
 enum um_status um_study_create(struct um_context *context, const char *path,
                                const struct um_study_run_options *options, struct um_study **out);
 /* Accepts NULL, sets NULL. */
 void um_study_destroy(struct um_context *context, struct um_study **study);
 const char *um_study_name(const struct um_study *study);
+/* Path of the measurements that points are held against; NULL: none. */
+const char *um_study_measurements(const struct um_study *study);
 
 /* What is known before it runs, as text for people: how many points, what each parameter wants
  * computed anew, how long and how much disk. One point is computed for that. */
@@ -39,7 +42,8 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
                             struct um_study_result **out);
 
 /* study.nc: netCDF-4 with coordinates (docs/files.md). points.csv: a row for every point, with its
- * parameters and the extremes of its curves. UM_ERR_IO, UM_ERR_MEMORY. */
+ * parameters, the extremes of its curves, and metrics against measurements. UM_ERR_IO,
+ * UM_ERR_MEMORY. */
 enum um_status um_study_write_netcdf(struct um_context *context,
                                      const struct um_study_result *result, FILE *file);
 void um_study_write_points(const struct um_study_result *result, FILE *file);

@@ -31,6 +31,7 @@ struct um_study {
   struct um_document *document;
   struct um_study_file *file;
   char *scenario;         /* its path */
+  char *measurements;     /* their path, NULL: none */
   struct um_model *model; /* the scenario as it stands */
   struct um_model_precomputed *precomputed;
   struct um_model_thermal_solution *heat;

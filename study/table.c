@@ -36,9 +36,9 @@ void um_study_write_points(const struct um_study_result *r, FILE *file)
     um_core_csv_put(file, r->parameter_name[j], "");
   }
   for (size_t q = 0; q < r->nquantity; q++)
-    for (int e = 0; e < 3; e++) {
+    for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++) {
       fputc(',', file);
-      um_core_csv_put(file, r->quantity[q].name, tail[e]);
+      um_core_csv_put(file, r->quantity[q].name, r->quantity[q].count > 1 ? tail[e] : "");
     }
   fputs(",reason\n", file);
   for (size_t i = 0; i < r->npoint; i++) {
@@ -47,7 +47,7 @@ void um_study_write_points(const struct um_study_result *r, FILE *file)
     for (size_t q = 0; q < r->nquantity; q++) {
       double of[3];
       extremes(um_study_result_values(r, i, &r->quantity[q]), r->quantity[q].count, of);
-      for (int e = 0; e < 3; e++) number(file, of[e]);
+      for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++) number(file, of[e]);
     }
     fputc(',', file);
     um_core_csv_put(file, r->reason[i] != NULL ? r->reason[i] : "", "");
