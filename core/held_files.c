@@ -1,8 +1,10 @@
 /* While files are held, every one is read once and served from memory again, so that what is built
  * many times is built from the same bytes though somebody edits them meanwhile. */
-#include "core/held_files_impl.h"
+#include "core/file.h"
 
 #include <string.h>
+
+#include "core/held_files_impl.h"
 
 struct held {
   char *path, *text; /* text with a NUL behind it */
@@ -40,6 +42,19 @@ void um_core_files_let_go(struct um_context *context)
   um_core_free(context, h->file);
   um_core_free(context, h);
   *held = NULL;
+}
+
+uint64_t um_core_files_digest(struct um_context *context)
+{
+  const struct um_core_held_files *h = *um_core_context_held_files(context);
+  uint64_t sum = 0;
+  for (size_t i = 0; h != NULL && i < h->count; i++) {
+    uint64_t hash = UINT64_C(14695981039346656037);
+    for (size_t k = 0; k <= h->file[i].length; k++) /* its NUL too: an empty file counts */
+      hash = (hash ^ (unsigned char)h->file[i].text[k]) * UINT64_C(1099511628211);
+    sum += hash;
+  }
+  return sum;
 }
 
 enum um_status um_core_held_files_find(struct um_context *context, const char *path, char **out,

@@ -25,6 +25,7 @@ struct held {
   double *coordinate;                     /* [npass][UM_STUDY_FORECAST_COORDINATES] */
   struct um_study_forecast_band *band;    /* [npass][nband] */
   struct um_study_forecast_place *places; /* [npass][nplace] */
+  bool holds_files;
 };
 
 const char *um_study_sky(double sun_elevation)
@@ -193,16 +194,13 @@ static uint64_t hash_texts(uint64_t h, const char *const *text, size_t n)
   return hash(h, &n, sizeof n);
 }
 
-/* The scenario's text, its changes and the stations: a pass of these has its values. */
-static enum um_status identify(struct um_context *context, const struct held *h,
-                               const struct um_model *model, uint64_t *identity)
+/* The scenario and all files that it names, its changes and the stations: a pass of these has its
+ * values. */
+static uint64_t identify(struct um_context *context, const struct held *h, uint64_t identity)
 {
-  char *text;
-  size_t length;
   const struct um_model_options *o = h->ask.options;
-  UM_TRY(um_core_file_read(context, model->scenario->at.file, (size_t)1 << 28, &text, &length));
-  uint64_t id = hash(*identity, text, length);
-  um_core_free(context, text);
+  const uint64_t files = um_core_files_digest(context);
+  uint64_t id = hash(identity, &files, sizeof files);
   id = hash_texts(id, o->overrides, o->noverride);
   id = hash_texts(id, o->with, o->nwith);
   id = hash_texts(id, o->without, o->nwithout);
@@ -212,8 +210,7 @@ static enum um_status identify(struct um_context *context, const struct held *h,
     const double place[3] = {s->latitude, s->longitude, s->height};
     id = hash(id, place, sizeof place);
   }
-  *identity = id;
-  return UM_OK;
+  return id;
 }
 
 static enum um_status prepare(struct um_context *context, struct held *h,
@@ -222,6 +219,8 @@ static enum um_status prepare(struct um_context *context, struct held *h,
   enum um_status status;
   struct um_study_forecast *f = &h->forecast;
   struct um_model *model = NULL;
+  UM_CHECK(um_core_files_hold(context)); /* every pass is of the same bytes */
+  h->holds_files = true;
   UM_CHECK(um_model_create(context, h->ask.path, h->ask.options, &model));
   f->from = isnan(h->ask.from) ? model->scenario->time->start : h->ask.from;
   f->to = f->from + h->ask.days * DAY;
@@ -232,7 +231,7 @@ static enum um_status prepare(struct um_context *context, struct held *h,
                              : h->ask.minimum_elevation;
   UM_CHECK(name_outputs(context, h, model));
   UM_CHECK(um_study_forecast_pin(context, model, &h->work));
-  UM_CHECK(identify(context, h, model, &task->identity));
+  task->identity = identify(context, h, task->identity);
 done:
   um_model_destroy(context, &model);
   return status;
@@ -325,6 +324,7 @@ void um_study_forecast_destroy(struct um_context *context, struct um_study_forec
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
   for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);
   for (size_t i = 0; i < h->work.npin; i++) um_core_free(context, h->work.pin[i]);
+  if (h->holds_files) um_core_files_let_go(context);
   void *const block[] = {h->work.pin, f->pass,   f->band, f->thermal, f->place,
                          f->station,  f->value,  f->name, h->place,   h->coordinate,
                          h->band,     h->places, h};
