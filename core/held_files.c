@@ -1,10 +1,9 @@
 /* While files are held, every one is read once and served from memory again, so that what is built
  * many times is built from the same bytes though somebody edits them meanwhile. */
-#include "core/file.h"
-
-#include <string.h>
-
 #include "core/held_files_impl.h"
+
+#include <stdint.h>
+#include <string.h>
 
 struct held {
   char *path, *text; /* text with a NUL behind it */
