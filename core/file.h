@@ -17,7 +17,7 @@ enum um_status um_core_file_read(struct um_context *context, const char *path, s
 enum um_status um_core_files_hold(struct um_context *context);
 void um_core_files_let_go(struct um_context *context);
 /* A number that the bytes of all files held so far make (Fowler, Noll and Vo, 64 bits, summed), in
- * whatever order they were read; 0 where none are. */
+ * whatever order they were read, whoever read them; 0 where none are. */
 uint64_t um_core_files_digest(struct um_context *context);
 /* "dir of base_file / relative", or a copy when `relative` is absolute; the caller frees. */
 enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,

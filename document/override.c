@@ -4,6 +4,7 @@
  * longest label (name, effect:target, effect) that fits, or a position counted from 0; so names
  * with dots in them are still reached. Missing mappings are made; a list grows by one element at a
  * path that ends in "+". */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@ struct walk {
   struct um_document *document;
   const char *key; /* whole path, for messages */
   const char *rest;
+  bool look; /* nothing is made: a node that is not there is NULL */
 };
 
 /* Does `word` stand at the start of `rest`, followed by a dot or the end? */
@@ -70,6 +72,8 @@ static enum um_status step_map(struct walk *w, struct um_node *map, struct um_no
     *out = best;
     return UM_OK;
   }
+  *out = NULL;
+  if (w->look) return UM_OK;
   size_t length = strcspn(w->rest, ".");
   if (length == 0) return fail_walk(w, "an empty part between dots", "names joined by single dots");
   const char *key;
@@ -124,6 +128,8 @@ static enum um_status step_list(struct walk *w, struct um_node *list, struct um_
 {
   size_t length, matches;
   if (strcmp(w->rest, NEXT) == 0) {
+    *out = NULL;
+    if (w->look) return UM_OK;
     w->rest = behind(w->rest, strlen(NEXT));
     return add_child(w, list, NULL, out);
   }
@@ -158,6 +164,7 @@ static enum um_status find_target(struct walk *w, struct um_node **out)
     return fail_walk(w, "an empty part behind the last dot", "names joined by single dots");
   for (int depth = 0; w->rest[0] != '\0'; depth++) {
     if (depth == UM_NODE_DEPTH_MAX) return fail_walk(w, "nested too deep", "");
+    if (node == NULL || (w->look && node->kind == UM_NODE_NULL)) break;
     if (node->kind == UM_NODE_NULL) {
       node->kind = strcmp(w->rest, NEXT) == 0 ? UM_NODE_LIST : UM_NODE_MAP;
       node->flow = true;
@@ -194,7 +201,7 @@ enum um_status um_document_set(struct um_document *document, const char *overrid
   UM_TRY(um_document_check_text(context, name, value_text, length));
   struct um_node *value = NULL, *target = document->root;
   UM_TRY(um_document_yaml_load(document, name, false, value_text, length, &value));
-  struct walk w = {document, key, key};
+  struct walk w = {document, key, key, false};
   UM_TRY(find_target(&w, &target));
   /* the target keeps its place among its siblings and takes over the value's content */
   struct um_node old = *target;
@@ -205,4 +212,18 @@ enum um_status um_document_set(struct um_document *document, const char *overrid
   target->place = old.place;
   target->next = old.next;
   return UM_OK;
+}
+
+double um_document_number(struct um_document *document, const char *key)
+{
+  struct walk w = {document, key, key, true};
+  struct um_node *node = NULL;
+  char *end;
+  if (find_target(&w, &node) != UM_OK) {
+    um_core_message_clear(document->context);
+    return NAN;
+  }
+  if (node == NULL || node->kind != UM_NODE_SCALAR || !node->plain || w.rest[0] != '\0') return NAN;
+  double value = strtod(node->text, &end);
+  return end == node->text || *end != '\0' ? (double)NAN : value;
 }

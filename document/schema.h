@@ -130,6 +130,9 @@ enum um_status um_document_text(struct um_context *context, const struct um_docu
  * a name whose folder does not exist. */
 enum um_status um_document_move(struct um_context *context, struct um_document *document,
                                 const struct um_schema_object *schema, const char *folder);
+/* The number at a key path (that of an override), after overrides; NaN where the document has none
+ * there. */
+double um_document_number(struct um_document *document, const char *key);
 /* Memory owned by the document, zeroed; for things derived while binding. */
 enum um_status um_document_allocate(struct um_context *context, struct um_document *document,
                                     size_t count, size_t size, void *out);

@@ -108,6 +108,7 @@ enum um_status um_study_way_find(struct um_context *context, const struct um_mod
   um_study_parameter_name(p, out->name);
   if (p->material != NULL) UM_TRY(material_way(context, model, p, out));
   if (p->effect != NULL) UM_TRY(effect_way(context, model, p, out));
+  if (p->key != NULL) out->nominal = um_document_number(model->document, p->key);
   if (p->unit != NULL) out->unit = p->unit;
   return UM_OK;
 }

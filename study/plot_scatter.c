@@ -58,15 +58,15 @@ static void write(const struct um_study_result *r, const double *weight, FILE *f
   }
 }
 
-/* Of what hardly moves the picture shows that, not rounding: a thousandth of the value each way. */
+/* Of what hardly moves the picture shows that, not rounding: a tenth of the value each way. */
 static void yrange(struct um_plot *plot, double least, double most, double unit)
 {
   double size = fmax(fabs(least), fabs(most)) / unit;
   if (most - least > 1e-6 * size * unit)
     um_plot_add(plot, "set autoscale y\n");
   else
-    um_plot_add(plot, "set yrange [%.9g:%.9g]\n", least / unit - 1e-3 * size,
-                most / unit + 1e-3 * size);
+    um_plot_add(plot, "set yrange [%.9g:%.9g]\n", least / unit - 0.1 * size,
+                most / unit + 0.1 * size);
 }
 
 /* column: of the quantity in scatter.csv, from 1. */

@@ -25,8 +25,8 @@ static uint64_t mix_texts(uint64_t hash, const char *const *text, size_t n)
   return hash;
 }
 
-/* Of what a point is: which number means what, scenario and files that it names, changes, version
- * and tolerances. */
+/* Of what a point is: which number means what, scenario, changes, version and tolerances. Curves of
+ * the scenario as it stands speak for the files that it names. */
 static enum um_status identify(struct um_context *context, const struct um_study *study,
                                uint64_t *out)
 {
@@ -52,8 +52,6 @@ static enum um_status identify(struct um_context *context, const struct um_study
     hash = mix(hash, &study->output[q].kind, sizeof study->output[q].kind);
     hash = mix_texts(hash, &study->output[q].of, 1);
   }
-  const uint64_t files = um_core_files_digest(context);
-  hash = mix(hash, &files, sizeof files);
   hash = mix(hash, study->nominal, study->nvalue * sizeof(double));
   *out = mix(hash, &study->tolerance_factor, sizeof study->tolerance_factor);
   return UM_OK;

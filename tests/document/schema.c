@@ -154,6 +154,36 @@ static void test_overrides(void **state)
   um_document_destroy(&document);
 }
 
+/* Numbers by the same paths; looking makes nothing. */
+static void test_numbers(void **state)
+{
+  (void)state;
+  struct um_document *document;
+  char *before, *after;
+  static const char *const none[] = {"name",
+                                     "parts.bus",
+                                     "parts.bus.shell.thickness_m",
+                                     "no.such",
+                                     "parts.nobody.size_m",
+                                     "altitude_km.of",
+                                     "parts.+.name",
+                                     ""};
+  parse(&document, "altitude_km=700", "parts.bus.size_m=[4, 5, 6]", NULL);
+  assert_int_equal(um_document_text(context, document, &before), UM_OK);
+  assert_true(um_document_number(document, "altitude_km") == 700.0);
+  assert_true(um_document_number(document, "parts.bus.size_m.1") == 5.0);
+  assert_true(um_document_number(document, "parts.1.shell.thickness_m") == 0.01);
+  assert_true(um_document_number(document, "materials.mli.emittance") == 0.5);
+  for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+    if (!isnan(um_document_number(document, none[i]))) fail_msg("'%s' is a number", none[i]);
+  assert_string_equal(um_core_message(context), "");
+  assert_int_equal(um_document_text(context, document, &after), UM_OK);
+  assert_string_equal(before, after);
+  um_core_free(context, before);
+  um_core_free(context, after);
+  um_document_destroy(&document);
+}
+
 static void test_override_refusals(void **state)
 {
   (void)state;
@@ -484,19 +514,13 @@ static void test_paths(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_paths),
-      cmocka_unit_test(test_values),
-      cmocka_unit_test(test_marks),
-      cmocka_unit_test(test_overrides),
-      cmocka_unit_test(test_override_refusals),
-      cmocka_unit_test(test_value_refusals),
-      cmocka_unit_test(test_text_refusals),
-      cmocka_unit_test(test_files),
-      cmocka_unit_test(test_other_editors),
-      cmocka_unit_test(test_text_edited),
-      cmocka_unit_test(test_text_rewritten),
-      cmocka_unit_test(test_text_of_blocks),
-      cmocka_unit_test(test_mark_of_key),
+      cmocka_unit_test(test_paths),          cmocka_unit_test(test_values),
+      cmocka_unit_test(test_marks),          cmocka_unit_test(test_overrides),
+      cmocka_unit_test(test_numbers),        cmocka_unit_test(test_override_refusals),
+      cmocka_unit_test(test_value_refusals), cmocka_unit_test(test_text_refusals),
+      cmocka_unit_test(test_files),          cmocka_unit_test(test_other_editors),
+      cmocka_unit_test(test_text_edited),    cmocka_unit_test(test_text_rewritten),
+      cmocka_unit_test(test_text_of_blocks), cmocka_unit_test(test_mark_of_key),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -104,6 +104,7 @@ static void test_exact(void **state)
   assert_int_equal(r->npoint, 6);
   assert_int_equal(r->nvalue, 4 * r->ntime);
   assert_true(fabs(r->at_nominal[0] - 0.85) < 1e-9);
+  assert_true(r->at_nominal[1] == 5.0); /* as the scenario's text has it */
   double worst = against_own_runs(r, 3);
   print_message("exact: %.3f of the asked error\n", worst);
   assert_true(worst > 0.0 && worst <= 1.0);
