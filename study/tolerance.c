@@ -13,8 +13,10 @@
 #define SHARE           0.5
 #define SHARE_SURROGATE 0.2
 
-/* Above 6 points cost less, but a surrogate wants more of them, and the search for a periodic state
- * was seen to go on for long (docs/decisions/0013-studies.md). */
+/* Above 6 the points of a surrogate cost less, but differ from each other by more than it can
+ * follow: where a loose search for the periodic state ends is not smooth in the parameters. */
+#define FIRST           0 /* of the factors that an exact study tries */
+#define FIRST_SURROGATE 2
 static const double factors[] = {30.0, 12.0, 6.0, 3.0, 1.0};
 #define FACTORS (sizeof factors / sizeof factors[0])
 
@@ -63,7 +65,8 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   struct um_model *model = NULL;
   double *value = NULL, *own;
   bool serves = false;
-  study->tolerance_factor = factors[0];
+  size_t first = study->file->mode == UM_STUDY_SURROGATE ? FIRST_SURROGATE : FIRST;
+  study->tolerance_factor = factors[first];
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
@@ -75,7 +78,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
     goto done;
   }
   UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
-  for (size_t i = 0; i < FACTORS; i++) {
+  for (size_t i = first; i < FACTORS; i++) {
     study->tolerance_factor = factors[i];
     UM_CHECK(um_study_values(context, study, model, study->precomputed, false, value));
     um_study_differences(study, value, own, study->measured);
