@@ -6,7 +6,6 @@
 #include "model/thermal_solution_impl.h"
 
 #define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
-#define LOOSEST            5.0  /* factor on it where the integration is that much looser */
 #define EARLY_TOLERANCE    1.0 /* then, before emittances are those of the state that is found [K] */
 #define DRAFT_TOLERANCE    0.1   /* the same while emittances are not known [K] */
 #define DRAFT_FACTOR       30.0  /* then on the tolerances of the integration */
@@ -29,7 +28,7 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
     memcpy(mean, heat->start, um_thermal_network_nodes(network) * sizeof *mean);
     return UM_OK;
   }
-  double wanted = PERIODIC_TOLERANCE * fmin(options.tolerance_factor, LOOSEST);
+  double wanted = PERIODIC_TOLERANCE;
   if (draft) {
     wanted = options.tolerance_factor > 1.0 ? EARLY_TOLERANCE : DRAFT_TOLERANCE;
     options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
