@@ -5,10 +5,10 @@
 
 #include "model/thermal_solution_impl.h"
 
-#define PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
-#define EARLY_TOLERANCE    1.0 /* then, before emittances are those of the state that is found [K] */
-#define DRAFT_TOLERANCE    0.1   /* the same while emittances are not known [K] */
-#define DRAFT_FACTOR       30.0  /* then on the tolerances of the integration */
+#define PERIODIC_TOLERANCE 0.01  /* of the repeating state [K] */
+#define EARLY_TOLERANCE    1.0   /* of a loose search, while emittances settle [K] */
+#define DRAFT_TOLERANCE    0.1   /* of a draft: a rough search while emittances are not known [K] */
+#define DRAFT_FACTOR       30.0  /* of a draft, on the tolerances of the integration */
 #define ROUNDING           1e-9  /* an emittance that moves by less is constant */
 #define DRAFT_INSTANTS     128   /* that a mean of a stated start's run is made of */
 #define DRAFT_EMITTANCE    0.003 /* an emittance that moves by less is known: the next is the same */

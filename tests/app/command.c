@@ -222,6 +222,23 @@ void command_write_bytes(const char *path, const void *bytes, size_t length)
   assert_int_equal(fclose(file), 0);
 }
 
+void command_expect_same(const char *a, const char *b, const char *const *files)
+{
+  for (; *files != NULL; files++) {
+    char path[256];
+    size_t na, nb;
+    snprintf(path, sizeof path, "%s/%s", a, *files);
+    char *of_a = command_read_bytes(path, &na);
+    snprintf(path, sizeof path, "%s/%s", b, *files);
+    char *of_b = command_read_bytes(path, &nb);
+    assert_true(na > 1000);
+    assert_int_equal(na, nb);
+    assert_memory_equal(of_a, of_b, na);
+    free(of_a);
+    free(of_b);
+  }
+}
+
 void command_write(const char *path, const char *text)
 {
   command_write_bytes(path, text, strlen(text));

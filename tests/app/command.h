@@ -37,6 +37,8 @@ void command_expect(int code, const char *first, ...) __attribute__((sentinel));
 /* Whole file; the caller frees. The test fails when it cannot be read. */
 char *command_read_bytes(const char *path, size_t *length);
 char *command_read(const char *path);
+/* Files up to NULL hold the same bytes, more than 1000 of them, in folders a and b. */
+void command_expect_same(const char *a, const char *b, const char *const *files);
 void command_write(const char *path, const char *text);
 void command_write_bytes(const char *path, const void *bytes, size_t length);
 bool command_exists(const char *path);

@@ -81,20 +81,8 @@ static void test_alone(void **state)
 
 static void expect_same(const char *a, const char *b)
 {
-  static const char *const files[] = {"passes.csv", "curves.csv", "passes.ics"};
-  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-    char path[64];
-    size_t na, nb;
-    snprintf(path, sizeof path, "%s/%s", a, files[i]);
-    char *of_a = command_read_bytes(path, &na);
-    snprintf(path, sizeof path, "%s/%s", b, files[i]);
-    char *of_b = command_read_bytes(path, &nb);
-    assert_true(na > 1000);
-    assert_int_equal(na, nb);
-    assert_memory_equal(of_a, of_b, na);
-    free(of_a);
-    free(of_b);
-  }
+  static const char *const files[] = {"passes.csv", "curves.csv", "passes.ics", NULL};
+  command_expect_same(a, b, files);
 }
 
 /* One process, two, two shares and a gathering, a stop and a resume: the same files. */
