@@ -134,6 +134,17 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out)
 {
+  return um_model_thermal_solution_near(context, model, precomputed, warm, tolerance_factor,
+                                        UM_MODEL_PERIODIC_TOLERANCE, out);
+}
+
+enum um_status um_model_thermal_solution_near(struct um_context *context,
+                                              const struct um_model *model,
+                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_thermal_solution *warm,
+                                              double tolerance_factor, double periodic_tolerance,
+                                              struct um_model_thermal_solution **out)
+{
   enum um_status status;
   struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
@@ -149,9 +160,10 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
       &heat->setting));
   heat->setting.options.tolerance_factor = tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
+  UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
-  status = um_model_thermal_start(context, warm, heat);
+  status = um_model_thermal_start(context, warm, periodic_tolerance, heat);
   if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
   /* temperatures that are stated are those of that instant, not means over its turn */
   if (status == UM_OK && precomputed->ripple != NULL &&
@@ -182,6 +194,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   um_thermal_history_destroy(context, &(*heat)->run.history);
   um_core_free(context, (*heat)->run.surface);
   um_core_free(context, (*heat)->start);
+  um_core_free(context, (*heat)->mean);
   um_model_heat_setting_clear(context, &(*heat)->setting);
   um_core_free(context, *heat);
   *heat = NULL;

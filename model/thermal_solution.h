@@ -8,18 +8,26 @@
 /* The heat half of a run, kept: models that differ in what heat does not feel (calibration,
  * roughness, emissivity in a band) share it. Model and geometry precomputation outlive it. */
 struct um_model_thermal_solution;
-/* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from there,
- * which takes an orbit or two in place of many; the state found differs within the tolerance of
- * the search (0.01 K). It does not touch an isothermal start. tolerance_factor: factor >= 1 on the
- * tolerances of the integration; above 1 the run goes on from the end of the periodic orbit where
- * it can, without drift of the places and with an audit of the observations alone. Errors of the
- * thermal solvers. The caller destroys. */
+/* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from where
+ * that of `warm` moves to, which takes an orbit or two in place of many; the state found differs
+ * within the tolerance of the search (0.01 K). It does not touch an isothermal start.
+ * tolerance_factor: factor >= 1 on the tolerances of the integration; above 1 the run goes on from
+ * the end of the periodic orbit where it can, without drift of the places and with an audit of the
+ * observations alone. Errors of the thermal solvers. The caller destroys. */
 enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model *model,
                                                 const struct um_model_precomputed *precomputed,
                                                 const struct um_model_thermal_solution *warm,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out);
+/* The same from heat of a model next to this one, for many of them: the periodic state is found to
+ * within `periodic` [K], of which the search's own estimate is a few times what is left. */
+enum um_status um_model_thermal_solution_near(struct um_context *context,
+                                              const struct um_model *model,
+                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_thermal_solution *warm,
+                                              double tolerance_factor, double periodic,
+                                              struct um_model_thermal_solution **out);
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
 /* *out: true when the model has the same temperatures on this geometry precomputation: network,

@@ -21,10 +21,12 @@ struct um_model_thermal_solution {
   const struct um_model_precomputed *precomputed; /* borrowed */
   struct um_model_heat_setting setting;
   double *start;         /* [nnode] start temperatures [K] */
+  double *mean;          /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
   double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
 
+#define UM_MODEL_PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
 /* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
  * as built, and heat->setting.exchange for what follows. warm: NULL, or heat of a model with the
  * same nodes: a periodic state is looked for from there, and surfaces exchange as they do there
@@ -32,6 +34,7 @@ struct um_model_thermal_solution {
  */
 enum um_status um_model_thermal_start(struct um_context *context,
                                       const struct um_model_thermal_solution *warm,
+                                      double periodic_tolerance,
                                       struct um_model_thermal_solution *heat);
 /* Temperatures of the surfaces at every instant, as the optics want them, from the history. */
 enum um_status um_model_heat_run_surfaces(struct um_context *context,

@@ -5,18 +5,16 @@
 
 #include "model/thermal_solution_impl.h"
 
-#define PERIODIC_TOLERANCE 0.01  /* of the repeating state [K] */
-#define EARLY_TOLERANCE    1.0   /* of a loose search, while emittances settle [K] */
-#define DRAFT_TOLERANCE    0.1   /* of a draft: a rough search while emittances are not known [K] */
-#define DRAFT_FACTOR       30.0  /* of a draft, on the tolerances of the integration */
-#define ROUNDING           1e-9  /* an emittance that moves by less is constant */
-#define DRAFT_INSTANTS     128   /* that a mean of a stated start's run is made of */
-#define DRAFT_EMITTANCE    0.003 /* an emittance that moves by less is known: the next is the same */
+#define DRAFT_TOLERANCE 0.1   /* of a draft: a rough search while emittances are not known [K] */
+#define DRAFT_FACTOR    30.0  /* of a draft, on the tolerances of the integration */
+#define ROUNDING        1e-9  /* an emittance that moves by less is constant */
+#define DRAFT_INSTANTS  128   /* that a mean of a stated start's run is made of */
+#define DRAFT_EMITTANCE 0.003 /* an emittance that moves by less is known: the next is the same */
 
-/* From heat->start toward the periodic start, surfaces exchanging what they do now. draft: roughly.
- * mean[nnode]: temperatures over the orbit, or of the steady state where there is none [K]. */
+/* From heat->start to within `wanted` of the periodic start [K], surfaces exchanging what they do
+ * now. draft: roughly. heat->mean: of the steady state itself where there is no orbit. */
 static enum um_status search(struct um_context *context, struct um_model_thermal_solution *heat,
-                             bool draft, double *mean)
+                             double wanted, bool draft)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
   struct um_thermal_network *network = heat->model->body->network;
@@ -25,25 +23,21 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
   um_thermal_network_temperatures_set(network, heat->start);
   if (isnan(precomputed->period)) {
     UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start));
-    memcpy(mean, heat->start, um_thermal_network_nodes(network) * sizeof *mean);
+    memcpy(heat->mean, heat->start, um_thermal_network_nodes(network) * sizeof *heat->mean);
     return UM_OK;
   }
-  double wanted = PERIODIC_TOLERANCE;
-  if (draft) {
-    wanted = options.tolerance_factor > 1.0 ? EARLY_TOLERANCE : DRAFT_TOLERANCE;
-    options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-  }
+  if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
   UM_TRY(um_thermal_solve_periodic_report(context, network, precomputed->loads, &options,
                                           precomputed->t_start, precomputed->period, wanted,
-                                          heat->start, NULL, mean, &report));
+                                          heat->start, NULL, heat->mean, &report));
   heat->periodic_drift = report.distance;
   return UM_OK;
 }
 
-/* mean[nnode]: temperatures of a rough run from a stated start over its last orbit, or all of it
+/* heat->mean: temperatures of a rough run from a stated start over its last orbit, or all of it
  * where it is shorter, of the fourth power [K]. */
 static enum um_status run_roughly(struct um_context *context,
-                                  const struct um_model_thermal_solution *heat, double *mean)
+                                  struct um_model_thermal_solution *heat)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
   struct um_thermal_network *network = heat->model->body->network;
@@ -51,6 +45,7 @@ static enum um_status run_roughly(struct um_context *context,
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
   double end = precomputed->loads->t[precomputed->loads->ntime - 1], time[DRAFT_INSTANTS];
+  double *mean = heat->mean;
   if (!(end > precomputed->t_start)) {
     memcpy(mean, heat->start, n * sizeof *mean);
     return UM_OK;
@@ -74,24 +69,64 @@ static enum um_status run_roughly(struct um_context *context,
 /* Of a stated start one rough run and one renewal, whatever is known of other models: results are
  * smooth in what the model is made of, and the same bits from anywhere. */
 static enum um_status settle_stated(struct um_context *context,
-                                    struct um_model_thermal_solution *heat, double *mean)
+                                    struct um_model_thermal_solution *heat)
 {
   double change;
   UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, 0.0, 0,
                                      &heat->setting, &change));
   if (!(change > ROUNDING)) return UM_OK; /* emittances do not go with temperature */
-  UM_TRY(run_roughly(context, heat, mean));
-  return um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, 0.0, 0,
+  UM_TRY(run_roughly(context, heat));
+  return um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->mean, 0.0, 0,
                                      &heat->setting, &change);
+}
+
+/* Is the periodic state that of a mean balance? */
+static bool predicts(const struct um_model_thermal_solution *warm,
+                     const struct um_model_thermal_solution *heat)
+{
+  return warm->model->scenario->thermal->start == UM_START_PERIODIC &&
+         !isnan(warm->precomputed->period) && !isnan(heat->precomputed->period) &&
+         um_thermal_network_thermostats(warm->model->body->network) == 0 &&
+         um_thermal_network_thermostats(heat->model->body->network) == 0;
+}
+
+/* heat->mean and start of a model next to that of `warm`, moved as their mean balances differ; the
+ * exchange as it goes with that. */
+static enum um_status predict(struct um_context *context,
+                              const struct um_model_thermal_solution *warm,
+                              struct um_model_thermal_solution *heat)
+{
+  enum um_status status;
+  const struct um_model_precomputed *precomputed = heat->precomputed, *base = warm->precomputed;
+  struct um_thermal_network *network = heat->model->body->network;
+  size_t n = um_thermal_network_nodes(network);
+  double *rest = NULL, change = INFINITY;
+  UM_TRY(um_core_allocate(context, n, sizeof *rest, &rest));
+  UM_CHECK(um_thermal_orbit_mean_rest(context, warm->model->body->network, base->loads,
+                                      &warm->setting.options, base->t_start, base->period,
+                                      warm->mean, rest));
+  memcpy(heat->mean, warm->mean, n * sizeof *heat->mean);
+  for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
+    UM_CHECK(um_thermal_orbit_mean_solve(context, network, precomputed->loads,
+                                         &heat->setting.options, precomputed->t_start,
+                                         precomputed->period, rest, heat->mean));
+    UM_CHECK(um_model_heat_setting_renew(context, heat->model, precomputed, heat->mean,
+                                         UM_MODEL_SAME_EMITTANCE, round, &heat->setting, &change));
+  }
+  for (size_t i = 0; i < n; i++)
+    if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
+      heat->start[i] = warm->start[i] + heat->mean[i] - warm->mean[i];
+done:
+  um_core_free(context, rest);
+  return status;
 }
 
 /* Periodic start and exchange by turns until the emittances are the same, from built[nnode] [K].
  * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances go
- * with temperature and nothing is known of it, and where the integration is loose anyhow:
- * emittances then settle on the way. */
+ * with temperature and nothing is known of it. */
 static enum um_status settle_periodic(struct um_context *context,
                                       struct um_model_thermal_solution *heat, bool warm,
-                                      const double *built, double *mean)
+                                      double tolerance, const double *built)
 {
   size_t n = um_thermal_network_nodes(heat->model->body->network);
   const double same = UM_MODEL_SAME_EMITTANCE;
@@ -99,10 +134,10 @@ static enum um_status settle_periodic(struct um_context *context,
   if (!warm)
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
                                        0, &heat->setting, &change));
-  bool draft = warm ? heat->setting.options.tolerance_factor > 1.0 : change > ROUNDING;
+  bool draft = !warm && change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
-    enum um_status status = search(context, heat, draft, mean);
+    enum um_status status = search(context, heat, draft ? DRAFT_TOLERANCE : tolerance, draft);
     if (draft && status == UM_ERR_NUMERIC) { /* too rough for this body: search it as it is */
       um_core_message_clear(context);
       memcpy(heat->start, built, n * sizeof *built);
@@ -110,10 +145,10 @@ static enum um_status settle_periodic(struct um_context *context,
       continue;
     }
     UM_TRY(status);
-    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, mean, same, round,
-                                       &heat->setting, &change));
+    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->mean, same,
+                                       round, &heat->setting, &change));
     if (!draft) continue;
-    draft = change > DRAFT_EMITTANCE && !warm;
+    draft = change > DRAFT_EMITTANCE;
     change = INFINITY; /* the search itself is to come */
   }
   return UM_OK;
@@ -121,23 +156,34 @@ static enum um_status settle_periodic(struct um_context *context,
 
 enum um_status um_model_thermal_start(struct um_context *context,
                                       const struct um_model_thermal_solution *warm,
+                                      double periodic_tolerance,
                                       struct um_model_thermal_solution *heat)
 {
   struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
-  double *mean = NULL;
+  double *built = NULL;
+  enum um_status status;
   heat->periodic_drift = NAN;
   if (heat->precomputed->points) return UM_OK;
   bool periodic = heat->model->scenario->thermal->start == UM_START_PERIODIC;
+  if (!periodic) return settle_stated(context, heat);
   if (warm != NULL && um_thermal_network_nodes(warm->model->body->network) != n) warm = NULL;
-  for (size_t i = 0; i < n && periodic && warm != NULL; i++)
+  for (size_t i = 0; i < n && warm != NULL; i++)
     if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
       heat->start[i] = warm->start[i];
-  UM_TRY(um_core_allocate(context, 2 * n, sizeof *mean, &mean));
-  double *built = mean + n;
+  UM_TRY(um_core_allocate(context, n, sizeof *built, &built));
   memcpy(built, heat->start, n * sizeof *built);
-  enum um_status status = periodic ? settle_periodic(context, heat, warm != NULL, built, mean)
-                                   : settle_stated(context, heat, mean);
-  um_core_free(context, mean);
+  if (warm != NULL && predicts(warm, heat)) {
+    status = predict(context, warm, heat);
+    if (status == UM_ERR_NUMERIC) { /* no such balance: from where the other stands */
+      um_core_message_clear(context);
+      memcpy(heat->start, built, n * sizeof *built);
+    } else if (status != UM_OK) {
+      goto done;
+    }
+  }
+  UM_CHECK(settle_periodic(context, heat, warm != NULL, periodic_tolerance, built));
+done:
+  um_core_free(context, built);
   return status;
 }

@@ -75,6 +75,17 @@ static bool starts_warm(const struct um_study *study, const struct um_model *mod
              um_thermal_network_nodes(model->body->network);
 }
 
+static enum um_status heat_make(struct um_context *context, const struct um_study *study,
+                                const struct um_model *model,
+                                const struct um_model_precomputed *precomputed, bool cold,
+                                struct um_model_thermal_solution **out)
+{
+  if (cold) return um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, out);
+  return um_model_thermal_solution_near(context, model, precomputed,
+                                        starts_warm(study, model) ? study->heat : NULL,
+                                        study->tolerance_factor, study->periodic_tolerance, out);
+}
+
 enum um_status um_study_values(struct um_context *context, const struct um_study *study,
                                const struct um_model *model,
                                const struct um_model_precomputed *precomputed, bool cold,
@@ -86,10 +97,7 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
   bool matches = false;
   if (!cold)
     UM_CHECK(um_model_thermal_solution_matches(context, study->heat, model, precomputed, &matches));
-  if (!matches)
-    UM_CHECK(um_model_thermal_solution_create(
-        context, model, precomputed, !cold && starts_warm(study, model) ? study->heat : NULL,
-        cold ? 1.0 : study->tolerance_factor, &heat));
+  if (!matches) UM_CHECK(heat_make(context, study, model, precomputed, cold, &heat));
   UM_CHECK(um_model_run_with(context, model, precomputed, matches ? study->heat : heat, &result));
   UM_CHECK(um_study_outputs_take(context, study, model, result, value));
 done:

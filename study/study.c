@@ -117,6 +117,7 @@ enum um_status um_study_create(struct um_context *context, const char *path,
   UM_TRY(um_core_allocate(context, 1, sizeof *study, &study));
   study->options = *options;
   study->tolerance_factor = 6.0;
+  study->periodic_tolerance = 0.02;
   enum um_status status = prepare(context, path, study);
   if (status != UM_OK) um_study_destroy(context, &study);
   *out = study;

@@ -44,7 +44,7 @@ struct um_study {
   double *nominal;                   /* [nvalue]; NaN: nothing is seen */
   double *scale;                     /* [noutput] largest of the nominal curve */
   double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
-  double tolerance_factor;
+  double tolerance_factor, periodic_tolerance; /* of a point's heat [1], [K] (tolerance.c) */
   struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
   size_t npoint;                                      /* computed by this process */
   double seconds_geometry, seconds_heat, seconds_run; /* wall time of the nominal's [s] */

@@ -15,10 +15,19 @@
 
 /* Above 6 the points of a surrogate cost less, but differ from each other by more than it can
  * follow: where a loose search for the periodic state ends is not smooth in the parameters. */
-#define FIRST           0 /* of the factors that an exact study tries */
+#define FIRST           0 /* of the choices that an exact study tries */
 #define FIRST_SURROGATE 2
-static const double factors[] = {30.0, 12.0, 6.0, 3.0, 1.0};
-#define FACTORS (sizeof factors / sizeof factors[0])
+static const struct {
+  double factor;   /* on the tolerances of the integration */
+  double periodic; /* of the state that repeats [K] */
+} choices[] = {{30.0, 0.05}, {12.0, 0.05}, {6.0, 0.02}, {3.0, 0.01}, {1.0, 0.01}};
+#define CHOICES (sizeof choices / sizeof choices[0])
+
+static void choose(struct um_study *study, size_t i)
+{
+  study->tolerance_factor = choices[i].factor;
+  study->periodic_tolerance = choices[i].periodic;
+}
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
 static enum um_status corner_model(struct um_context *context, const struct um_study *study,
@@ -66,7 +75,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   double *value = NULL, *own;
   bool serves = false;
   size_t first = study->file->mode == UM_STUDY_SURROGATE ? FIRST_SURROGATE : FIRST;
-  study->tolerance_factor = factors[first];
+  choose(study, first);
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
@@ -74,12 +83,12 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   /* what two parameters do together may need another geometry though neither does alone */
   UM_CHECK(um_model_precomputed_serves(context, study->model, study->precomputed, model, &serves));
   if (!serves) {
-    study->tolerance_factor = 1.0;
+    choose(study, CHOICES - 1);
     goto done;
   }
   UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
-  for (size_t i = first; i < FACTORS; i++) {
-    study->tolerance_factor = factors[i];
+  for (size_t i = first; i < CHOICES; i++) {
+    choose(study, i);
     UM_CHECK(um_study_values(context, study, model, study->precomputed, false, value));
     um_study_differences(study, value, own, study->measured);
     if (good_enough(study)) break;

@@ -64,7 +64,8 @@ void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, doub
 }
 
 enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
-                                           const double *temperature, double *mean_cube)
+                                           const double *temperature,
+                                           const struct um_thermal_integrals *integrals)
 {
   struct um_thermal_system *system = integrator->system;
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
@@ -75,7 +76,8 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   N_VConst(0.0, integrator->quadrature);
   integrator->t = 0.0;
   integrator->segment = 0;
-  integrator->mean_cube = mean_cube;
+  integrator->cube = integrals != NULL ? integrals->cube : NULL;
+  integrator->power4 = integrals != NULL ? integrals->power4 : NULL;
   integrator->run_steps = 0;
   integrator->switched = false;
   UM_TRY(segment_start(integrator));
@@ -84,9 +86,12 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
     integrator->balance_lost = true;
     return um_thermal_integrator_fail(integrator, CV_RHSFUNC_FAIL);
   }
-  if (mean_cube != NULL) {
-    memset(mean_cube, 0, system->n * sizeof *mean_cube);
-    memcpy(integrator->cube_before, system->cube, system->n * sizeof *mean_cube);
+  if (integrals != NULL) {
+    size_t bytes = system->n * sizeof(double);
+    memset(integrals->cube, 0, bytes);
+    memset(integrals->power4, 0, bytes);
+    memcpy(integrator->cube_before, system->cube, bytes);
+    memcpy(integrator->power4_before, system->power4, bytes);
     for (size_t k = 0; k < system->nthermostat; k++) {
       integrator->mean_slope[k] = 0.0;
       integrator->slope_before[k] = system->thermostat[k].slope;
@@ -95,15 +100,17 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   return UM_OK;
 }
 
-/* Trapezoid of |T|^3 and of thermostats' slopes over the step of length h that just ended. */
+/* Trapezoid of |T|^3, T^4 and thermostats' slopes over the step of length h that just ended. */
 static void mean_add(struct um_thermal_integrator *integrator, double h)
 {
   struct um_thermal_system *system = integrator->system;
   if (!um_thermal_system_state_set(system, integrator->t, N_VGetArrayPointer(integrator->y)))
     return; /* the next evaluation of the rate reports it */
   for (size_t i = 0; i < system->n; i++) {
-    integrator->mean_cube[i] += 0.5 * h * (integrator->cube_before[i] + system->cube[i]);
+    integrator->cube[i] += 0.5 * h * (integrator->cube_before[i] + system->cube[i]);
+    integrator->power4[i] += 0.5 * h * (integrator->power4_before[i] + system->power4[i]);
     integrator->cube_before[i] = system->cube[i];
+    integrator->power4_before[i] = system->power4[i];
   }
   for (size_t k = 0; k < system->nthermostat; k++) {
     double slope = system->thermostat[k].slope;
@@ -149,7 +156,7 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
     return um_core_fail(integrator->system->context, UM_ERR_NUMERIC,
                         "heat integration gave up %.3f s after its start: %u steps", integrator->t,
                         STEPS_LIMIT);
-  if (integrator->mean_cube != NULL) mean_add(integrator, integrator->t - before);
+  if (integrator->cube != NULL) mean_add(integrator, integrator->t - before);
   if (code == CV_ROOT_RETURN) {
     integrator->switched = true;
     SUN_CHECK(CVodeGetRootInfo(integrator->cvodes, integrator->root));

@@ -16,6 +16,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   struct um_context *context = system->context;
   size_t nthermostat = system->nthermostat;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &integrator->cube_before));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &integrator->power4_before));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->mean_slope));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->slope_before));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(int), &integrator->root));
@@ -117,6 +118,7 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
   if (i->sun != NULL) SUNContext_Free(&i->sun);
   um_core_free(context, i->stop);
   um_core_free(context, i->cube_before);
+  um_core_free(context, i->power4_before);
   um_core_free(context, i->mean_slope);
   um_core_free(context, i->slope_before);
   um_core_free(context, i->root);

@@ -23,8 +23,9 @@ struct um_thermal_integrator {
   double tolerance_factor; /* factor on the tolerances [1] */
   double gamma;            /* of Newton's matrix 1 - gamma J [s] */
   bool initialized;        /* CVodeInit was done */
-  double *mean_cube, *cube_before;
-  double *mean_slope, *slope_before; /* [nthermostat], with mean_cube */
+  double *cube, *power4;   /* [n] integrals of the caller; NULL: not wanted */
+  double *cube_before, *power4_before;
+  double *mean_slope, *slope_before; /* [nthermostat], with integrals */
   int *root;                         /* [nthermostat] which thermostats switch; their directions */
   bool switched;                     /* one did at t: a new start is due */
   bool *heating;                     /* [nthermostat] on during the last step */

@@ -26,11 +26,16 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator);
 /* From the next start on: tolerances times `factor` >= 1; above 1 without the care for the audit.
  */
 void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, double factor);
-/* Begin (again) at time 0 from node temperatures [n]; eliminated nodes are guesses. mean_cube [n]
- * or NULL: receives the integral of |T|^3 dt [K^3 s] over the run. */
+/* Integrals over a run, of every node [n]. */
+struct um_thermal_integrals {
+  double *cube, *power4; /* of |T|^3 [K^3 s], of T^4 [K^4 s] */
+};
+/* Begin (again) at time 0 from node temperatures [n]; eliminated nodes are guesses. integrals:
+ * where these go, or NULL. */
 enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integrator,
-                                           const double *temperature, double *mean_cube);
-/* Integrals over the run of the slopes of mean thermostats [nthermostat] [W s/K]; with mean_cube.
+                                           const double *temperature,
+                                           const struct um_thermal_integrals *integrals);
+/* Integrals over the run of the slopes of mean thermostats [nthermostat] [W s/K]; with integrals.
  */
 const double *um_thermal_integrator_mean_slopes(const struct um_thermal_integrator *integrator);
 /* Go on to time t (not before the last one) and give all node temperatures there [n]. */

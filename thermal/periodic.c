@@ -7,21 +7,17 @@
  *   dT = (I - dG/dT)^-1 r,   r = G(T) - T,   dG/dT ~ exp(P J)
  *
  * with J the orbit mean of the Jacobian (|T|^3 averaged over the orbit, so that fast nodes count
- * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J. Of the rational functions
- * that go with it at 0, where it is 1/x, and at infinity, 1, and that two sparse solves give,
+ * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J, a rational function of
+ * which sparse solves give (orbit_return_impl.h). KINSOL's fixed point with Anderson acceleration
+ * takes care of what that leaves. The correction dT estimates how far T is from the periodic state,
+ * dT - r how far G(T) is; G(T) is what is taken, so dT - r is judged. Where that is small by
+ * chance, the function's error of r is taken to be left of every node.
  *
- *   1/(1 - exp(-x)) ~ 1 + 1/x - a/(x + b),   a = 1.6446, b = 3.1432,
- *
- * is the nearest: within 0.0254 for every x > 0. An orbit with a frozen J shrinks the error of
- * every mode 39-fold; KINSOL's fixed point with Anderson acceleration takes care of the rest. The
- * correction dT estimates how far T is from the periodic state, dT - r how far G(T) is; G(T) is
- * what is taken, so dT - r is judged. Where that is small by chance, 0.05 r is taken to be left of
- * every node: what the rational function does not know, and as much for a J that is not constant.
- *
- * With its correction the last orbit's end is nearer: of G(T) + (dT - r) is left 0.05 dT and what
- * radiation bends over dT, at most 3/2 dT^2 / T. Where that is good enough it is taken, and the
- * orbit that would only confirm it is saved. Not with thermostats, of whose slope the correction
- * knows the mean alone.
+ * With its correction the last orbit's end is nearer. Of G(T) + (dT - r) is left the function's
+ * error of r, and of dT - r a share for a J that is not constant over the orbit and what radiation
+ * bends over dT, at most 3/2 dT / T. Where that is good enough it is taken, and the orbit that
+ * would only confirm it is saved. Not with thermostats, of whose slope the correction knows the
+ * mean alone.
  *
  * Thermostats act by their mean power (system_heat.c), whose slope, averaged over the orbit, is in
  * J: G is smooth. Seen from outside its narrow transition a thermostat has no slope, so a
@@ -53,6 +49,7 @@
 #define WORTH_A_STAGE  5.0  /* a rough stage with less loosening saves nothing */
 #define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE       1e-11 /* the same with exchange between surfaces: slow modes are small in it */
+#define FROZEN         0.03 /* of a correction, for a J that is not its mean all along the orbit */
 #define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
@@ -64,11 +61,12 @@ struct periodic {
   struct um_thermal_linear *linear;
   struct um_thermal_exchange_solver *exchange; /* NULL: none between surfaces */
   void *kinsol;
-  double *start, *end, *mean_cube; /* [n]: [K], [K], [K^3] */
-  double *jacobian;                /* [nnonzero] of the orbit mean [1/s] */
-  double *matrix;                  /* [nnonzero] X + shift */
-  double distance;                 /* of the last orbit's end [K] */
-  double wanted;                   /* distance that is good enough [K] */
+  double *start, *end;               /* [n] [K] */
+  struct um_thermal_integrals means; /* [n] over the orbit [K^3], [K^4] */
+  double *jacobian;                  /* [nnonzero] of the orbit mean [1/s] */
+  double *matrix;                    /* [nnonzero] X + shift */
+  double distance;                   /* of the last orbit's end [K] */
+  double wanted;                     /* distance that is good enough [K] */
   size_t orbits;
   enum um_status status; /* of the callback */
   char words[256];       /* of KINSOL */
@@ -103,23 +101,33 @@ static enum um_status factored_solve(struct periodic *periodic, double *x)
                                    EXCHANGE, x);
 }
 
-/* part = (X + shift)^-1 right with X = -P J. */
-static enum um_status shifted_solve(struct periodic *periodic, double shift)
+/* x = (X + shift)^-1 x, factored. */
+static enum um_status shift_factor(struct periodic *periodic, double shift)
 {
   const struct um_thermal_system *system = periodic->system;
-  char fault[256];
   for (size_t k = 0; k < system->nnonzero; k++)
     periodic->matrix[k] = -periodic->period * periodic->jacobian[k];
   for (size_t k = 0; k < system->nunknown; k++) periodic->matrix[system->diagonal[k]] += shift;
+  return um_thermal_linear_factor(periodic->linear, periodic->matrix);
+}
+
+/* sum = r + (X + tiny)^-1 r + sum_k a_k (b (X + b)^-1)^k r of r = right. */
+static enum um_status turn_round(struct periodic *periodic)
+{
+  static const double share[UM_THERMAL_RETURN_TERMS] = {UM_THERMAL_RETURN_SHARES};
   double *part = N_VGetArrayPointer(periodic->part);
-  memcpy(part, N_VGetArrayPointer(periodic->right), system->nunknown * sizeof *part);
-  enum um_status status = um_thermal_linear_factor(periodic->linear, periodic->matrix);
-  if (status == UM_OK) status = factored_solve(periodic, part);
-  if (status == UM_ERR_NUMERIC)
-    return um_core_fail(system->context, UM_ERR_NUMERIC,
-                        "the orbit-mean heat balance cannot be solved: %s",
-                        um_thermal_linear_fault(periodic->linear, fault, sizeof fault));
-  return status;
+  N_VScale(1.0, periodic->right, periodic->part);
+  UM_TRY(shift_factor(periodic, SLOWEST));
+  UM_TRY(factored_solve(periodic, part));
+  N_VLinearSum(1.0, periodic->right, 1.0, periodic->part, periodic->sum);
+  N_VScale(1.0, periodic->right, periodic->part);
+  UM_TRY(shift_factor(periodic, UM_THERMAL_RETURN_SHIFT));
+  for (int k = 0; k < UM_THERMAL_RETURN_TERMS; k++) {
+    UM_TRY(factored_solve(periodic, part));
+    N_VScale(UM_THERMAL_RETURN_SHIFT, periodic->part, periodic->part);
+    N_VLinearSum(1.0, periodic->sum, share[k], periodic->part, periodic->sum);
+  }
+  return UM_OK;
 }
 
 /* Corrections that carry a sensor through its transition end in the middle of it. y: the state. */
@@ -150,7 +158,7 @@ static void thermostats_hold(const struct periodic *periodic, const double *y, d
 static enum um_status correct(struct periodic *periodic)
 {
   struct um_thermal_system *system = periodic->system;
-  memcpy(system->cube, periodic->mean_cube, system->n * sizeof *system->cube);
+  memcpy(system->cube, periodic->means.cube, system->n * sizeof *system->cube);
   const double *slope = um_thermal_integrator_mean_slopes(periodic->integrator);
   for (size_t k = 0; k < system->nthermostat; k++)
     system->thermostat[k].slope = slope[k] / periodic->period;
@@ -161,11 +169,14 @@ static enum um_status correct(struct periodic *periodic)
   double *right = N_VGetArrayPointer(periodic->right); /* J is of the unknowns */
   for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
     right[k] /= system->warming[system->node[k]];
-  /* dT = r + (X + tiny)^-1 r - a (X + b)^-1 r */
-  UM_TRY(shifted_solve(periodic, SLOWEST));
-  N_VLinearSum(1.0, periodic->right, 1.0, periodic->part, periodic->sum);
-  UM_TRY(shifted_solve(periodic, UM_THERMAL_RETURN_SHIFT));
-  N_VLinearSum(1.0, periodic->sum, -UM_THERMAL_RETURN_SHARE, periodic->part, periodic->right);
+  char fault[256];
+  enum um_status status = turn_round(periodic);
+  if (status == UM_ERR_NUMERIC)
+    return um_core_fail(system->context, UM_ERR_NUMERIC,
+                        "the orbit-mean heat balance cannot be solved: %s",
+                        um_thermal_linear_fault(periodic->linear, fault, sizeof fault));
+  UM_TRY(status);
+  N_VScale(1.0, periodic->sum, periodic->right);
   for (size_t k = 0; k < system->nunknown && system->store != NULL; k++)
     right[k] *= system->warming[system->node[k]];
   return UM_OK;
@@ -177,10 +188,10 @@ static void end_correct(struct periodic *periodic, const double *y, const double
 {
   const struct um_thermal_system *system = periodic->system;
   for (size_t k = 0; k < system->nunknown; k++) {
-    double *end = &periodic->end[system->node[k]], *cube = &periodic->mean_cube[system->node[k]];
+    double *end = &periodic->end[system->node[k]], *mean = &periodic->means.power4[system->node[k]];
     double beyond = y[k] + change[k] - *end;
     *end += beyond;
-    *cube = pow(cbrt(*cube) + beyond, 3);
+    *mean = pow(pow(*mean, 0.25) + beyond, 4);
   }
 }
 
@@ -189,12 +200,15 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
 {
   struct um_thermal_system *system = periodic->system;
   for (size_t k = 0; k < system->nunknown; k++) periodic->start[system->node[k]] = y[k];
-  UM_TRY(um_thermal_integrator_start(periodic->integrator, periodic->start, periodic->mean_cube));
+  UM_TRY(um_thermal_integrator_start(periodic->integrator, periodic->start, &periodic->means));
   /* eliminated nodes as they are at the start */
   memcpy(periodic->start, system->temperature, system->n * sizeof *periodic->start);
   UM_TRY(um_thermal_integrator_run(periodic->integrator, periodic->period, periodic->end));
   periodic->orbits++;
-  for (size_t i = 0; i < system->n; i++) periodic->mean_cube[i] /= periodic->period;
+  for (size_t i = 0; i < system->n; i++) {
+    periodic->means.cube[i] /= periodic->period;
+    periodic->means.power4[i] /= periodic->period;
+  }
   double *change = N_VGetArrayPointer(periodic->right);
   for (size_t k = 0; k < system->nunknown; k++) change[k] = periodic->end[system->node[k]] - y[k];
   UM_TRY(correct(periodic));
@@ -208,7 +222,7 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     periodic->distance =
         fmax(periodic->distance, fmax(beyond, UM_THERMAL_RETURN_ERROR * fabs(drift)));
     double bend = 1.5 * fabs(change[k]) / fmax(periodic->end[system->node[k]], 10.0);
-    left = fmax(left, (UM_THERMAL_RETURN_ERROR + bend) * fabs(change[k]));
+    left = fmax(left, UM_THERMAL_RETURN_ERROR * fabs(drift) + (FROZEN + bend) * beyond);
     if (beyond * factor > limit) factor = limit / beyond;
   }
   for (size_t k = 0; k < system->nunknown; k++) {
@@ -244,7 +258,8 @@ static enum um_status storage_create(struct periodic *periodic)
   struct um_context *context = system->context;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->start));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->end));
-  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->mean_cube));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.cube));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.power4));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->matrix));
   if (SUNContext_Create(NULL, &periodic->sun) != 0) return memory_fail(periodic);
@@ -275,7 +290,8 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   if (periodic->sun != NULL) SUNContext_Free(&periodic->sun);
   um_core_free(context, periodic->start);
   um_core_free(context, periodic->end);
-  um_core_free(context, periodic->mean_cube);
+  um_core_free(context, periodic->means.cube);
+  um_core_free(context, periodic->means.power4);
   um_core_free(context, periodic->jacobian);
   um_core_free(context, periodic->matrix);
   um_thermal_integrator_destroy(&periodic->integrator);
@@ -411,7 +427,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
   memcpy(periodic.start, periodic.system->temperature, n * sizeof(double));
   UM_CHECK(kinsol_run(&periodic, tolerance));
   memcpy(temperature, periodic.end, n * sizeof(double));
-  for (size_t i = 0; i < n && mean != NULL; i++) mean[i] = cbrt(periodic.mean_cube[i]);
+  for (size_t i = 0; i < n && mean != NULL; i++) mean[i] = pow(periodic.means.power4[i], 0.25);
   for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = periodic.end[i] - periodic.start[i];
   if (report != NULL) *report = report_make(&periodic);
 done:

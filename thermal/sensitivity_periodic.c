@@ -1,7 +1,7 @@
 /* Sensitivities of the periodic state, S(0) = S(P), sought as in periodic.c: with r = S(P) - S(0)
- * and X = -P J of the orbit's mean, S(0) takes r + (X + tiny)^-1 r - a (X + b)^-1 r, which leaves
- * a twentieth of the error at most. S(P) is linear in S(0): only the first orbit has the forcing,
- * the others follow what was taken, to a tenth of its size. */
+ * and X = -P J of the orbit's mean, S(0) takes the rational function of orbit_return_impl.h of r,
+ * which leaves what J does within the orbit. S(P) is linear in S(0): only the first orbit has the
+ * forcing, the others follow what was taken, to a tenth of its size. */
 #include <math.h>
 #include <string.h>
 
@@ -23,37 +23,54 @@ struct periodic {
   double *left, *part;  /* [ncolumn][n] S(P) - S(0), scratch */
 };
 
-/* part = (X + shift)^-1 left. */
-static enum um_status shifted_solve(struct periodic *p, double shift)
+/* part = (X + shift)^-1 part, of a matrix to be factored, and again. */
+static enum um_status shift_factor(struct periodic *p, double shift)
 {
   struct um_thermal_sensitivity_run *r = &p->run;
-  char fault[256];
   for (size_t k = 0; k < r->system->nnonzero; k++) r->matrix[k] = -p->period * r->jacobian[k];
   for (size_t k = 0; k < r->n; k++) r->matrix[r->system->diagonal[k]] += shift;
-  memcpy(p->part, p->left, r->ncolumn * r->n * sizeof *p->part);
-  enum um_status status = um_thermal_linear_factor(r->linear, r->matrix);
-  if (status == UM_OK) status = um_thermal_sensitivity_solve(r, p->period, LINEAR_SHARE, p->part);
-  if (status != UM_ERR_NUMERIC || um_core_message(r->context)[0] != '\0') return status;
-  return um_core_fail(r->context, UM_ERR_NUMERIC, "periodic heat sensitivities: %s",
-                      um_thermal_linear_fault(r->linear, fault, sizeof fault));
+  return um_thermal_linear_factor(r->linear, r->matrix);
+}
+static enum um_status factored_solve(struct periodic *p)
+{
+  return um_thermal_sensitivity_solve(&p->run, p->period, LINEAR_SHARE, p->part);
 }
 
-/* taken = r + (X + tiny)^-1 r - a (X + b)^-1 r. */
+/* taken = r + (X + tiny)^-1 r + sum_k a_k (b (X + b)^-1)^k r. */
+static enum um_status turn_round(struct periodic *p)
+{
+  static const double share[UM_THERMAL_RETURN_TERMS] = {UM_THERMAL_RETURN_SHARES};
+  size_t count = p->run.ncolumn * p->run.n;
+  memcpy(p->part, p->left, count * sizeof *p->part);
+  UM_TRY(shift_factor(p, SLOWEST));
+  UM_TRY(factored_solve(p));
+  for (size_t k = 0; k < count; k++) p->taken[k] = p->left[k] + p->part[k];
+  memcpy(p->part, p->left, count * sizeof *p->part);
+  UM_TRY(shift_factor(p, UM_THERMAL_RETURN_SHIFT));
+  for (int term = 0; term < UM_THERMAL_RETURN_TERMS; term++) {
+    UM_TRY(factored_solve(p));
+    for (size_t k = 0; k < count; k++) {
+      p->part[k] *= UM_THERMAL_RETURN_SHIFT;
+      p->taken[k] += share[term] * p->part[k];
+    }
+  }
+  return UM_OK;
+}
+
 static enum um_status correct(struct periodic *p)
 {
   struct um_thermal_sensitivity_run *r = &p->run;
-  size_t count = r->ncolumn * r->n;
+  char fault[256];
   memcpy(r->system->cube, p->cube, r->system->n * sizeof *p->cube);
   for (size_t k = 0; k < r->system->nthermostat; k++) r->system->thermostat[k].slope = p->slope[k];
   if (!um_thermal_system_jacobian(r->system, r->jacobian))
     return um_core_fail(r->context, UM_ERR_NUMERIC,
                         "an arithmetic node finds no balance in the orbit mean");
   if (r->exchange != NULL) um_thermal_system_exchange_hold(r->system, false);
-  UM_TRY(shifted_solve(p, SLOWEST));
-  for (size_t k = 0; k < count; k++) p->taken[k] = p->left[k] + p->part[k];
-  UM_TRY(shifted_solve(p, UM_THERMAL_RETURN_SHIFT));
-  for (size_t k = 0; k < count; k++) p->taken[k] -= UM_THERMAL_RETURN_SHARE * p->part[k];
-  return UM_OK;
+  enum um_status status = turn_round(p);
+  if (status != UM_ERR_NUMERIC || um_core_message(r->context)[0] != '\0') return status;
+  return um_core_fail(r->context, UM_ERR_NUMERIC, "periodic heat sensitivities: %s",
+                      um_thermal_linear_fault(r->linear, fault, sizeof fault));
 }
 
 /* One orbit from `taken`; left = S(P) - S(0) in all: the first time that of S(0) = taken with the

@@ -14,6 +14,7 @@
 #include "thermal/exchange_solve_impl.h"
 #include "thermal/linear_impl.h"
 #include "thermal/solve.h"
+#include "thermal/steady_impl.h"
 
 #define RESIDUAL     1e-9 /* [K] */
 #define ITERATIONS   400
@@ -23,7 +24,8 @@
 #define LINEAR_SHARE 1e-8   /* of a right side that iterated linear solutions leave */
 
 struct steady {
-  struct um_thermal_system *system;
+  struct um_thermal_system *system; /* borrowed */
+  const double *rest;               /* [n] heat that the balance leaves [W], borrowed; NULL: 0 */
   SUNContext sun;
   N_Vector y, y_scale, f_scale;
   SUNMatrix matrix;
@@ -47,7 +49,10 @@ static int heat_callback(N_Vector y, N_Vector heat, void *self)
   struct um_thermal_system *system = steady->system;
   if (um_core_stopped(system->context)) return -1; /* for good */
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
-  um_thermal_system_rate(system, N_VGetArrayPointer(heat));
+  double *left = N_VGetArrayPointer(heat);
+  um_thermal_system_rate(system, left);
+  for (size_t k = 0; k < system->nunknown && steady->rest != NULL; k++)
+    left[k] -= steady->rest[system->node[k]];
   return 0;
 }
 
@@ -182,33 +187,40 @@ static enum um_status above_zero(const struct um_thermal_system *system)
   return UM_OK;
 }
 
-enum um_status um_thermal_solve_steady(struct um_context *context,
-                                       const struct um_thermal_network *network,
-                                       const struct um_irradiation_loads *loads, size_t time,
-                                       const struct um_thermal_solve_options *options,
+enum um_status um_thermal_steady_solve(struct um_thermal_system *system, const double *rest,
                                        double *temperature)
 {
   enum um_status status;
-  struct steady steady = {0};
-  if (loads != NULL && time >= loads->ntime)
-    return um_core_fail(context, UM_ERR_INPUT, "steady state at row %zu of %zu rows of heat loads",
-                        time, loads->ntime);
-  double from = loads != NULL ? loads->t[time] : 0.0;
-  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_STEADY,
-                                    &steady.system));
-  if (loads != NULL) um_thermal_system_hold(steady.system, time);
+  struct steady steady = {.system = system, .rest = rest};
   UM_CHECK(vectors_create(&steady));
   UM_CHECK(start_set(&steady));
   UM_CHECK(kinsol_run(&steady));
-  struct um_thermal_system *system = steady.system;
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(steady.y))) {
-    status = um_core_fail(context, UM_ERR_NUMERIC, "no steady heat balance found");
+    status = um_core_fail(system->context, UM_ERR_NUMERIC, "no steady heat balance found");
     goto done;
   }
   UM_CHECK(above_zero(system));
   memcpy(temperature, system->temperature, system->n * sizeof *temperature);
 done:
   steady_free(&steady);
-  um_thermal_system_destroy(&steady.system);
+  return status;
+}
+
+enum um_status um_thermal_solve_steady(struct um_context *context,
+                                       const struct um_thermal_network *network,
+                                       const struct um_irradiation_loads *loads, size_t time,
+                                       const struct um_thermal_solve_options *options,
+                                       double *temperature)
+{
+  struct um_thermal_system *system = NULL;
+  if (loads != NULL && time >= loads->ntime)
+    return um_core_fail(context, UM_ERR_INPUT, "steady state at row %zu of %zu rows of heat loads",
+                        time, loads->ntime);
+  double from = loads != NULL ? loads->t[time] : 0.0;
+  UM_TRY(
+      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_STEADY, &system));
+  if (loads != NULL) um_thermal_system_hold(system, time);
+  enum um_status status = um_thermal_steady_solve(system, NULL, temperature);
+  um_thermal_system_destroy(&system);
   return status;
 }
