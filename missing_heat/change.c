@@ -39,7 +39,7 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
   UM_CHECK(um_thermal_network_source_add(model->body->network, &source));
   UM_CHECK(um_model_thermal_solution_create(context, model, base->precomputed, base->heat,
                                             f->tolerance_factor, &heat));
-  UM_CHECK(um_model_run_with(context, model, base->precomputed, heat, &result));
+  UM_CHECK(um_model_run_observed(context, model, base->precomputed, heat, &result));
   UM_CHECK(um_missing_heat_predict(context, base, result, value));
   f->evaluations++;
 done:

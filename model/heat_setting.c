@@ -46,6 +46,18 @@ static bool exchanges_alike(const struct um_model_heat_like *like, const struct 
          um_model_loads_equal(like->precomputed->loads, precomputed->loads);
 }
 
+/* Do surfaces reflect the same sunlight to each other as those of a setting that is at hand? */
+static bool sunlight_alike(const struct um_model_heat_like *like, const struct um_model *model,
+                           const struct um_model_precomputed *precomputed,
+                           const struct um_model_heat_setting *setting)
+{
+  return like->precomputed == precomputed &&
+         um_model_exchange_options(like->model).solar == um_model_exchange_options(model).solar &&
+         um_model_mirrors_alike_in_sunlight(like->model, model) &&
+         um_model_aging_equal(like->setting->aging, setting->aging) &&
+         um_thermal_network_solar_equal(like->model->body->network, model->body->network);
+}
+
 /* All but the exchange. */
 static enum um_status begin(struct um_context *context, const struct um_model *model,
                             const struct um_model_precomputed *precomputed,
@@ -60,13 +72,14 @@ static enum um_status begin(struct um_context *context, const struct um_model *m
 
 static enum um_status exchange_make(struct um_context *context, const struct um_model *model,
                                     const struct um_model_precomputed *precomputed,
-                                    const struct um_thermal_exchange *like,
+                                    const struct um_model_heat_like *like,
                                     struct um_model_heat_setting *out)
 {
   struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
   if (precomputed->view_factors == NULL) return UM_OK;
   exchange.aging = out->options.aging;
-  exchange.like = like;
+  if (like != NULL) exchange.like = like->setting->options.exchange;
+  if (exchange.like != NULL) exchange.like_sunlight = sunlight_alike(like, model, precomputed, out);
   struct um_model_lobes lobes = {0};
   enum um_status status = UM_OK;
   if (precomputed->view_factors->mirrors != NULL) {
@@ -84,7 +97,7 @@ done:
 
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
                                           const struct um_model_precomputed *precomputed,
-                                          const struct um_thermal_exchange *like,
+                                          const struct um_model_heat_like *like,
                                           struct um_model_heat_setting *out)
 {
   UM_TRY(begin(context, model, precomputed, out));
@@ -98,7 +111,7 @@ enum um_status um_model_heat_setting_moved(struct um_context *context, const str
 {
   UM_TRY(begin(context, model, precomputed, out));
   if (!exchanges_alike(like, model, precomputed, out->aging))
-    return exchange_make(context, model, precomputed, like->setting->options.exchange, out);
+    return exchange_make(context, model, precomputed, like, out);
   out->options.exchange = like->setting->options.exchange;
   return UM_OK;
 }

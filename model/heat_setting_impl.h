@@ -15,19 +15,19 @@ struct um_model_heat_setting {
   struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces, or
                                            that of another setting */
 };
-/* With the optics that the model has. like: exchange of a model with the same surfaces, whose
- * temperatures the exchange begins with, or NULL. Model and geometry precomputation outlive it;
- * cleared by the caller, after a failure too. */
-enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
-                                          const struct um_model_precomputed *precomputed,
-                                          const struct um_thermal_exchange *like,
-                                          struct um_model_heat_setting *out);
 /* A setting that is at hand, and what it is of. */
 struct um_model_heat_like {
   const struct um_model *model;
   const struct um_model_precomputed *precomputed;
   const struct um_model_heat_setting *setting;
 };
+/* With the optics that the model has. like: of a model with the same surfaces, whose temperatures
+ * the exchange begins with, or NULL. Model and geometry precomputation outlive it; cleared by the
+ * caller, after a failure too. */
+enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
+                                          const struct um_model_precomputed *precomputed,
+                                          const struct um_model_heat_like *like,
+                                          struct um_model_heat_setting *out);
 /* The same for a model that was moved from that of `like`, which outlives it: its exchange where it
  * would be the same, else one at the same temperatures, so that what differs is the move's. */
 enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,

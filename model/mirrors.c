@@ -76,7 +76,7 @@ void um_model_lobes_clear(struct um_context *context, struct um_model_lobes *lob
   *lobes = (struct um_model_lobes){0};
 }
 
-bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b)
+static bool alike(const struct um_model *a, const struct um_model *b, bool in_infrared)
 {
   const struct um_geometry_mesh *own = um_geometry_mesh(a->geometry),
                                 *other = um_geometry_mesh(b->geometry);
@@ -84,7 +84,17 @@ bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b)
   for (size_t s = 0; s < own->nsurface; s++) {
     struct um_materials_mirror m = mirror_creased(a, &own->surface[s]),
                                n = mirror_creased(b, &other->surface[s]);
-    if (m.solar != n.solar || m.infrared != n.infrared) return false;
+    if (m.solar != n.solar || (in_infrared && m.infrared != n.infrared)) return false;
   }
   return true;
+}
+
+bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b)
+{
+  return alike(a, b, true);
+}
+
+bool um_model_mirrors_alike_in_sunlight(const struct um_model *a, const struct um_model *b)
+{
+  return alike(a, b, false);
 }

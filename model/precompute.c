@@ -384,6 +384,7 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_core_free(context, t->look);
   um_core_free(context, t->sample);
   um_core_free(context, t->load_row);
+  um_core_free(context, t->load_sample);
   um_core_free(context, t->event);
   if (t->seen != t->loads) um_irradiation_loads_destroy(context, &t->seen);
   um_irradiation_loads_destroy(context, &t->ripple);

@@ -209,6 +209,8 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
   UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, precomputed));
   UM_CHECK(trace_mirrored(context, model, samples, precomputed));
   UM_CHECK(trace_rows(context, precomputed));
+  precomputed->load_sample = samples;
+  samples = NULL;
 done:
   um_core_free(context, samples);
   return status;

@@ -23,12 +23,13 @@ struct um_model_precomputed {
   double period;  /* of the orbit [s]; NaN for a fixed point */
   double t_first; /* middle of the first observation, at the satellite [s] */
   double t_start; /* thermal start, t_tai [s] */
-  double t_periodic_end;               /* end of the orbit that is made periodic; t_start if none */
-  struct um_irradiation_loads *loads;  /* over [t_start, last observation], for heat */
-  struct um_irradiation_loads *seen;   /* at the observed instants: the same as `loads`, or, where
-                                          those are means over a turn, a table of its own */
-  size_t *load_row;                    /* [nobs * nsub] row of `seen` at each instant */
-  double turn_period;                  /* over which `loads` are means [s]; 0: over none */
+  double t_periodic_end;              /* end of the orbit that is made periodic; t_start if none */
+  struct um_irradiation_loads *loads; /* over [t_start, last observation], for heat */
+  struct um_irradiation_loads *seen;  /* at the observed instants: the same as `loads`, or, where
+                                         those are means over a turn, a table of its own */
+  struct um_environment_sample *load_sample; /* [loads->ntime] what the rows were traced at */
+  size_t *load_row;                          /* [nobs * nsub] row of `seen` at each instant */
+  double turn_period;                        /* over which `loads` are means [s]; 0: over none */
   struct um_irradiation_loads *ripple; /* rows of `seen`: um_irradiation_loads_turn; NULL where
                                           `loads` are no means */
   struct um_geometry_view_factor_table *view_factors; /* at the times of the loads, or 1 where

@@ -125,21 +125,17 @@ done:
 }
 
 /* The scene at the rows of the loads. */
-static enum um_status same_scene(struct um_context *context, const struct um_model *made,
+static enum um_status same_scene(struct um_context *context,
                                  const struct um_model_precomputed *precomputed,
                                  const struct um_model *model, bool *out)
 {
-  enum um_status status;
   const struct um_irradiation_loads *loads = precomputed->loads;
-  struct um_environment_sample *a = NULL, *b = NULL;
+  struct um_environment_sample *sample = NULL;
   um_core_quiet_begin(context);
-  UM_CHECK(um_model_load_samples(context, made, loads->t, loads->ntime, &a));
-  UM_CHECK(um_model_load_samples(context, model, loads->t, loads->ntime, &b));
-  *out = same(a, b, loads->ntime, sizeof *a);
-done:
+  enum um_status status = um_model_load_samples(context, model, loads->t, loads->ntime, &sample);
   um_core_quiet_end(context);
-  um_core_free(context, a);
-  um_core_free(context, b);
+  if (status == UM_OK) *out = same(precomputed->load_sample, sample, loads->ntime, sizeof *sample);
+  um_core_free(context, sample);
   return status;
 }
 
@@ -189,6 +185,6 @@ enum um_status um_model_precomputed_serves(struct um_context *context, const str
          options_equal(made, model) && um_model_light_serves(made, model);
   if (*out) UM_TRY(same_mirrors(context, made, model, out));
   if (*out) UM_TRY(same_times(context, precomputed, model, out));
-  if (*out) UM_TRY(same_scene(context, made, precomputed, model, out));
+  if (*out) UM_TRY(same_scene(context, precomputed, model, out));
   return UM_OK;
 }

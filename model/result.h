@@ -47,7 +47,8 @@ struct um_model_result {
   double *surface_temperature;          /* [nobs][nsurface] [K] */
   double *node_temperature;             /* [nobs][nnode] [K] */
   struct um_model_place_history *place; /* [nplace] */
-  struct um_thermal_heat *heat; /* [nobs][nplace] [W]; of thermal places, zero for materials */
+  struct um_thermal_heat *heat; /* [nobs][nplace] [W]; of thermal places, zero for materials; NULL:
+                                   not asked for (um_model_run_observed) */
   struct um_thermal_heat audit; /* [J] over the whole thermal run */
   double audit_error;           /* [1] */
   double periodic_drift;        /* what the periodic start left [K]; NaN when isothermal */

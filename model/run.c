@@ -80,6 +80,17 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
                                  const struct um_model_thermal_solution *heat,
                                  struct um_model_result **out)
 {
+  UM_TRY(um_model_run_observed(context, model, precomputed, heat, out));
+  enum um_status status = um_model_run_heat(context, model, precomputed, heat, *out);
+  if (status != UM_OK) um_model_result_destroy(context, out);
+  return status;
+}
+
+enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_thermal_solution *heat,
+                                     struct um_model_result **out)
+{
   enum um_status status;
   const struct um_model_heat_run *run = &heat->run;
   struct um_model_result *result = NULL;
@@ -95,7 +106,7 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
   UM_CHECK(keep_temperatures(context, model, precomputed, run, result));
   if (model->scenario->thermal->outside_range == UM_RANGE_ERROR)
     UM_CHECK(um_model_check_record_ranges(context, model, precomputed, result));
-  UM_CHECK(um_model_run_places(context, model, precomputed, heat, result));
+  UM_CHECK(um_model_run_histories(context, model, precomputed, heat, result));
   UM_CHECK(um_model_run_optics(context, model, precomputed, run, result));
 done:
   if (status != UM_OK) um_model_result_destroy(context, &result);

@@ -18,5 +18,11 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
                                  const struct um_model_precomputed *precomputed,
                                  const struct um_model_thermal_solution *heat,
                                  struct um_model_result **out);
+/* The same for who asks for what is observed alone, light and temperatures: the result has no heat
+ * of places (heat is NULL). */
+enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_thermal_solution *heat,
+                                     struct um_model_result **out);
 
 #endif

@@ -120,11 +120,10 @@ static enum um_status shares_of(struct um_context *context, const struct um_ther
   return UM_OK;
 }
 
-/* Heat of all nodes of a place by its shares of them. Mean over the exposure. */
-static enum um_status heat_of_places(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
-                                     const struct um_model_thermal_solution *heat,
-                                     struct um_model_result *result)
+enum um_status um_model_run_heat(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_thermal_solution *heat,
+                                 struct um_model_result *result)
 {
   enum um_status status;
   const struct um_model_heat_run *run = &heat->run;
@@ -183,13 +182,4 @@ enum um_status um_model_run_histories(struct um_context *context, const struct u
     UM_TRY(material_history(context, model, precomputed, run, (uint32_t)m,
                             &result->place[nplace + m]));
   return UM_OK;
-}
-
-enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
-                                   const struct um_model_thermal_solution *heat,
-                                   struct um_model_result *result)
-{
-  UM_TRY(um_model_run_histories(context, model, precomputed, heat, result));
-  return heat_of_places(context, model, precomputed, heat, result);
 }

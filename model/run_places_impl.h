@@ -10,10 +10,10 @@ enum um_status um_model_run_histories(struct um_context *context, const struct u
                                       const struct um_model_precomputed *precomputed,
                                       const struct um_model_thermal_solution *heat,
                                       struct um_model_result *result);
-/* The same, and the heat of places. */
-enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
-                                   const struct um_model_thermal_solution *heat,
-                                   struct um_model_result *result);
+/* Heat of all nodes of a place by its shares of them, mean over the exposure. */
+enum um_status um_model_run_heat(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_thermal_solution *heat,
+                                 struct um_model_result *result);
 
 #endif

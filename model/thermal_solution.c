@@ -151,13 +151,15 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
   struct um_model_thermal_solution *heat = NULL;
   double *built = NULL;
   bool periodic = model->scenario->thermal->start == UM_START_PERIODIC;
+  struct um_model_heat_like like = {NULL, NULL, NULL};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
   *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
-  UM_CHECK(um_model_heat_setting_make(
-      context, model, precomputed, warm != NULL && periodic ? warm->setting.options.exchange : NULL,
-      &heat->setting));
+  if (warm != NULL && periodic)
+    like = (struct um_model_heat_like){warm->model, warm->precomputed, &warm->setting};
+  UM_CHECK(um_model_heat_setting_make(context, model, precomputed,
+                                      like.model != NULL ? &like : NULL, &heat->setting));
   heat->setting.options.tolerance_factor = tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));

@@ -148,7 +148,7 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
                               const struct um_model_thermal_solution *heat)
 {
   struct um_model_result *result = NULL;
-  UM_TRY(um_model_run_with(context, model, precomputed, heat, &result));
+  UM_TRY(um_model_run_observed(context, model, precomputed, heat, &result));
   enum um_status status =
       um_compare_predict(context, forward->plan, precomputed, result, forward->cache->predicted);
   um_model_result_destroy(context, &result);

@@ -98,7 +98,8 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
   if (!cold)
     UM_CHECK(um_model_thermal_solution_matches(context, study->heat, model, precomputed, &matches));
   if (!matches) UM_CHECK(heat_make(context, study, model, precomputed, cold, &heat));
-  UM_CHECK(um_model_run_with(context, model, precomputed, matches ? study->heat : heat, &result));
+  UM_CHECK(
+      um_model_run_observed(context, model, precomputed, matches ? study->heat : heat, &result));
   UM_CHECK(um_study_outputs_take(context, study, model, result, value));
 done:
   um_model_result_destroy(context, &result);

@@ -35,7 +35,7 @@ static enum um_status solve_nominal(struct um_context *context, struct um_study 
                                           &study->heat));
   study->seconds_heat = omp_get_wtime() - begin;
   begin = omp_get_wtime();
-  UM_TRY(um_model_run_with(context, study->model, study->precomputed, study->heat, &result));
+  UM_TRY(um_model_run_observed(context, study->model, study->precomputed, study->heat, &result));
   study->seconds_run = study->seconds_geometry + study->seconds_heat + omp_get_wtime() - begin;
   enum um_status status =
       um_study_outputs_take(context, study, study->model, result, study->nominal);

@@ -110,6 +110,9 @@ static enum um_status make(struct um_thermal_exchange_maker *m,
   struct um_thermal_exchange *x = m->out;
   size_t ntime = m->loads != NULL ? m->loads->ntime : 0, n = m->table->patches->npatch;
   bool solar = options->solar && m->loads != NULL;
+  const struct um_thermal_reflected *like =
+      options->like_sunlight && options->like->reflected.sun != NULL ? &options->like->reflected
+                                                                     : NULL;
   UM_TRY(take_table(m));
   if (options->like != NULL && options->like->arriving != NULL &&
       options->like->nsurface == x->nsurface)
@@ -130,14 +133,17 @@ static enum um_status make(struct um_thermal_exchange_maker *m,
     UM_TRY(um_core_allocate(m->context, x->npose + 1, sizeof *x->strong, &x->strong));
     if (ntime > 0) UM_TRY(um_core_allocate(m->context, ntime * n, sizeof(double), &r->planet));
   }
-  if (solar) {
+  if (solar && like != NULL) {
+    UM_TRY(copy(m->context, like->sun, ntime * n, sizeof(double), &r->sun));
+    UM_TRY(copy(m->context, like->albedo, ntime * n, sizeof(double), &r->albedo));
+  } else if (solar) {
     UM_TRY(um_core_allocate(m->context, ntime * n, sizeof(double), &r->sun));
     UM_TRY(um_core_allocate(m->context, ntime * n, sizeof(double), &r->albedo));
   }
   for (size_t pose = 0; pose < x->npose; pose++) {
     if (options->infrared) UM_TRY(um_thermal_exchange_make_infrared(m, pose));
     if (options->infrared && ntime > 0) UM_TRY(make_planet(m, pose));
-    if (solar) UM_TRY(make_solar(m, pose));
+    if (solar && like == NULL) UM_TRY(make_solar(m, pose));
   }
   if (options->infrared) UM_TRY(um_thermal_exchange_make_inside(m));
   return UM_OK;

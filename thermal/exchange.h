@@ -53,6 +53,8 @@ struct um_thermal_exchange_options {
                                                      borrowed; NULL: loads are scattered first */
   const struct um_thermal_exchange *like; /* take the temperatures of the last renewal from there,
                                              borrowed, same patches; NULL: optics as stated */
+  bool like_sunlight; /* and what is reflected of sunlight: loads, patches, mirrors and aging are
+                         those of `like`, and the networks are um_thermal_network_solar_equal */
 };
 
 /* Exchange of a network whose surfaces are those of the table, with the optics that they have now;

@@ -174,6 +174,9 @@ bool um_thermal_network_alike(const struct um_thermal_network *a,
  * what exchange between them is made of. */
 bool um_thermal_network_optics_equal(const struct um_thermal_network *a,
                                      const struct um_thermal_network *b);
+/* The same of what they do to sunlight. */
+bool um_thermal_network_solar_equal(const struct um_thermal_network *a,
+                                    const struct um_thermal_network *b);
 /* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */
 enum um_status um_thermal_network_read(struct um_context *context, const char *nodes_csv,
                                        const char *conductors_csv, struct um_thermal_network **out);

@@ -98,6 +98,29 @@ bool um_thermal_network_optics_equal(const struct um_thermal_network *a,
   return true;
 }
 
+static bool solar_laws_equal(const struct um_thermal_surface_law *a,
+                             const struct um_thermal_surface_law *b)
+{
+  if (a == b || a == NULL || b == NULL) return a == b;
+  return a->albedo == b->albedo && a->by_angle == b->by_angle &&
+         numbers_equal(a->albedo_angle, b->albedo_angle, UM_ANGULAR_MOMENTS) &&
+         numbers_equal(a->absorptance, b->absorptance, UM_THERMAL_LAW_ANGLES);
+}
+
+bool um_thermal_network_solar_equal(const struct um_thermal_network *a,
+                                    const struct um_thermal_network *b)
+{
+  if (a->nsurface != b->nsurface) return false;
+  for (size_t s = 0; s < a->nsurface; s++) {
+    const struct um_thermal_surface *x = &a->surface[s], *y = &b->surface[s];
+    if (a->attached[s] != b->attached[s]) return false;
+    if (a->attached[s] && !(x->area == y->area && x->absorptance == y->absorptance &&
+                            solar_laws_equal(x->law, y->law)))
+      return false;
+  }
+  return true;
+}
+
 bool um_thermal_network_alike(const struct um_thermal_network *a,
                               const struct um_thermal_network *b)
 {
