@@ -1,6 +1,14 @@
 /* A point of a study, exactly: geometry and heat are shared where they are the same number for
  * number. Heat starts from the periodic state of the scenario as it stands, never from another
- * point, so that a point has the same bits in any order and process. */
+ * point, so that a point has the same bits in any order and process.
+ *
+ * What loose tolerances do to a point they do to the scenario as it stands, nearly: errors of an
+ * integration have one sign. That is known of the scenario, and taken off every point:
+ *
+ *   y = y_loose + (y_0 - y_0,loose) of temperatures and magnitudes, y_loose y_0/y_0,loose of light.
+ */
+#include <math.h>
+
 #include "geometry/geometry.h"
 #include "model/build.h"
 #include "model/precompute.h"
@@ -86,6 +94,52 @@ static enum um_status heat_make(struct um_context *context, const struct um_stud
                                         study->tolerance_factor, study->periodic_tolerance, out);
 }
 
+/* Light and temperatures of a model with heat, into value. */
+static enum um_status observe(struct um_context *context, const struct um_study *study,
+                              const struct um_model *model,
+                              const struct um_model_precomputed *precomputed,
+                              const struct um_model_thermal_solution *heat, double *value)
+{
+  struct um_model_result *result = NULL;
+  UM_TRY(um_model_run_observed(context, model, precomputed, heat, &result));
+  enum um_status status = um_study_outputs_take(context, study, model, result, value);
+  um_model_result_destroy(context, &result);
+  return status;
+}
+
+enum um_status um_study_looseness(struct um_context *context, struct um_study *study)
+{
+  enum um_status status;
+  struct um_model_thermal_solution *heat = NULL;
+  double *loose = NULL;
+  if (study->looseness == NULL)
+    UM_TRY(um_core_allocate(context, study->nvalue, sizeof *loose, &study->looseness));
+  UM_TRY(um_core_allocate(context, study->nvalue, sizeof *loose, &loose));
+  UM_CHECK(heat_make(context, study, study->model, study->precomputed, false, &heat));
+  UM_CHECK(observe(context, study, study->model, study->precomputed, heat, loose));
+  for (size_t i = 0; i < study->nvalue; i++) {
+    double exact = study->nominal[i];
+    if (study->output[i / study->ntime].kind == UM_STUDY_IRRADIANCE)
+      study->looseness[i] = exact > 0.0 && loose[i] > 0.0 ? exact / loose[i] : 1.0;
+    else
+      study->looseness[i] = isfinite(exact - loose[i]) ? exact - loose[i] : 0.0;
+  }
+done:
+  um_model_thermal_solution_destroy(context, &heat);
+  um_core_free(context, loose);
+  return status;
+}
+
+static void looseness_take_off(const struct um_study *study, double *value)
+{
+  for (size_t i = 0; i < study->nvalue && study->looseness != NULL; i++) {
+    if (study->output[i / study->ntime].kind == UM_STUDY_IRRADIANCE)
+      value[i] *= study->looseness[i];
+    else
+      value[i] += study->looseness[i];
+  }
+}
+
 enum um_status um_study_values(struct um_context *context, const struct um_study *study,
                                const struct um_model *model,
                                const struct um_model_precomputed *precomputed, bool cold,
@@ -93,16 +147,13 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
 {
   enum um_status status = UM_OK;
   struct um_model_thermal_solution *heat = NULL;
-  struct um_model_result *result = NULL;
   bool matches = false;
   if (!cold)
     UM_CHECK(um_model_thermal_solution_matches(context, study->heat, model, precomputed, &matches));
   if (!matches) UM_CHECK(heat_make(context, study, model, precomputed, cold, &heat));
-  UM_CHECK(
-      um_model_run_observed(context, model, precomputed, matches ? study->heat : heat, &result));
-  UM_CHECK(um_study_outputs_take(context, study, model, result, value));
+  UM_CHECK(observe(context, study, model, precomputed, matches ? study->heat : heat, value));
+  if (!matches && !cold && precomputed == study->precomputed) looseness_take_off(study, value);
 done:
-  um_model_result_destroy(context, &result);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }

@@ -43,6 +43,8 @@ struct um_study {
   size_t noutput, ntime, nvalue;     /* nvalue: noutput curves of ntime */
   double *nominal;                   /* [nvalue]; NaN: nothing is seen */
   double *scale;                     /* [noutput] largest of the nominal curve */
+  double *looseness;                 /* [nvalue] what loose tolerances take from the nominal's
+                                        curves, of light a factor; NULL: not known (point.c) */
   double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
   double tolerance_factor, periodic_tolerance; /* of a point's heat [1], [K] (tolerance.c) */
   struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
@@ -84,6 +86,8 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
                                const struct um_model *model,
                                const struct um_model_precomputed *precomputed, bool cold,
                                double *value);
+/* What the tolerances as they are now do to the scenario as it stands, into looseness. */
+enum um_status um_study_looseness(struct um_context *context, struct um_study *study);
 
 /* --- points.c --- */
 /* Points of the design: u, parameter [*n][nway], which the caller frees. */

@@ -108,32 +108,23 @@ static double mirrored_share(const struct um_thermal_exchange_maker *m, size_t p
   return m->mirror[p] > 0.0 ? m->mirror[p] / (m->mirror[p] + fmax(scattered, 0.0)) : 0.0;
 }
 
-/* arriving[n] by way of mirrors, per area, at a row; reflected[n]: of the Sun, by each patch. */
-static void add_mirrored_incident(const struct um_thermal_exchange_maker *m,
-                                  const struct mirrored_incident *a, size_t row,
-                                  enum um_thermal_load load, const double *reflected,
-                                  double *arriving)
+/* arriving[n] of the Sun by way of mirrors, per area, at a row; reflected[n]: by each patch. */
+static void take_mirrored_sun(const struct um_thermal_exchange_maker *m,
+                              const struct mirrored_incident *a, size_t row,
+                              const double *reflected, double *arriving)
 {
   const struct um_irradiation_mirrored *mirrored = m->mirrored;
+  const double *area = m->out->area;
   memset(arriving, 0, m->n * sizeof *arriving);
-  if (load == UM_THERMAL_SUN) {
-    const double *area = m->out->area;
-    for (size_t k = mirrored->begin[row]; k < mirrored->begin[row + 1]; k++) {
-      const struct um_irradiation_mirrored_sun *e = &mirrored->sun[k];
-      arriving[e->to] += (double)e->share * a->set[e->sets] * mirrored_share(m, e->from) *
-                         reflected[e->from] * area[e->from] / area[e->to];
-    }
-    return;
+  for (size_t k = mirrored->begin[row]; k < mirrored->begin[row + 1]; k++) {
+    const struct um_irradiation_mirrored_sun *e = &mirrored->sun[k];
+    arriving[e->to] += (double)e->share * a->set[e->sets] * mirrored_share(m, e->from) *
+                       reflected[e->from] * area[e->from] / area[e->to];
   }
-  const float *sky = (load == UM_THERMAL_ALBEDO ? mirrored->albedo : mirrored->planet) +
-                     row * UM_GEOMETRY_SKY_CELLS;
-  for (size_t p = 0; p < m->n; p++)
-    for (size_t k = a->begin[p]; k < a->begin[p + 1]; k++)
-      arriving[p] += a->per_sky[k] * (double)sky[a->cell[k]];
 }
 
 /* A row of the loads: out[row] += w M, and reflected[n] that is scattered, for spread_rows. false:
- * nothing shines. arriving[n]: scratch. */
+ * nothing shines. arriving[n]: by way of mirrors, of the Sun found here. */
 static bool take_row(const struct um_thermal_exchange_maker *m, const struct mirrored_incident *a,
                      size_t row, double weight, enum um_thermal_load load, double *reflected,
                      double *arriving, double *out)
@@ -152,7 +143,7 @@ static bool take_row(const struct um_thermal_exchange_maker *m, const struct mir
     any = any || reflected[p] != 0.0;
   }
   if (!any) return false; /* then nothing shines on mirrors either */
-  if (a != NULL) add_mirrored_incident(m, a, row, load, reflected, arriving);
+  if (a != NULL && load == UM_THERMAL_SUN) take_mirrored_sun(m, a, row, reflected, arriving);
   for (size_t p = 0; p < n; p++) {
     reflected[p] /= 1.0 - m->mirror[p];
     if (a == NULL) continue; /* all is scattered */
@@ -179,6 +170,38 @@ struct rows {
   double weight[TOGETHER];
   double *reflected; /* [noutside][TOGETHER], 0 behind n */
 };
+
+/* sum[TOGETHER]: of what cells of the sky send, times their weight. */
+UM_WIDE_VECTORS static void sky_gather(const double *per_sky, const uint32_t *cell, size_t n,
+                                       const double *sky, double *sum)
+{
+  for (size_t k = 0; k < TOGETHER; k++) sum[k] = 0.0;
+  for (size_t e = 0; e < n; e++) {
+    const double *of = sky + (size_t)cell[e] * TOGETHER;
+    for (size_t k = 0; k < TOGETHER; k++) sum[k] += per_sky[e] * of[k];
+  }
+}
+
+/* arriving[TOGETHER][noutside] of the Earth by way of mirrors, per area, at rows first, first + 1,
+ * ..; sky: scratch [UM_GEOMETRY_SKY_CELLS][TOGETHER]. */
+static void take_mirrored_sky(const struct um_thermal_exchange_maker *m,
+                              const struct mirrored_incident *a, size_t first,
+                              enum um_thermal_load load, double *sky, double *arriving)
+{
+  const float *table = load == UM_THERMAL_ALBEDO ? m->mirrored->albedo : m->mirrored->planet;
+  size_t n = m->table->noutside;
+  for (size_t k = 0; k < TOGETHER; k++)
+    for (size_t c = 0; c < UM_GEOMETRY_SKY_CELLS; c++)
+      sky[c * TOGETHER + k] = first + k < m->loads->ntime
+                                  ? (double)table[(first + k) * UM_GEOMETRY_SKY_CELLS + c]
+                                  : 0.0;
+  for (size_t p = 0; p < n; p++) {
+    double sum[TOGETHER];
+    size_t begin = a->begin[p];
+    sky_gather(a->per_sky + begin, a->cell + begin, a->begin[p + 1] - begin, sky, sum);
+    for (size_t k = 0; k < TOGETHER; k++) arriving[k * n + p] = sum[k];
+  }
+}
 
 /* sum[TOGETHER]: of b[q] times what the lit patches reflect, q through lit[nlit]. */
 UM_WIDE_VECTORS static void gather(const double *b, const uint32_t *lit, size_t nlit,
@@ -214,25 +237,29 @@ static void spread_rows(const struct um_thermal_exchange_maker *m, const struct 
   }
 }
 
-/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [SCRATCH noutside]. */
-#define SCRATCH (2 * TOGETHER + 3)
+/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [SCRATCH noutside], and
+ * the sky. */
+#define SCRATCH (3 * TOGETHER + 2)
 static void reflect_rows(const struct um_thermal_exchange_maker *m,
                          const struct mirrored_incident *a, size_t first, size_t pose,
                          enum um_thermal_load load, double *scratch, double *out)
 {
   size_t n = m->table->noutside;
   struct rows rows = {.reflected = scratch};
-  double *reflected = scratch + TOGETHER * n;
+  double *arriving = scratch + TOGETHER * n, *sums = arriving + TOGETHER * n,
+         *reflected = sums + TOGETHER * n, *lit = reflected + n, *sky = lit + n;
   memset(scratch, 0, TOGETHER * n * sizeof *scratch);
+  if (a != NULL && load != UM_THERMAL_SUN) take_mirrored_sky(m, a, first, load, sky, arriving);
   for (size_t row = first; row < first + TOGETHER && row < m->loads->ntime; row++) {
     double weight = weight_of(m->out, row, pose);
-    if (weight == 0.0 || !take_row(m, a, row, weight, load, reflected, reflected + n, out))
+    if (weight == 0.0 ||
+        !take_row(m, a, row, weight, load, reflected, arriving + (row - first) * n, out))
       continue;
     for (size_t p = 0; p < n; p++) rows.reflected[p * TOGETHER + rows.n] = reflected[p];
     rows.row[rows.n] = row;
     rows.weight[rows.n++] = weight;
   }
-  spread_rows(m, &rows, (uint32_t *)(reflected + 2 * n), reflected + 3 * n, out);
+  spread_rows(m, &rows, (uint32_t *)lit, sums, out);
 }
 
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
@@ -241,7 +268,7 @@ enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, 
   enum um_status status;
   struct mirrored_incident incident = {0};
   double *scratch = NULL;
-  size_t n = m->out->npatch, each = SCRATCH * n;
+  size_t n = m->out->npatch, each = SCRATCH * n + UM_GEOMETRY_SKY_CELLS * TOGETHER;
   int threads = um_core_context_threads(m->context);
   bool mirrored = m->mirrored != NULL;
   long nblock = (long)((m->loads->ntime + TOGETHER - 1) / TOGETHER);

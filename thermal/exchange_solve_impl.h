@@ -29,6 +29,6 @@ enum um_status um_thermal_exchange_solve(struct um_thermal_exchange_solver *solv
  * solution. NULL: out of memory. system->exchange is there. */
 SUNLinearSolver um_thermal_exchange_sundials(struct um_thermal_system *system,
                                              SUNLinearSolver inner, const double *scale,
-                                             double tolerance, SUNContext sun);
+                                             const double *tolerance, SUNContext sun);
 
 #endif

@@ -14,8 +14,7 @@ struct content {
   SUNMatrix matrix; /* of the last setup; borrowed */
   N_Vector work;    /* right-hand side of the inner solver */
   N_Vector answer;
-  const double *scale;
-  double tolerance;
+  const double *scale, *tolerance;
 };
 
 static struct content *content_of(SUNLinearSolver solver) { return solver->content; }
@@ -58,7 +57,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector 
   (void)unused;
   if (to != from) memcpy(to, from, c->system->nunknown * sizeof *to);
   enum um_status status = um_thermal_exchange_solve(c->solver, &inner, SUNSparseMatrix_Data(matrix),
-                                                    *c->scale, c->tolerance, to);
+                                                    *c->scale, *c->tolerance, to);
   return status == UM_OK ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
 }
 
@@ -79,7 +78,7 @@ static int release(SUNLinearSolver solver)
 
 SUNLinearSolver um_thermal_exchange_sundials(struct um_thermal_system *system,
                                              SUNLinearSolver inner, const double *scale,
-                                             double tolerance, SUNContext sun)
+                                             const double *tolerance, SUNContext sun)
 {
   if (inner == NULL) return NULL;
   SUNLinearSolver solver = SUNLinSolNewEmpty(sun);

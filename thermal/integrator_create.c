@@ -9,6 +9,7 @@
 #define NEWTON_SHARE   1e-4
 #define LINEAR_SHARE   1e-5 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE_SHARE 1e-4 /* the same with exchange between surfaces */
+#define EXCHANGE_LOOSE 1e-2 /* where Newton's iteration ends as CVODES has it */
 
 static enum um_status vectors_create(struct um_thermal_integrator *integrator)
 {
@@ -35,8 +36,9 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   integrator->solver =
       um_thermal_linear_sundials(integrator->linear, LINEAR_SHARE, integrator->sun);
   if (system->exchange != NULL)
-    integrator->solver = um_thermal_exchange_sundials(
-        system, integrator->solver, &integrator->gamma, EXCHANGE_SHARE, integrator->sun);
+    integrator->solver =
+        um_thermal_exchange_sundials(system, integrator->solver, &integrator->gamma,
+                                     &integrator->exchange_share, integrator->sun);
   if (integrator->solver == NULL) return um_thermal_integrator_fail(integrator, CV_MEM_FAIL);
   integrator->cvodes = CVodeCreate(CV_BDF, integrator->sun);
   if (integrator->cvodes == NULL) return um_thermal_integrator_fail(integrator, CV_MEM_FAIL);
@@ -49,6 +51,7 @@ enum um_status um_thermal_integrator_tolerances(struct um_thermal_integrator *in
   double factor = integrator->tolerance_factor * options->tolerance_factor;
   SUN_CHECK(CVodeSStolerances(integrator->cvodes, factor * options->relative_tolerance,
                               factor * options->absolute_tolerance));
+  integrator->exchange_share = factor > 1.0 ? EXCHANGE_LOOSE : EXCHANGE_SHARE;
   SUN_CHECK(CVodeSetNonlinConvCoef(integrator->cvodes, factor > 1.0 ? 0.1 : NEWTON_SHARE));
   return UM_OK;
 }

@@ -22,6 +22,7 @@ struct um_thermal_integrator {
   double t;                /* [s] of y */
   double tolerance_factor; /* factor on the tolerances [1] */
   double gamma;            /* of Newton's matrix 1 - gamma J [s] */
+  double exchange_share;   /* that iterations about the exchange leave of a right side [1] */
   bool initialized;        /* CVodeInit was done */
   double *cube, *power4;   /* [n] integrals of the caller; NULL: not wanted */
   double *cube_before, *power4_before;

@@ -83,9 +83,10 @@ static enum um_status vectors_create(struct steady *steady)
   UM_TRY(um_thermal_linear_create(system, &steady->linear));
   steady->solver = um_thermal_linear_sundials(steady->linear, LINEAR_SHARE, steady->sun);
   static const double of_jacobian = -1.0; /* the matrix is J itself */
+  static const double tolerance = EXCHANGE;
   if (system->exchange != NULL)
     steady->solver = um_thermal_exchange_sundials(steady->system, steady->solver, &of_jacobian,
-                                                  EXCHANGE, steady->sun);
+                                                  &tolerance, steady->sun);
   steady->kinsol = KINCreate(steady->sun);
   if (steady->solver == NULL || steady->kinsol == NULL) goto memory;
   return UM_OK;
