@@ -112,8 +112,10 @@ enum um_status um_study_looseness(struct um_context *context, struct um_study *s
   enum um_status status;
   struct um_model_thermal_solution *heat = NULL;
   double *loose = NULL;
-  if (study->looseness == NULL)
+  if (study->looseness == NULL) {
+    UM_TRY(um_core_allocate(context, study->noutput, sizeof *loose, &study->taken_off));
     UM_TRY(um_core_allocate(context, study->nvalue, sizeof *loose, &study->looseness));
+  }
   UM_TRY(um_core_allocate(context, study->nvalue, sizeof *loose, &loose));
   UM_CHECK(heat_make(context, study, study->model, study->precomputed, false, &heat));
   UM_CHECK(observe(context, study, study->model, study->precomputed, heat, loose));
@@ -124,6 +126,7 @@ enum um_status um_study_looseness(struct um_context *context, struct um_study *s
     else
       study->looseness[i] = isfinite(exact - loose[i]) ? exact - loose[i] : 0.0;
   }
+  um_study_differences(study, loose, study->nominal, study->taken_off);
 done:
   um_model_thermal_solution_destroy(context, &heat);
   um_core_free(context, loose);

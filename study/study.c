@@ -143,6 +143,7 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_core_free(context, s->nominal);
   um_core_free(context, s->scale);
   um_core_free(context, s->looseness);
+  um_core_free(context, s->taken_off);
   um_core_free(context, s->measured);
   um_core_free(context, s->scenario);
   um_core_free(context, s->measurements);

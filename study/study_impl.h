@@ -45,6 +45,7 @@ struct um_study {
   double *scale;                     /* [noutput] largest of the nominal curve */
   double *looseness;                 /* [nvalue] what loose tolerances take from the nominal's
                                         curves, of light a factor; NULL: not known (point.c) */
+  double *taken_off;                 /* [noutput] the largest of it, as differences are [1], [K] */
   double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
   double tolerance_factor, periodic_tolerance; /* of a point's heat [1], [K] (tolerance.c) */
   struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
@@ -86,7 +87,8 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
                                const struct um_model *model,
                                const struct um_model_precomputed *precomputed, bool cold,
                                double *value);
-/* What the tolerances as they are now do to the scenario as it stands, into looseness. */
+/* What the tolerances as they are now do to the scenario as it stands, into looseness and
+ * taken_off. */
 enum um_status um_study_looseness(struct um_context *context, struct um_study *study);
 
 /* --- points.c --- */

@@ -14,10 +14,9 @@
 #define SHARE           0.5
 #define SHARE_SURROGATE 0.2
 
-/* Above 6 the points of a surrogate cost less, but differ from each other by more than it can
- * follow: where a loose search for the periodic state ends is not smooth in the parameters. */
-#define FIRST           0 /* of the choices that an exact study tries */
-#define FIRST_SURROGATE 0
+/* Of what is taken off a point, left elsewhere than where it is measured. */
+#define SHARE_LEFT 0.2
+
 static const struct {
   double factor;   /* on the tolerances of the integration */
   double periodic; /* of the state that repeats [K] */
@@ -75,8 +74,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   struct um_model *model = NULL;
   double *value = NULL, *own;
   bool serves = false;
-  size_t first = study->file->mode == UM_STUDY_SURROGATE ? FIRST_SURROGATE : FIRST;
-  choose(study, first);
+  choose(study, 0);
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
@@ -88,11 +86,13 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
     goto done;
   }
   UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
-  for (size_t i = first; i < CHOICES; i++) {
+  for (size_t i = 0; i < CHOICES; i++) {
     choose(study, i);
     UM_CHECK(um_study_looseness(context, study));
     UM_CHECK(um_study_values(context, study, model, study->precomputed, false, value));
     um_study_differences(study, value, own, study->measured);
+    for (size_t q = 0; q < study->noutput; q++)
+      study->measured[q] += SHARE_LEFT * study->taken_off[q];
     if (good_enough(study)) break;
   }
 done:

@@ -7,6 +7,7 @@
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
+#include "study/study_impl.h"
 #include "tests/study/world.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
@@ -119,6 +120,44 @@ static void test_exact(void **state)
   world_clear(context);
 }
 
+/* Loose tolerances warm or cool every point alike: what they do to the scenario is taken off, and a
+ * point of a thousandfold tolerances is twice as near to its own light and temperatures or nearer.
+ */
+static void test_taken_off(void **state)
+{
+  (void)state;
+  struct um_study *study = NULL;
+  struct um_model *model = NULL;
+  const struct um_study_run_options options = world_options(1, false);
+  const double parameter[3] = {0.7, 60.0, 0.25};
+  double off[2][4], *known;
+  world_clear(context);
+  world_put(PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n");
+  need(um_study_create(context, WORLD_STUDY, &options, &study));
+  study->tolerance_factor = 1000.0;
+  study->periodic_tolerance = 0.01;
+  need(um_study_looseness(context, study));
+  double *value = malloc(2 * study->nvalue * sizeof *value), *own = value + study->nvalue;
+  assert_non_null(value);
+  need(um_study_model(context, study, study->way, study->nway, parameter, &model));
+  need(um_study_values(context, study, model, study->precomputed, true, own));
+  known = study->looseness;
+  for (int taken = 0; taken < 2; taken++) {
+    study->looseness = taken ? known : NULL;
+    need(um_study_values(context, study, model, study->precomputed, false, value));
+    um_study_differences(study, value, own, off[taken]);
+  }
+  for (size_t q = 1; q < 4; q++) {
+    print_message("loose: %.3g off, %.3g taken off, %.3g left\n", off[0][q], study->taken_off[q],
+                  off[1][q]);
+    assert_true(study->taken_off[q] > 0.0 && off[1][q] < 0.5 * off[0][q]);
+  }
+  free(value);
+  um_model_destroy(context, &model);
+  um_study_destroy(context, &study);
+  world_clear(context);
+}
+
 /* Any order and any number of processes give the same bits. */
 static void test_any_process(void **state)
 {
@@ -160,7 +199,7 @@ static void test_surrogate(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_exact),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_exact), cmocka_unit_test(test_taken_off),
                                      cmocka_unit_test(test_any_process),
                                      cmocka_unit_test(test_surrogate)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
