@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "app/terminal.h"
+#include "core/digest.h"
 
 /* One process a rank where a launcher has placed the ranks. */
 static int workers_by_machine(void)
@@ -42,9 +43,6 @@ enum um_status um_app_batch_options(struct um_context *context,
 
 uint64_t um_app_batch_hash(uint64_t hash, const char *text)
 {
-  if (hash == 0) hash = um_app_batch_hash(UINT64_C(0xcbf29ce484222325), UM_APP_VERSION);
-  /* FNV-1a (Fowler, Noll and Vo), the end of the text included: "a" "b" is not "ab" */
-  for (size_t i = 0; i <= strlen(text); i++)
-    hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
-  return hash;
+  if (hash == 0) hash = um_app_batch_hash(UM_CORE_DIGEST_BEGIN, UM_APP_VERSION);
+  return um_core_digest_texts(hash, &text, 1);
 }

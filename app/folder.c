@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "core/digest.h"
 
 #define SLUG_LENGTH 60 /* of CHANGES without the hash; names of folders end at 255 bytes */
 
@@ -16,7 +17,7 @@ struct slug {
   char text[SLUG_LENGTH + 1];
   size_t length;
   bool lossy;
-  uint64_t hash; /* FNV-1a, 64 bit */
+  uint64_t hash; /* digest so far */
 };
 
 static bool is_kept(char c)
@@ -28,7 +29,7 @@ static bool is_kept(char c)
 static void put(struct slug *slug, char c)
 {
   bool kept = is_kept(c);
-  slug->hash = (slug->hash ^ (unsigned char)c) * UINT64_C(0x100000001b3);
+  slug->hash = um_core_digest(slug->hash, &c, 1);
   slug->lossy = slug->lossy || !kept || slug->length == SLUG_LENGTH;
   if (slug->length < SLUG_LENGTH) slug->text[slug->length++] = kept ? c : '-';
 }
@@ -44,7 +45,7 @@ static void put_list(struct slug *slug, const char *option, const char *const *t
 enum um_status um_app_out_folder(struct um_context *context, const struct um_app_options *options,
                                  const char *name, char **out)
 {
-  struct slug slug = {.hash = UINT64_C(0xcbf29ce484222325)};
+  struct slug slug = {.hash = UM_CORE_DIGEST_BEGIN};
   if (options->out != NULL) return um_core_strdup(context, options->out, out);
   if (options->nset + options->nwith + options->nwithout == 0)
     return um_core_asprintf(context, out, "out/%s", name);

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "core/digest.h"
+
 #define FREE SIZE_MAX
 
 struct um_batch_known {
@@ -31,13 +33,10 @@ void um_batch_known_destroy(struct um_context *context, struct um_batch_known **
   *known = NULL;
 }
 
-/* FNV-1a of 64 bits (Fowler, Noll and Vo), with its upper half folded in: neighbouring doubles
- * differ in few bits. */
+/* The upper half folded in: neighbouring doubles differ in few bits. */
 static uint64_t hash(const double *coordinate, size_t n)
 {
-  const unsigned char *byte = (const unsigned char *)coordinate;
-  uint64_t h = 14695981039346656037u;
-  for (size_t i = 0; i < n * sizeof *coordinate; i++) h = (h ^ byte[i]) * 1099511628211u;
+  uint64_t h = um_core_digest(UM_CORE_DIGEST_BEGIN, coordinate, n * sizeof *coordinate);
   return h ^ (h >> 32);
 }
 

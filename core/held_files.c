@@ -1,5 +1,6 @@
 /* While files are held, every one is read once and served from memory again, so that what is built
  * many times is built from the same bytes though somebody edits them meanwhile. */
+#include "core/digest.h"
 #include "core/held_files_impl.h"
 
 #include <stdint.h>
@@ -48,10 +49,8 @@ uint64_t um_core_files_digest(struct um_context *context)
   const struct um_core_held_files *h = *um_core_context_held_files(context);
   uint64_t sum = 0;
   for (size_t i = 0; h != NULL && i < h->count; i++) {
-    uint64_t hash = UINT64_C(14695981039346656037);
-    for (size_t k = 0; k <= h->file[i].length; k++) /* its NUL too: an empty file counts */
-      hash = (hash ^ (unsigned char)h->file[i].text[k]) * UINT64_C(1099511628211);
-    sum += hash;
+    /* its NUL too: an empty file counts */
+    sum += um_core_digest(UM_CORE_DIGEST_BEGIN, h->file[i].text, h->file[i].length + 1);
   }
   return sum;
 }

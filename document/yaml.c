@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "core/digest.h"
 #include "document/document_impl.h"
 #include "document/yaml_impl.h"
 
@@ -140,8 +141,7 @@ struct key_set {
 
 static size_t key_slot(const struct key_set *set, const char *key)
 {
-  uint64_t h = UINT64_C(14695981039346656037); /* FNV-1a */
-  for (const char *c = key; *c != '\0'; c++) h = (h ^ (unsigned char)*c) * UINT64_C(1099511628211);
+  uint64_t h = um_core_digest(UM_CORE_DIGEST_BEGIN, key, strlen(key));
   size_t slot = (size_t)(h ^ (h >> 29)) & set->mask;
   while (set->key[slot] != NULL && strcmp(set->key[slot], key) != 0) slot = (slot + 1) & set->mask;
   return slot;

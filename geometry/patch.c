@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/digest.h"
 #include "geometry/geometry_impl.h"
 
 void um_geometry_patch_begin(struct um_geometry_patch *patch, struct um_context *context,
@@ -66,11 +67,10 @@ enum um_status um_geometry_patch_facet(struct um_geometry_patch *patch, uint32_t
   return UM_OK;
 }
 
-/* Slot of a name, or the free one where it would stand: FNV-1a, linear probing. */
+/* Slot of a name, or the free one where it would stand: linear probing. */
 static size_t group_slot(const struct um_geometry_patch *patch, const char *name)
 {
-  uint64_t h = UINT64_C(14695981039346656037);
-  for (const char *c = name; *c != '\0'; c++) h = (h ^ (unsigned char)*c) * UINT64_C(1099511628211);
+  uint64_t h = um_core_digest(UM_CORE_DIGEST_BEGIN, name, strlen(name));
   size_t slot = (size_t)(h ^ (h >> 29)) & (patch->group_slots - 1);
   while (patch->group_slot[slot] != UM_GEOMETRY_NONE &&
          strcmp(patch->group_name[patch->group_slot[slot]], name) != 0)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/digest.h"
 #include "core/file.h"
 #include "core/sort.h"
 #include "model/bands.h"
@@ -180,35 +181,21 @@ static enum um_status name_stations(struct um_context *context, struct held *h,
   return UM_OK;
 }
 
-/* FNV-1a of 64 bits (Fowler, Noll and Vo) of a block; its length goes in. */
-static uint64_t hash(uint64_t h, const void *data, size_t bytes)
-{
-  const unsigned char *byte = data;
-  for (size_t i = 0; i < bytes; i++) h = (h ^ byte[i]) * UINT64_C(0x100000001b3);
-  return (h ^ bytes) * UINT64_C(0x100000001b3);
-}
-
-static uint64_t hash_texts(uint64_t h, const char *const *text, size_t n)
-{
-  for (size_t i = 0; i < n; i++) h = hash(h, text[i], strlen(text[i]));
-  return hash(h, &n, sizeof n);
-}
-
 /* The scenario and all files that it names, its changes and the stations: a pass of these has its
  * values. */
 static uint64_t identify(struct um_context *context, const struct held *h, uint64_t identity)
 {
   const struct um_model_options *o = h->ask.options;
   const uint64_t files = um_core_files_digest(context);
-  uint64_t id = hash(identity, &files, sizeof files);
-  id = hash_texts(id, o->overrides, o->noverride);
-  id = hash_texts(id, o->with, o->nwith);
-  id = hash_texts(id, o->without, o->nwithout);
-  id = hash_texts(id, o->effect_files, o->neffect_file);
+  uint64_t id = um_core_digest(identity, &files, sizeof files);
+  id = um_core_digest_texts(id, o->overrides, o->noverride);
+  id = um_core_digest_texts(id, o->with, o->nwith);
+  id = um_core_digest_texts(id, o->without, o->nwithout);
+  id = um_core_digest_texts(id, o->effect_files, o->neffect_file);
   for (size_t i = 0; i < h->forecast.nstation; i++) {
     const struct um_study_station *s = &h->forecast.station[i];
     const double place[3] = {s->latitude, s->longitude, s->height};
-    id = hash(id, place, sizeof place);
+    id = um_core_digest(id, place, sizeof place);
   }
   return id;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "core/digest.h"
 #include "core/file.h"
 #include "core/sort.h"
 #include "model/precompute.h"
@@ -12,19 +13,6 @@
 
 /* --- identity -------------------------------------------------------------------------------- */
 
-/* Fowler-Noll-Vo of bytes, on from a hash. */
-static uint64_t mix(uint64_t hash, const void *bytes, size_t n)
-{
-  for (size_t i = 0; i < n; i++) hash = (hash ^ ((const unsigned char *)bytes)[i]) * 1099511628211u;
-  return hash;
-}
-
-static uint64_t mix_texts(uint64_t hash, const char *const *text, size_t n)
-{
-  for (size_t i = 0; i < n; i++) hash = mix(hash, text[i], strlen(text[i]) + 1);
-  return hash;
-}
-
 /* Of what a point is: which number means what, scenario, changes, version and tolerances. Curves of
  * the scenario as it stands speak for the files that it names. */
 static enum um_status identify(struct um_context *context, const struct um_study *study,
@@ -32,28 +20,28 @@ static enum um_status identify(struct um_context *context, const struct um_study
 {
   const struct um_model_options *o = &study->options.model;
   char *text = NULL;
-  uint64_t hash = 14695981039346656037u;
+  uint64_t hash = UM_CORE_DIGEST_BEGIN;
   UM_TRY(um_document_text(context, study->model->document, &text));
-  hash = mix(hash, text, strlen(text));
+  hash = um_core_digest(hash, text, strlen(text));
   um_core_free(context, text);
-  hash = mix_texts(hash, o->overrides, o->noverride);
-  hash = mix_texts(hash, o->with, o->nwith);
-  hash = mix_texts(hash, o->without, o->nwithout);
-  if (study->options.version != NULL) hash = mix_texts(hash, &study->options.version, 1);
+  hash = um_core_digest_texts(hash, o->overrides, o->noverride);
+  hash = um_core_digest_texts(hash, o->with, o->nwith);
+  hash = um_core_digest_texts(hash, o->without, o->nwithout);
+  if (study->options.version != NULL) hash = um_core_digest_texts(hash, &study->options.version, 1);
   for (size_t i = 0; i < study->nway; i++) {
     const struct um_study_way *w = &study->way[i];
     const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
                               w->target != NULL ? w->target : ""};
-    hash = mix_texts(hash, is, 2);
-    hash = mix(hash, &w->which, sizeof w->which);
-    hash = mix(hash, &w->of_record, sizeof w->of_record);
+    hash = um_core_digest_texts(hash, is, 2);
+    hash = um_core_digest(hash, &w->which, sizeof w->which);
+    hash = um_core_digest(hash, &w->of_record, sizeof w->of_record);
   }
   for (size_t q = 0; q < study->noutput; q++) {
-    hash = mix(hash, &study->output[q].kind, sizeof study->output[q].kind);
-    hash = mix_texts(hash, &study->output[q].of, 1);
+    hash = um_core_digest(hash, &study->output[q].kind, sizeof study->output[q].kind);
+    hash = um_core_digest_texts(hash, &study->output[q].of, 1);
   }
-  hash = mix(hash, study->nominal, study->nvalue * sizeof(double));
-  *out = mix(hash, &study->tolerance_factor, sizeof study->tolerance_factor);
+  hash = um_core_digest(hash, study->nominal, study->nvalue * sizeof(double));
+  *out = um_core_digest(hash, &study->tolerance_factor, sizeof study->tolerance_factor);
   return UM_OK;
 }
 
