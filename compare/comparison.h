@@ -11,7 +11,8 @@
 
 #define UM_COMPARE_WORST 3 /* intervals per channel */
 
-/* A model and a run of it on a geometry precomputation of the plan; everything borrowed. */
+/* A model and a run of it on a geometry precomputation of the plan, with the heat of places
+ * (um_model_run_with); everything borrowed. */
 struct um_compare_run {
   const struct um_model *model;
   const struct um_compare_plan *plan;

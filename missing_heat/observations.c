@@ -144,7 +144,7 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
                                             &out->own_heat));
     out->heat = out->own_heat;
   }
-  UM_TRY(um_model_run_observed(context, out->model, out->precomputed, out->heat, &out->result));
+  UM_TRY(um_model_run_with(context, out->model, out->precomputed, out->heat, &out->result));
   forward->evaluations++;
   if (out->precomputed->points) return UM_OK; /* heat is not followed */
   UM_TRY(sort_rows(context, out));
