@@ -39,7 +39,11 @@ static enum um_status create_sky(struct um_context *context, const char *path,
   UM_CHECK(um_model_scenario_read(context, path, options == NULL ? NULL : options->overrides,
                                   options == NULL ? 0 : options->noverride, &model->document,
                                   &model->scenario));
-  UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
+  model->borrows_ephemeris = options != NULL && options->ephemeris != NULL;
+  if (model->borrows_ephemeris)
+    model->ephemeris = options->ephemeris;
+  else
+    UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
   UM_CHECK(um_model_build_effects(context, model, options));
   UM_CHECK(um_model_build_environment(context, model));
   UM_CHECK(um_model_build_orbit(context, model));
@@ -127,7 +131,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
     um_environment_sky_table_destroy(context, &m->sky_table);
     um_core_free(context, m->limb);
     um_core_free(context, m->sky_light);
-    um_orbit_ephemeris_destroy(context, &m->ephemeris);
+    if (!m->borrows_ephemeris) um_orbit_ephemeris_destroy(context, &m->ephemeris);
     um_effects_registry_destroy(context, &m->registry);
     um_document_destroy(&m->document);
   }

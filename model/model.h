@@ -39,6 +39,8 @@ struct um_model_options {
   const char *const *effect_files; /* shared objects beside those of the scenario */
   size_t neffect_file;
   bool allow_effects; /* load what the scenario's effect_files name though effect_files does not */
+  struct um_orbit_ephemeris *ephemeris; /* that models of the same instants share; outlives the
+                                           model. NULL: the model has its own */
 };
 
 /* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
@@ -71,6 +73,7 @@ struct um_model {
   size_t neffect;
   struct um_environment environment;
   struct um_orbit_ephemeris *ephemeris; /* pole and Earth; of the origin likewise */
+  bool borrows_ephemeris;               /* um_model_options */
   struct um_orbit_earth_orientation orientation;
   struct um_orbit_trajectory *trajectory, *observer_trajectory;
   double orbit_age, orbit_error,

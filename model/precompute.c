@@ -20,6 +20,7 @@
 #include "model/precompute_loads_impl.h"
 #include "model/timeline.h"
 #include "model/words_impl.h"
+#include "optics/photon_maps.h"
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
 #define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
@@ -365,6 +366,7 @@ enum um_status um_model_precomputed_resample(struct um_context *context, struct 
   UM_TRY(um_optics_view_trace(context, model->geometry, precomputed->sample,
                               precomputed->nobs * precomputed->nsub, samples,
                               (uint64_t)optics->seed, &view));
+  um_optics_photon_maps_destroy(context, &precomputed->photons);
   um_optics_view_destroy(context, &precomputed->view);
   precomputed->view = view;
   optics->samples = samples;
@@ -391,6 +393,7 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_irradiation_loads_destroy(context, &t->loads);
   um_geometry_view_factor_table_destroy(context, &t->view_factors);
   um_irradiation_mirrored_destroy(context, &t->mirrored);
+  um_optics_photon_maps_destroy(context, &t->photons);
   um_optics_view_destroy(context, &t->view);
   um_core_free(context, t);
   *precomputed = NULL;

@@ -27,6 +27,11 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
 enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,
                                              struct um_model_precomputed *precomputed, int samples,
                                              int interreflection_samples);
+/* Keep the sunlight that mirrors throw on other surfaces as the model has it, for many runs of it
+ * and of others that have the same mirrors (optics/photon_maps.h). Errors of
+ * um_optics_photon_maps_create. */
+enum um_status um_model_precompute_photons(struct um_context *context, const struct um_model *model,
+                                           struct um_model_precomputed *precomputed);
 void um_model_precomputed_destroy(struct um_context *context,
                                   struct um_model_precomputed **precomputed);
 

@@ -36,7 +36,8 @@ struct um_model_precomputed {
                                                          nothing moves; NULL: no heat to follow */
   struct um_irradiation_mirrored *mirrored; /* at the times of the loads; NULL: no mirror */
   struct um_optics_view *view;              /* [nobs * nsub]; NULL without an observer */
-  struct um_environment_event *event;       /* [nevent], eclipse edges from t_start to the end */
+  struct um_optics_photon_maps *photons; /* on that view: um_model_precompute_photons; else NULL */
+  struct um_environment_event *event;    /* [nevent], eclipse edges from t_start to the end */
   size_t nevent;
   bool points; /* observations stand alone: one instant and one row of loads each, in their order;
                   the rows are numbered, their t is t_start plus the number [s]; no events; heat is

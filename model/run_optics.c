@@ -52,7 +52,8 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .albedo = albedo,
                                   .view_factor = view_factor,
                                   .brightness = brightness,
-                                  .interreflection_samples = um_model_paths(model)};
+                                  .interreflection_samples = um_model_paths(model),
+                                  .photons = precomputed->photons};
   return UM_OK;
 done:
   um_core_free(context, adjustment);

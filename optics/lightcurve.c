@@ -8,6 +8,7 @@
 #include "optics/between_impl.h"
 #include "optics/coarse_impl.h"
 #include "optics/facing_impl.h"
+#include "optics/photon_maps_impl.h"
 
 /* Tables in some bins, and scratch for them. */
 struct resolution {
@@ -22,6 +23,7 @@ struct job {
   struct resolution full, coarse;    /* that of the bands; for errors and light between surfaces */
   struct um_optics_facing *facing;   /* [nthread] */
   struct um_optics_between *between; /* [nthread] */
+  const struct um_optics_photon_maps *photons; /* NULL: none that serve */
 };
 
 /* One time of it, on one thread. */
@@ -114,6 +116,7 @@ static void between_add(const struct um_context *context, const struct task *tas
                                         .instant = &task->now,
                                         .set = set,
                                         .work = task->coarse_work,
+                                        .photons = task->job->photons,
                                         .factor =
                                             task->job->scene->view->path_factor[task->now.time]};
   um_optics_between_compute(context, &paths, task->between);
@@ -312,6 +315,8 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
     return um_core_fail(context, UM_ERR_INPUT, "view of %zu surfaces for a geometry of %zu",
                         scene->view->nsurface, nsurface);
   UM_CHECK(job_create(context, bands, nband, &job));
+  if (um_optics_photon_maps_serve(scene->photons, scene, job.coarse.spectra))
+    job.photons = scene->photons;
   UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
   um_core_progress_begin(context, "computing light curves", ntime);
   status = compute_all(context, &job, stage);

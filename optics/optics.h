@@ -109,7 +109,8 @@ struct um_optics_lightcurve {
   double *between_stderr; /* [ntime][nband] of it, by inter-reflection [W/sr] */
 };
 
-struct um_optics_creases; /* creases.h */
+struct um_optics_creases;     /* creases.h */
+struct um_optics_photon_maps; /* photon_maps.h */
 
 struct um_optics_scene {
   const struct um_geometry *geometry;
@@ -128,8 +129,10 @@ struct um_optics_scene {
                                surface [K]; NULL: the environment's */
   int interreflection_samples; /* paths per surface that is not open, at an instant, in the mean, or
                                   1024 of all if that is more; 0: off */
-  int interreflection_most;    /* surfaces after the first that a path meets; 0: any number */
-  bool sunlight_only;          /* neither the Earth nor heat is added up */
+  const struct um_optics_photon_maps *photons; /* of a scene of the same geometry and view; taken
+                                                  where mirrors are the same. NULL: traced */
+  int interreflection_most; /* surfaces after the first that a path meets; 0: any number */
+  bool sunlight_only;       /* neither the Earth nor heat is added up */
 };
 /* Light curve. The Sun term is multiplied by the sunlit fraction, so it is exactly zero in the
  * umbra. Radiance of a surface toward the observer:

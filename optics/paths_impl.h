@@ -25,7 +25,8 @@ struct um_optics_paths {
   const struct um_optics_instant *instant;
   const struct um_optics_set *set;
   struct um_optics_work *work;
-  int factor; /* times the paths of the exchange */
+  int factor;                                  /* times the paths of the exchange */
+  const struct um_optics_photon_maps *photons; /* that serve; NULL: they are traced */
 };
 
 /* Is a lobe so narrow that chance does not find what it shows? */

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "optics/exchange_impl.h"
+#include "optics/photon_maps_impl.h"
 #include "optics/sampling_impl.h"
 
 #define EACH     2    /* ways of a mirror, of the paths of a surface */
@@ -232,8 +233,11 @@ void um_optics_photons_trace(const struct um_optics_paths *paths, uint64_t seed,
 {
   uint64_t key = um_core_hash(um_core_hash(KEY_PHOTON, seed), paths->instant->time);
   photons->count = photons->nbeam = photons->nroot = 0;
-  for (size_t s = 0; paths->instant->sun > 0.0 && s < photons->nsurface; s++)
-    trace_from(paths, s, key, photons);
+  if (paths->photons != NULL)
+    um_optics_photon_maps_take(paths->photons, paths->instant->time, photons);
+  else
+    for (size_t s = 0; paths->instant->sun > 0.0 && s < photons->nsurface; s++)
+      trace_from(paths, s, key, photons);
   order_by_surface(photons);
   if (photons->nband > 0 && photons->nroot > 0)
     memset(photons->brought, 0, photons->nroot * photons->nband * sizeof *photons->brought);

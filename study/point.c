@@ -25,7 +25,8 @@ enum um_status um_study_model(struct um_context *context, const struct um_study 
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
   UM_CHECK(um_study_options_make(context, &study->options.model, study->model, way, nway, value,
                                  &options));
-  const struct um_model_options all = um_study_options_of(&options, &study->options.model);
+  struct um_model_options all = um_study_options_of(&options, &study->options.model);
+  all.ephemeris = study->model->ephemeris;
   UM_CHECK(um_model_create(context, study->scenario, &all, out));
 done:
   um_core_quiet_end(context);
@@ -85,13 +86,13 @@ static bool starts_warm(const struct um_study *study, const struct um_model *mod
 
 static enum um_status heat_make(struct um_context *context, const struct um_study *study,
                                 const struct um_model *model,
-                                const struct um_model_precomputed *precomputed, bool cold,
+                                const struct um_model_precomputed *precomputed, bool tight,
                                 struct um_model_thermal_solution **out)
 {
-  if (cold) return um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, out);
-  return um_model_thermal_solution_near(context, model, precomputed,
-                                        starts_warm(study, model) ? study->heat : NULL,
-                                        study->tolerance_factor, study->periodic_tolerance, out);
+  const struct um_model_thermal_solution *warm = starts_warm(study, model) ? study->heat : NULL;
+  if (tight) return um_model_thermal_solution_create(context, model, precomputed, warm, 1.0, out);
+  return um_model_thermal_solution_near(context, model, precomputed, warm, study->tolerance_factor,
+                                        study->periodic_tolerance, out);
 }
 
 /* Light and temperatures of a model with heat, into value. */
@@ -145,17 +146,17 @@ static void looseness_take_off(const struct um_study *study, double *value)
 
 enum um_status um_study_values(struct um_context *context, const struct um_study *study,
                                const struct um_model *model,
-                               const struct um_model_precomputed *precomputed, bool cold,
+                               const struct um_model_precomputed *precomputed, bool tight,
                                double *value)
 {
   enum um_status status = UM_OK;
   struct um_model_thermal_solution *heat = NULL;
   bool matches = false;
-  if (!cold)
+  if (!tight)
     UM_CHECK(um_model_thermal_solution_matches(context, study->heat, model, precomputed, &matches));
-  if (!matches) UM_CHECK(heat_make(context, study, model, precomputed, cold, &heat));
+  if (!matches) UM_CHECK(heat_make(context, study, model, precomputed, tight, &heat));
   UM_CHECK(observe(context, study, model, precomputed, matches ? study->heat : heat, value));
-  if (!matches && !cold && precomputed == study->precomputed) looseness_take_off(study, value);
+  if (!matches && !tight && precomputed == study->precomputed) looseness_take_off(study, value);
 done:
   um_model_thermal_solution_destroy(context, &heat);
   return status;

@@ -29,6 +29,7 @@ static enum um_status solve_nominal(struct um_context *context, struct um_study 
   struct um_model_result *result = NULL;
   double begin = omp_get_wtime();
   UM_TRY(um_model_precompute(context, study->model, &study->precomputed));
+  UM_TRY(um_model_precompute_photons(context, study->model, study->precomputed));
   study->seconds_geometry = omp_get_wtime() - begin;
   begin = omp_get_wtime();
   UM_TRY(um_model_thermal_solution_create(context, study->model, study->precomputed, NULL, 1.0,

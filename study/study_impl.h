@@ -82,10 +82,10 @@ enum um_status um_study_model(struct um_context *context, const struct um_study 
                               const struct um_study_way *way, size_t nway, const double *value,
                               struct um_model **out);
 /* Values of a model on a geometry precomputation: heat from the nominal's with the study's factor,
- * or cold with the scenario's own tolerances. */
+ * or tight, with the scenario's own tolerances. */
 enum um_status um_study_values(struct um_context *context, const struct um_study *study,
                                const struct um_model *model,
-                               const struct um_model_precomputed *precomputed, bool cold,
+                               const struct um_model_precomputed *precomputed, bool tight,
                                double *value);
 /* What the tolerances as they are now do to the scenario as it stands, into looseness and
  * taken_off. */

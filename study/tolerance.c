@@ -12,7 +12,7 @@
  * takes what is left of them from point to point for structure, and wants more points for it than
  * tighter tolerances cost. */
 #define SHARE           0.5
-#define SHARE_SURROGATE 0.2
+#define SHARE_SURROGATE 0.3
 
 /* Of what is taken off a point, left elsewhere than where it is measured. */
 #define SHARE_LEFT 0.2
@@ -21,7 +21,8 @@ static const struct {
   double factor;   /* on the tolerances of the integration */
   double periodic; /* of the state that repeats [K] */
 } choices[] = {{100.0, 0.05}, {30.0, 0.05}, {12.0, 0.05}, {6.0, 0.02}, {3.0, 0.01}, {1.0, 0.01}};
-#define CHOICES (sizeof choices / sizeof choices[0])
+#define CHOICES         (sizeof choices / sizeof choices[0])
+#define FIRST_SURROGATE 1 /* choice: the loosest leaves it more structure than it saves */
 
 static void choose(struct um_study *study, size_t i)
 {
@@ -74,7 +75,8 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   struct um_model *model = NULL;
   double *value = NULL, *own;
   bool serves = false;
-  choose(study, 0);
+  size_t first = study->file->mode == UM_STUDY_SURROGATE ? FIRST_SURROGATE : 0;
+  choose(study, first);
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
@@ -86,7 +88,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
     goto done;
   }
   UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
-  for (size_t i = 0; i < CHOICES; i++) {
+  for (size_t i = first; i < CHOICES; i++) {
     choose(study, i);
     UM_CHECK(um_study_looseness(context, study));
     UM_CHECK(um_study_values(context, study, model, study->precomputed, false, value));

@@ -40,7 +40,7 @@ static void bench_create(struct fixture *f, const struct um_optics_band *band, i
   FIXTURE_OK(
       f, um_optics_photons_reserve(f->context, b->spectra, &b->stage->set[0], 1, 1, &b->photons));
   b->paths =
-      (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work, 1};
+      (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work, 1, NULL};
   um_optics_photons_trace(&b->paths, 0, &b->photons);
 }
 

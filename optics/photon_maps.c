@@ -1,0 +1,210 @@
+/* Photons of every instant, kept. They hang on poses, the Sun and the lobes of mirrors; how much
+ * mirrors reflect of which wavelength is multiplied in when photons are looked up. One thing else
+ * does: a way of several mirrors goes on as often as they reflect. Kept ways have gone on as those
+ * of the scene that they were traced in, and count for those that have not: of other reflectances
+ * light has the same mean, and moves smoothly with them. */
+#include "optics/photon_maps.h"
+
+#include <string.h>
+
+#include "optics/coarse_impl.h"
+#include "optics/photon_maps_impl.h"
+#include "optics/stage_impl.h"
+
+#define MOST ((size_t)256 << 20) /* [byte] */
+
+/* Of one instant. */
+struct kept {
+  size_t count, nbeam, nroot;
+  struct um_optics_photon *photon; /* [count] */
+  struct um_optics_beam *beam;     /* [nbeam] */
+};
+
+struct um_optics_photon_maps {
+  size_t ntime, nskin, bytes;
+  int samples;                    /* of the scene, between surfaces */
+  int *factor;                    /* [ntime] times these */
+  struct um_materials_lobe *lobe; /* [nskin] */
+  struct kept *at;                /* [ntime] */
+};
+
+/* --- tracing --------------------------------------------------------------------------------- */
+
+struct tracing {
+  const struct um_optics_scene *scene;
+  struct um_optics_spectra *spectra; /* in the bins of light between surfaces */
+  struct um_optics_work *work;
+  struct um_optics_stage *stage;
+  struct um_optics_photons photons; /* of the current instant */
+};
+
+static enum um_status tracing_begin(struct um_context *context, const struct um_optics_scene *scene,
+                                    const struct um_optics_band *bands, size_t nband,
+                                    struct tracing *t)
+{
+  enum um_status status;
+  struct um_optics_band *coarse = NULL;
+  double *transmission = NULL;
+  t->scene = scene;
+  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
+  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
+                            &transmission));
+  um_optics_coarse_bands(bands, nband, coarse, transmission);
+  UM_CHECK(um_optics_spectra_create(context, scene, 0, 0, coarse, nband, &t->spectra));
+  UM_CHECK(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS, 1, &t->work));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *t->stage, &t->stage));
+done:
+  um_core_free(context, coarse);
+  um_core_free(context, transmission);
+  return status;
+}
+
+static void tracing_end(struct um_context *context, struct tracing *t)
+{
+  um_optics_photons_clear(context, &t->photons);
+  if (t->stage != NULL) um_optics_stage_clear(context, t->stage);
+  um_core_free(context, t->stage);
+  um_optics_work_destroy(context, 1, &t->work);
+  um_optics_spectra_destroy(context, &t->spectra);
+}
+
+static enum um_status keep(struct um_context *context, const struct um_optics_photons *p,
+                           struct kept *kept)
+{
+  UM_TRY(um_core_allocate(context, p->count, sizeof *kept->photon, &kept->photon));
+  UM_TRY(um_core_allocate(context, p->nbeam, sizeof *kept->beam, &kept->beam));
+  if (p->count > 0) memcpy(kept->photon, p->photon, p->count * sizeof *kept->photon);
+  if (p->nbeam > 0) memcpy(kept->beam, p->beam, p->nbeam * sizeof *kept->beam);
+  kept->count = p->count;
+  kept->nbeam = p->nbeam;
+  kept->nroot = p->nroot;
+  return UM_OK;
+}
+
+/* Photons of an instant. */
+static enum um_status trace(struct um_context *context, struct tracing *t,
+                            const struct um_optics_set *set, size_t time,
+                            struct um_optics_photon_maps *maps)
+{
+  const struct um_optics_scene *scene = t->scene;
+  struct um_optics_instant now = um_optics_instant(scene, time);
+  const struct um_optics_paths paths = {.spectra = t->spectra,
+                                        .scene = scene,
+                                        .instant = &now,
+                                        .set = set,
+                                        .work = t->work,
+                                        .factor = scene->view->path_factor[time]};
+  UM_TRY(um_optics_photons_reserve(context, t->spectra, set, paths.factor, t->spectra->nband,
+                                   &t->photons));
+  um_optics_turn(t->spectra, scene, &now, t->work);
+  um_optics_photons_trace(&paths, scene->view->seed, &t->photons);
+  maps->factor[time] = paths.factor;
+  maps->bytes += t->photons.count * sizeof *t->photons.photon;
+  return keep(context, &t->photons, &maps->at[time]);
+}
+
+static enum um_status trace_all(struct um_context *context, struct tracing *t,
+                                struct um_optics_photon_maps *maps)
+{
+  const struct um_optics_scene *scene = t->scene;
+  for (size_t from = 0; from < maps->ntime; from += UM_OPTICS_BLOCK) {
+    size_t left = maps->ntime - from, count = left < UM_OPTICS_BLOCK ? left : UM_OPTICS_BLOCK;
+    UM_TRY(um_core_stop_check(context, "sunlight was followed between mirrors"));
+    UM_TRY(um_optics_stage_prepare(context, scene->geometry, scene->samples + from, count,
+                                   maps->samples, t->stage));
+    for (size_t i = 0; i < count && maps->bytes <= MOST; i++)
+      UM_TRY(trace(context, t, &t->stage->set[t->stage->of_time[i]], from + i, maps));
+  }
+  return UM_OK;
+}
+
+enum um_status um_optics_photon_maps_create(struct um_context *context,
+                                            const struct um_optics_scene *scene,
+                                            const struct um_optics_band *bands, size_t nband,
+                                            struct um_optics_photon_maps **out)
+{
+  enum um_status status;
+  struct tracing t = {0};
+  struct um_optics_photon_maps *maps = NULL;
+  *out = NULL;
+  if (scene->ages || scene->interreflection_samples == 0) return UM_OK;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *maps, &maps));
+  maps->ntime = scene->view->ntime;
+  maps->samples = scene->interreflection_samples;
+  UM_CHECK(um_core_allocate(context, maps->ntime, sizeof *maps->factor, &maps->factor));
+  UM_CHECK(um_core_allocate(context, maps->ntime, sizeof *maps->at, &maps->at));
+  UM_CHECK(tracing_begin(context, scene, bands, nband, &t));
+  maps->nskin = t.spectra->nskin;
+  UM_CHECK(um_core_allocate(context, maps->nskin, sizeof *maps->lobe, &maps->lobe));
+  memcpy(maps->lobe, t.spectra->lobe, maps->nskin * sizeof *maps->lobe);
+  UM_CHECK(trace_all(context, &t, maps));
+  if (maps->bytes > MOST) goto done;
+  *out = maps;
+  maps = NULL;
+done:
+  tracing_end(context, &t);
+  um_optics_photon_maps_destroy(context, &maps);
+  return status;
+}
+
+void um_optics_photon_maps_destroy(struct um_context *context, struct um_optics_photon_maps **maps)
+{
+  if (maps == NULL || *maps == NULL) return;
+  struct um_optics_photon_maps *m = *maps;
+  for (size_t t = 0; m->at != NULL && t < m->ntime; t++) {
+    um_core_free(context, m->at[t].photon);
+    um_core_free(context, m->at[t].beam);
+  }
+  um_core_free(context, m->at);
+  um_core_free(context, m->factor);
+  um_core_free(context, m->lobe);
+  um_core_free(context, m);
+  *maps = NULL;
+}
+
+/* --- taking ---------------------------------------------------------------------------------- */
+
+static bool same_mixture(const struct um_materials_mixture *a, const struct um_materials_mixture *b)
+{
+  if (a == NULL || b == NULL || a == b) return a == b;
+  for (int k = 0; k < 2; k++)
+    if (a->of[k].kind != b->of[k].kind || a->of[k].ratio != b->of[k].ratio ||
+        a->of[k].correlated != b->of[k].correlated)
+      return false;
+  return a->share == b->share;
+}
+
+/* Do two lobes send ways alike? What is no mirror ends them. */
+static bool same_mirror(const struct um_materials_lobe *a, const struct um_materials_lobe *b)
+{
+  if (!um_optics_is_mirror(a) || !um_optics_is_mirror(b))
+    return um_optics_is_mirror(a) == um_optics_is_mirror(b);
+  return a->kind == b->kind && a->alpha == b->alpha && a->alpha_across == b->alpha_across &&
+         a->correlated == b->correlated && a->tilted == b->tilted && a->measured == b->measured &&
+         a->passes_on == b->passes_on && same_mixture(a->mixture, b->mixture);
+}
+
+bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,
+                                 const struct um_optics_scene *scene,
+                                 const struct um_optics_spectra *spectra)
+{
+  if (maps == NULL || scene->ages || maps->ntime != scene->view->ntime ||
+      maps->samples != scene->interreflection_samples || maps->nskin != spectra->nskin)
+    return false;
+  for (size_t t = 0; t < maps->ntime; t++)
+    if (maps->factor[t] != scene->view->path_factor[t]) return false;
+  for (size_t s = 0; s < maps->nskin; s++)
+    if (!same_mirror(&maps->lobe[s], &spectra->lobe[s])) return false;
+  return true;
+}
+
+void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t time,
+                                struct um_optics_photons *photons)
+{
+  const struct kept *kept = &maps->at[time];
+  if (kept->count > 0) memcpy(photons->photon, kept->photon, kept->count * sizeof *kept->photon);
+  if (kept->nbeam > 0) memcpy(photons->beam, kept->beam, kept->nbeam * sizeof *kept->beam);
+  photons->count = kept->count;
+  photons->nbeam = kept->nbeam;
+  photons->nroot = kept->nroot;
+}

@@ -1,0 +1,17 @@
+/* Taking kept photons. Private to optics/. */
+#ifndef UMBRA_OPTICS_PHOTON_MAPS_IMPL_H
+#define UMBRA_OPTICS_PHOTON_MAPS_IMPL_H
+
+#include "optics/photon_maps.h"
+#include "optics/photons_impl.h"
+
+/* Do the scene's ways have the same mirrors, instants and numbers as those that are kept? Geometry
+ * and view are the same for who asks. */
+bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,
+                                 const struct um_optics_scene *scene,
+                                 const struct um_optics_spectra *spectra);
+/* Photons of an instant, not yet in order; there is room for them. */
+void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t time,
+                                struct um_optics_photons *photons);
+
+#endif
