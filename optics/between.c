@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "optics/interreflection_impl.h"
+#include "optics/photon_maps_impl.h"
 
 enum um_status um_optics_between_create(struct um_context *context,
                                         const struct um_optics_spectra *spectra, size_t n,
@@ -55,7 +56,10 @@ void um_optics_between_compute(const struct um_context *context,
   memset(between->sum, 0, spectra->nmaterial * n * sizeof *between->sum);
   memset(between->variance, 0, spectra->nband * sizeof *between->variance);
   um_optics_turn(spectra, paths->scene, paths->instant, paths->work);
-  um_optics_photons_trace(paths, view->seed, &between->photons);
+  if (paths->photons != NULL)
+    um_optics_photon_maps_take(paths->photons, paths->instant->time, &between->photons);
+  else
+    um_optics_photons_trace(paths, view->seed, &between->photons);
   /* surfaces of which the view's points saw nothing, too: paths look for themselves */
   for (size_t s = 0; s < view->nsurface && !um_core_stopped(context); s++) {
     if (!(view->cos_observer[from + s] > 0.0F) ||

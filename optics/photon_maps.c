@@ -207,4 +207,5 @@ void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t
   photons->count = kept->count;
   photons->nbeam = kept->nbeam;
   photons->nroot = kept->nroot;
+  um_optics_photons_begin(photons);
 }

@@ -10,7 +10,7 @@
 bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,
                                  const struct um_optics_scene *scene,
                                  const struct um_optics_spectra *spectra);
-/* Photons of an instant, not yet in order; there is room for them. */
+/* Photons of an instant, in place of um_optics_photons_trace; there is room for them. */
 void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t time,
                                 struct um_optics_photons *photons);
 

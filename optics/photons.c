@@ -12,7 +12,6 @@
 #include <string.h>
 
 #include "optics/exchange_impl.h"
-#include "optics/photon_maps_impl.h"
 #include "optics/sampling_impl.h"
 
 #define EACH     2    /* ways of a mirror, of the paths of a surface */
@@ -217,15 +216,16 @@ static void trace_from(const struct um_optics_paths *paths, size_t surface, uint
   }
 }
 
-/* Counting sort. */
-static void order_by_surface(struct um_optics_photons *p)
+void um_optics_photons_begin(struct um_optics_photons *p)
 {
+  /* counting sort */
   memset(p->first, 0, (p->nsurface + 1) * sizeof *p->first);
   for (size_t i = 0; i < p->count; i++) p->first[p->photon[i].surface + 1]++;
   for (size_t s = 0; s < p->nsurface; s++) p->first[s + 1] += p->first[s];
   for (size_t i = 0; i < p->count; i++) p->order[p->first[p->photon[i].surface]++] = (uint32_t)i;
   for (size_t s = p->nsurface; s > 0; s--) p->first[s] = p->first[s - 1];
   p->first[0] = 0;
+  if (p->nband > 0 && p->nroot > 0) memset(p->brought, 0, p->nroot * p->nband * sizeof *p->brought);
 }
 
 void um_optics_photons_trace(const struct um_optics_paths *paths, uint64_t seed,
@@ -233,14 +233,9 @@ void um_optics_photons_trace(const struct um_optics_paths *paths, uint64_t seed,
 {
   uint64_t key = um_core_hash(um_core_hash(KEY_PHOTON, seed), paths->instant->time);
   photons->count = photons->nbeam = photons->nroot = 0;
-  if (paths->photons != NULL)
-    um_optics_photon_maps_take(paths->photons, paths->instant->time, photons);
-  else
-    for (size_t s = 0; paths->instant->sun > 0.0 && s < photons->nsurface; s++)
-      trace_from(paths, s, key, photons);
-  order_by_surface(photons);
-  if (photons->nband > 0 && photons->nroot > 0)
-    memset(photons->brought, 0, photons->nroot * photons->nband * sizeof *photons->brought);
+  for (size_t s = 0; paths->instant->sun > 0.0 && s < photons->nsurface; s++)
+    trace_from(paths, s, key, photons);
+  um_optics_photons_begin(photons);
 }
 
 void um_optics_photon_row(const struct um_optics_paths *paths,

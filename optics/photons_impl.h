@@ -44,10 +44,11 @@ enum um_status um_optics_photons_reserve(struct um_context *context,
                                          struct um_optics_photons *photons);
 void um_optics_photons_clear(struct um_context *context, struct um_optics_photons *photons);
 
-/* Photons of an instant, traced or, where the paths have some that are kept, taken. seed: as of the
- * view. */
+/* Photons of an instant. seed: as of the view. */
 void um_optics_photons_trace(const struct um_optics_paths *paths, uint64_t seed,
                              struct um_optics_photons *photons);
+/* Photons that came another way, by surface; nothing is brought yet. */
+void um_optics_photons_begin(struct um_optics_photons *photons);
 
 static inline size_t um_optics_photons_on(const struct um_optics_photons *photons, size_t surface)
 {

@@ -12,7 +12,7 @@
  * takes what is left of them from point to point for structure, and wants more points for it than
  * tighter tolerances cost. */
 #define SHARE           0.5
-#define SHARE_SURROGATE 0.3
+#define SHARE_SURROGATE 0.2
 
 /* Of what is taken off a point, left elsewhere than where it is measured. */
 #define SHARE_LEFT 0.2
@@ -20,9 +20,10 @@
 static const struct {
   double factor;   /* on the tolerances of the integration */
   double periodic; /* of the state that repeats [K] */
-} choices[] = {{100.0, 0.05}, {30.0, 0.05}, {12.0, 0.05}, {6.0, 0.02}, {3.0, 0.01}, {1.0, 0.01}};
+} choices[] = {{100.0, 0.05}, {30.0, 0.05}, {20.0, 0.05}, {12.0, 0.05},
+               {6.0, 0.02},   {3.0, 0.01},  {1.0, 0.01}};
 #define CHOICES         (sizeof choices / sizeof choices[0])
-#define FIRST_SURROGATE 1 /* choice: the loosest leaves it more structure than it saves */
+#define FIRST_SURROGATE 2 /* choice: looser ones leave it more structure than they save */
 
 static void choose(struct um_study *study, size_t i)
 {
