@@ -22,6 +22,25 @@ void um_optics_coarse_bands(const struct um_optics_band *bands, size_t nband,
   }
 }
 
+enum um_status um_optics_coarse_create(struct um_context *context,
+                                       const struct um_optics_scene *scene, size_t first,
+                                       size_t count, const struct um_optics_band *bands,
+                                       size_t nband, struct um_optics_spectra **out)
+{
+  enum um_status status;
+  struct um_optics_band *coarse = NULL;
+  double *transmission = NULL;
+  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
+  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
+                            &transmission));
+  um_optics_coarse_bands(bands, nband, coarse, transmission);
+  UM_CHECK(um_optics_spectra_create(context, scene, first, count, coarse, nband, out));
+done:
+  um_core_free(context, coarse);
+  um_core_free(context, transmission);
+  return status;
+}
+
 /* The fine structure of light between surfaces. */
 static double light(const struct um_optics_spectra *s, size_t bin)
 {

@@ -10,6 +10,11 @@
 /* coarse[nband], whose filters stand in transmission[nband][UM_OPTICS_COARSE_BINS]. */
 void um_optics_coarse_bands(const struct um_optics_band *bands, size_t nband,
                             struct um_optics_band *coarse, double *transmission);
+/* um_optics_spectra_create in few bins of each band. */
+enum um_status um_optics_coarse_create(struct um_context *context,
+                                       const struct um_optics_scene *scene, size_t first,
+                                       size_t count, const struct um_optics_band *bands,
+                                       size_t nband, struct um_optics_spectra **out);
 
 /* A spectrum in the bins of the bands, fine[nbin], of one in few: what lies between these goes with
  * sunlight and the Earth's radiation. The same to the last digit where the bins are the same. */

@@ -127,24 +127,14 @@ static void works_set(const struct palette *p, const struct um_optics_spectra *s
 static enum um_status between_create(struct um_context *context, const struct um_optics_band *bands,
                                      size_t nband, struct palette *p)
 {
-  enum um_status status;
-  struct um_optics_band *coarse = NULL;
-  double *transmission = NULL;
-  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
-  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
-                            &transmission));
-  um_optics_coarse_bands(bands, nband, coarse, transmission);
-  UM_CHECK(um_optics_spectra_create(context, p->scene, p->time, 1, coarse, nband, &p->few));
-  UM_CHECK(um_optics_work_create(context, p->few, UM_OPTICS_PATHS, p->nthread, &p->few_work));
-  UM_CHECK(um_optics_photons_reserve(context, p->few, p->frame->set, 1, 0, &p->photons));
+  UM_TRY(um_optics_coarse_create(context, p->scene, p->time, 1, bands, nband, &p->few));
+  UM_TRY(um_optics_work_create(context, p->few, UM_OPTICS_PATHS, p->nthread, &p->few_work));
+  UM_TRY(um_optics_photons_reserve(context, p->few, p->frame->set, 1, 0, &p->photons));
   works_set(p, p->few, p->few_work);
   const struct um_optics_paths paths = {
       p->few, p->scene, &p->frame->now, p->frame->set, &p->few_work[0], 1, NULL};
   um_optics_photons_trace(&paths, p->scene->view != NULL ? p->scene->view->seed : 0, &p->photons);
-done:
-  um_core_free(context, coarse);
-  um_core_free(context, transmission);
-  return status;
+  return UM_OK;
 }
 
 static enum um_status fill_all(struct um_context *context, struct palette *p,

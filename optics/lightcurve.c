@@ -236,14 +236,12 @@ static enum um_status compute_all(struct um_context *context, const struct job *
   return UM_OK;
 }
 
-static enum um_status resolution_create(struct um_context *context,
-                                        const struct um_optics_scene *scene,
-                                        const struct um_optics_band *bands, size_t nband,
-                                        size_t nray, struct resolution *out)
+/* Scratch beside the spectra, which are there. */
+static enum um_status resolution_fill(struct um_context *context,
+                                      const struct um_optics_scene *scene, size_t nray,
+                                      struct resolution *out)
 {
   size_t nthread = (size_t)um_core_context_threads(context);
-  UM_TRY(
-      um_optics_spectra_create(context, scene, 0, scene->view->ntime, bands, nband, &out->spectra));
   UM_TRY(um_optics_work_create(context, out->spectra, nray, nthread, &out->work));
   if (!scene->ages) return UM_OK;
   UM_TRY(um_core_allocate(context, nthread, sizeof *out->aged, &out->aged));
@@ -265,28 +263,19 @@ static void resolution_clear(struct um_context *context, struct resolution *reso
 static enum um_status job_create(struct um_context *context, const struct um_optics_band *bands,
                                  size_t nband, struct job *job)
 {
-  enum um_status status;
   const struct um_optics_scene *scene = job->scene;
-  size_t nthread = (size_t)um_core_context_threads(context);
+  size_t nthread = (size_t)um_core_context_threads(context), ntime = scene->view->ntime;
   size_t nray = scene->interreflection_samples > 0 ? UM_OPTICS_PATHS : 0;
-  struct um_optics_band *coarse = NULL;
-  double *transmission = NULL;
-  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
-  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
-                            &transmission));
-  UM_CHECK(resolution_create(context, scene, bands, nband, 0, &job->full));
-  um_optics_coarse_bands(bands, nband, coarse, transmission);
-  UM_CHECK(resolution_create(context, scene, coarse, nband, nray, &job->coarse));
-  UM_CHECK(um_core_allocate(context, nthread, sizeof *job->facing, &job->facing));
-  UM_CHECK(um_optics_between_create(context, job->coarse.spectra, nthread, &job->between));
+  UM_TRY(um_optics_spectra_create(context, scene, 0, ntime, bands, nband, &job->full.spectra));
+  UM_TRY(um_optics_coarse_create(context, scene, 0, ntime, bands, nband, &job->coarse.spectra));
+  UM_TRY(resolution_fill(context, scene, 0, &job->full));
+  UM_TRY(resolution_fill(context, scene, nray, &job->coarse));
+  UM_TRY(um_core_allocate(context, nthread, sizeof *job->facing, &job->facing));
+  UM_TRY(um_optics_between_create(context, job->coarse.spectra, nthread, &job->between));
   for (size_t k = 0; k < nthread; k++)
-    UM_CHECK(um_optics_facing_create(context, scene->view->nsurface, &job->facing[k]));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
-  UM_CHECK(curve_create(context, job->full.spectra, scene->view->ntime, job->curve));
-done:
-  um_core_free(context, coarse);
-  um_core_free(context, transmission);
-  return status;
+    UM_TRY(um_optics_facing_create(context, scene->view->nsurface, &job->facing[k]));
+  UM_TRY(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
+  return curve_create(context, job->full.spectra, ntime, job->curve);
 }
 
 static void job_clear(struct um_context *context, struct job *job)

@@ -42,21 +42,10 @@ static enum um_status tracing_begin(struct um_context *context, const struct um_
                                     const struct um_optics_band *bands, size_t nband,
                                     struct tracing *t)
 {
-  enum um_status status;
-  struct um_optics_band *coarse = NULL;
-  double *transmission = NULL;
   t->scene = scene;
-  UM_CHECK(um_core_allocate(context, nband, sizeof *coarse, &coarse));
-  UM_CHECK(um_core_allocate(context, nband * UM_OPTICS_COARSE_BINS, sizeof *transmission,
-                            &transmission));
-  um_optics_coarse_bands(bands, nband, coarse, transmission);
-  UM_CHECK(um_optics_spectra_create(context, scene, 0, 0, coarse, nband, &t->spectra));
-  UM_CHECK(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS, 1, &t->work));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *t->stage, &t->stage));
-done:
-  um_core_free(context, coarse);
-  um_core_free(context, transmission);
-  return status;
+  UM_TRY(um_optics_coarse_create(context, scene, 0, 0, bands, nband, &t->spectra));
+  UM_TRY(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS, 1, &t->work));
+  return um_core_allocate(context, 1, sizeof *t->stage, &t->stage);
 }
 
 static void tracing_end(struct um_context *context, struct tracing *t)
@@ -180,8 +169,8 @@ static bool same_mirror(const struct um_materials_lobe *a, const struct um_mater
   if (!um_optics_is_mirror(a) || !um_optics_is_mirror(b))
     return um_optics_is_mirror(a) == um_optics_is_mirror(b);
   return a->kind == b->kind && a->alpha == b->alpha && a->alpha_across == b->alpha_across &&
-         a->correlated == b->correlated && a->tilted == b->tilted && a->measured == b->measured &&
-         a->passes_on == b->passes_on && same_mixture(a->mixture, b->mixture);
+         a->correlated == b->correlated && a->tilted == b->tilted && a->passes_on == b->passes_on &&
+         same_mixture(a->mixture, b->mixture);
 }
 
 bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,

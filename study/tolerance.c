@@ -10,7 +10,7 @@
 
 /* Of the asked error that tolerances may use up at the place where they are measured. A surrogate
  * takes what is left of them from point to point for structure, and wants more points for it than
- * tighter tolerances cost. */
+ * tighter tolerances cost; its held-out points then agree within half of the asked error. */
 #define SHARE           0.5
 #define SHARE_SURROGATE 0.3
 
