@@ -10,14 +10,7 @@
 #include <unistd.h>
 
 #include "app/app.h"
-
-#define BAR_WIDTH  28
-#define TELL_EVERY 10.0 /* in a pipe [s] */
-
-struct progress {
-  const char *task;
-  double began, drawn; /* [s] */
-};
+#include "app/progress.h"
 
 /* SIGINT and SIGTERM: the work stops at its next step and takes its unfinished results away. What
  * one call into a foreign library keeps longer than PATIENCE ends with the process, whose children
@@ -108,57 +101,28 @@ static bool in_pipes; /* progress is told there, too */
 
 void um_app_terminal_progress_in_pipes(void) { in_pipes = true; }
 
-/* A line of its own, now and then. */
-static void tell(struct progress *p, const char *task, size_t done, size_t total)
-{
-  double t = now();
-  if (p->task != task || done == 0 || p->drawn == 0.0) {
-    if (p->task != task || done == 0) p->began = t;
-    p->task = task;
-    p->drawn = p->began;
-  }
-  if (done == 0 || done == total || t - p->drawn < TELL_EVERY) return;
-  p->drawn = t;
-  fprintf(stderr, "%s: %zu of %zu, %.0f s left\n", task, done, total,
-          (t - p->began) * (double)(total - done) / (double)done);
-  fflush(stderr);
-}
-
 static bool draw(void *self, const char *task, size_t done, size_t total)
 {
-  struct progress *p = self;
+  char line[UM_APP_PROGRESS_LINE];
   if (stop(NULL)) return false;
   if (!isatty(STDERR_FILENO)) {
-    if (in_pipes) tell(p, task, done, total);
+    if (in_pipes && um_app_progress_line(self, now(), task, done, total, line)) {
+      fprintf(stderr, "%s\n", line);
+      fflush(stderr);
+    }
     return true;
   }
-  double t = now();
-  if (p->task != task || done == 0) {
-    p->task = task;
-    p->began = t;
-    p->drawn = 0.0;
+  if (done == total) um_app_terminal_clear(); /* it ends */
+  if (um_app_progress_bar(self, now(), task, done, total, line) && done != total) {
+    fprintf(stderr, "\r\033[K%s", line);
+    fflush(stderr);
   }
-  if (done == total) {
-    um_app_terminal_clear();
-    return true;
-  }
-  if (t - p->began < 0.3 || t - p->drawn < 0.1) return true;
-  p->drawn = t;
-  char bar[BAR_WIDTH + 1];
-  size_t filled = total == 0 ? 0 : done * BAR_WIDTH / total;
-  memset(bar, '-', BAR_WIDTH);
-  memset(bar, '#', filled);
-  bar[BAR_WIDTH] = '\0';
-  double left = done == 0 ? 0.0 : (t - p->began) * (double)(total - done) / (double)done;
-  fprintf(stderr, "\r\033[K%s [%s] %3zu %%", task, bar, total == 0 ? 0 : 100 * done / total);
-  if (done > 0) fprintf(stderr, ", %.0f s left", left);
-  fflush(stderr);
   return true;
 }
 
 void um_app_terminal_attach(struct um_context *context)
 {
-  static struct progress progress; /* one terminal, one bar */
+  static struct um_app_progress progress; /* one terminal, one bar */
   um_core_log_set_sink(context, log_line, NULL);
   um_core_progress_set_sink(context, draw, &progress);
   um_core_context_set_stop(context, stop, NULL);

@@ -266,7 +266,7 @@ void um_core_progress_begin(struct um_context *context, const char *task, size_t
 enum um_status um_core_progress_step(struct um_context *context, size_t steps)
 {
   if (context->quiet == 0) context->done += steps;
-  if (context->done > context->total) context->done = context->total;
+  if (context->total > 0 && context->done > context->total) context->done = context->total;
   UM_TRY(um_core_stop_check(context, context->task != NULL ? context->task : "computing"));
   if (context->task == NULL) return UM_OK; /* quiet, and nothing larger reports */
   if (context->progress_sink == NULL ||
@@ -278,8 +278,8 @@ enum um_status um_core_progress_step(struct um_context *context, size_t steps)
 void um_core_progress_end(struct um_context *context)
 {
   if (context->task == NULL || context->quiet > 0) return;
+  size_t all = context->total > 0 ? context->total : context->done;
   if (context->progress_sink != NULL)
-    (void)context->progress_sink(context->progress_self, context->task, context->total,
-                                 context->total);
+    (void)context->progress_sink(context->progress_self, context->task, all, all);
   context->task = NULL;
 }

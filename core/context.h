@@ -31,8 +31,9 @@ enum um_core_log_level { UM_LOG_DEBUG, UM_LOG_INFO, UM_LOG_WARNING, UM_LOG_ERROR
 /* Receives each log line without newline; borrowed for the call. */
 typedef void (*um_core_log_sink)(void *self, enum um_core_log_level level, const char *line);
 
-/* Receives progress of a named task: done of total steps, 0 <= done <= total. Returns false to
- * cancel, which makes um_core_progress_step return UM_ERR_CANCELLED. */
+/* Receives progress of a named task: done of total steps, 0 <= done <= total, or of nobody knows
+ * how many, total 0, until the task ends with total = done. Returns false to cancel, which makes
+ * um_core_progress_step return UM_ERR_CANCELLED. */
 typedef bool (*um_core_progress_sink)(void *self, const char *task, size_t done, size_t total);
 
 /* allocator: NULL for malloc. Out: the caller destroys. UM_ERR_MEMORY. */

@@ -62,14 +62,14 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  return heat->setting.options.tolerance_factor > 1.0 && !isnan(heat->periodic_drift) &&
-         heat->model->start_offset == NULL &&
+  return !isnan(heat->periodic_drift) && heat->model->start_offset == NULL &&
          um_thermal_network_thermostats(heat->model->body->network) == 0 &&
          precomputed->t_periodic_end <= precomputed->sample[0].t_tai + 1e-6;
 }
 
-/* From the start through the observations. */
-static enum um_status follow(struct um_context *context, struct um_model_thermal_solution *heat)
+/* From the start through the observations. brief: from as late as can be. */
+static enum um_status follow(struct um_context *context, bool brief,
+                             struct um_model_thermal_solution *heat)
 {
   enum um_status status;
   const struct um_model_precomputed *precomputed = heat->precomputed;
@@ -78,7 +78,8 @@ static enum um_status follow(struct um_context *context, struct um_model_thermal
   double *times = NULL;
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
   double before = precomputed->t_first - precomputed->period, from = precomputed->t_start;
-  if (goes_on(heat)) from = fmin(precomputed->t_periodic_end, precomputed->sample[0].t_tai);
+  if (brief && goes_on(heat))
+    from = fmin(precomputed->t_periodic_end, precomputed->sample[0].t_tai);
   run->from = from;
   run->before = from <= precomputed->t_start && before >= precomputed->t_start - 1e-6;
   if (run->before) times[0] = fmax(before, precomputed->t_start);
@@ -127,25 +128,21 @@ enum um_status um_model_heat_run_surfaces(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_model_thermal_solution_create(struct um_context *context,
-                                                const struct um_model *model,
-                                                const struct um_model_precomputed *precomputed,
-                                                const struct um_model_thermal_solution *warm,
-                                                double tolerance_factor,
-                                                struct um_model_thermal_solution **out)
-{
-  return um_model_thermal_solution_near(context, model, precomputed, warm, tolerance_factor,
-                                        UM_MODEL_PERIODIC_TOLERANCE, out);
-}
+/* How a solution is asked for. */
+struct manner {
+  const struct um_model_thermal_solution *warm; /* NULL: from nothing */
+  double tolerance_factor;
+  double periodic; /* of the state that repeats [K] */
+  bool brief;      /* from the end of the periodic orbit on */
+};
 
-enum um_status um_model_thermal_solution_near(struct um_context *context,
-                                              const struct um_model *model,
-                                              const struct um_model_precomputed *precomputed,
-                                              const struct um_model_thermal_solution *warm,
-                                              double tolerance_factor, double periodic_tolerance,
-                                              struct um_model_thermal_solution **out)
+static enum um_status solution_make(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_precomputed *precomputed,
+                                    const struct manner *manner,
+                                    struct um_model_thermal_solution **out)
 {
   enum um_status status;
+  const struct um_model_thermal_solution *warm = manner->warm;
   struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
   struct um_model_thermal_solution *heat = NULL;
@@ -160,12 +157,12 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
     like = (struct um_model_heat_like){warm->model, warm->precomputed, &warm->setting};
   UM_CHECK(um_model_heat_setting_make(context, model, precomputed,
                                       like.model != NULL ? &like : NULL, &heat->setting));
-  heat->setting.options.tolerance_factor = tolerance_factor;
+  heat->setting.options.tolerance_factor = manner->tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
-  status = um_model_thermal_start(context, warm, periodic_tolerance, heat);
+  status = um_model_thermal_start(context, warm, manner->periodic, heat);
   if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
   /* temperatures that are stated are those of that instant, not means over its turn */
   if (status == UM_OK && precomputed->ripple != NULL &&
@@ -174,7 +171,7 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
                                    -1.0, heat->start);
   if (status == UM_OK) {
     um_thermal_network_temperatures_set(network, heat->start);
-    status = precomputed->points ? hold_start(context, heat) : follow(context, heat);
+    status = precomputed->points ? hold_start(context, heat) : follow(context, manner->brief, heat);
   }
   if (status == UM_OK) status = swing(context, heat);
   if (status == UM_OK) status = um_model_heat_run_surfaces(context, heat);
@@ -187,6 +184,29 @@ done:
   um_core_free(context, built);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
+}
+
+enum um_status um_model_thermal_solution_create(struct um_context *context,
+                                                const struct um_model *model,
+                                                const struct um_model_precomputed *precomputed,
+                                                const struct um_model_thermal_solution *warm,
+                                                double tolerance_factor,
+                                                struct um_model_thermal_solution **out)
+{
+  const struct manner manner = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE,
+                                tolerance_factor > 1.0};
+  return solution_make(context, model, precomputed, &manner, out);
+}
+
+enum um_status um_model_thermal_solution_near(struct um_context *context,
+                                              const struct um_model *model,
+                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_thermal_solution *warm,
+                                              double tolerance_factor, double periodic,
+                                              struct um_model_thermal_solution **out)
+{
+  const struct manner manner = {warm, tolerance_factor, periodic, true};
+  return solution_make(context, model, precomputed, &manner, out);
 }
 
 void um_model_thermal_solution_destroy(struct um_context *context,

@@ -20,8 +20,9 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model_thermal_solution *warm,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out);
-/* The same from heat of a model next to this one, for many of them: the periodic state is found to
- * within `periodic` [K], of which the search's own estimate is a few times what is left. */
+/* The same for many models next to each other: the periodic state is found to within `periodic`
+ * [K], of which the search's own estimate is a few times what is left, and the run goes on from
+ * there with any tolerance_factor. */
 enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               const struct um_model *model,
                                               const struct um_model_precomputed *precomputed,

@@ -90,9 +90,9 @@ static enum um_status heat_make(struct um_context *context, const struct um_stud
                                 struct um_model_thermal_solution **out)
 {
   const struct um_model_thermal_solution *warm = starts_warm(study, model) ? study->heat : NULL;
-  if (tight) return um_model_thermal_solution_create(context, model, precomputed, warm, 1.0, out);
-  return um_model_thermal_solution_near(context, model, precomputed, warm, study->tolerance_factor,
-                                        study->periodic_tolerance, out);
+  return um_model_thermal_solution_near(context, model, precomputed, warm,
+                                        tight ? 1.0 : study->tolerance_factor,
+                                        tight ? UM_STUDY_PERIODIC : study->periodic_tolerance, out);
 }
 
 /* Light and temperatures of a model with heat, into value. */

@@ -32,8 +32,8 @@ static enum um_status solve_nominal(struct um_context *context, struct um_study 
   UM_TRY(um_model_precompute_photons(context, study->model, study->precomputed));
   study->seconds_geometry = omp_get_wtime() - begin;
   begin = omp_get_wtime();
-  UM_TRY(um_model_thermal_solution_create(context, study->model, study->precomputed, NULL, 1.0,
-                                          &study->heat));
+  UM_TRY(um_model_thermal_solution_near(context, study->model, study->precomputed, NULL, 1.0,
+                                        UM_STUDY_PERIODIC, &study->heat));
   study->seconds_heat = omp_get_wtime() - begin;
   begin = omp_get_wtime();
   UM_TRY(um_model_run_observed(context, study->model, study->precomputed, study->heat, &result));

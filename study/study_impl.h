@@ -12,6 +12,9 @@
 /* Geometries kept beside the scenario's own, in each process. Points come sorted by them. */
 #define UM_STUDY_GEOMETRIES 2
 
+/* Of the periodic state with the scenario's own tolerances, as a run has it [K]. */
+#define UM_STUDY_PERIODIC 0.01
+
 /* A geometry precomputation, and the model it was made from. */
 struct um_study_geometry {
   struct um_model *model; /* NULL: empty */

@@ -22,7 +22,7 @@
 static const struct {
   double factor;   /* on the tolerances of the integration */
   double periodic; /* of the state that repeats [K] */
-} choices[] = {{12.0, 0.05}, {6.0, 0.02}, {3.0, 0.01}, {1.0, 0.01}};
+} choices[] = {{12.0, 0.05}, {6.0, 0.02}, {3.0, UM_STUDY_PERIODIC}, {1.0, UM_STUDY_PERIODIC}};
 #define CHOICES (sizeof choices / sizeof choices[0])
 
 static void choose(struct um_study *study, size_t i)

@@ -4,6 +4,7 @@
 
 #include "geometry/view_factor_table.h"
 #include "irradiation/mirrored.h"
+#include "thermal/surface_reflectance_impl.h"
 
 struct um_thermal_aging;
 struct um_thermal_between;
@@ -50,8 +51,6 @@ enum um_status um_thermal_exchange_make_pose(struct um_thermal_exchange_maker *m
 /* Total exchange areas in a pose, whose B is then in hand; of the rooms. */
 enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_maker *m, size_t pose);
 enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker *m);
-/* The loads that are reflected. */
-enum um_thermal_load { UM_THERMAL_SUN, UM_THERMAL_ALBEDO, UM_THERMAL_PLANET };
 /* What the pose in hand adds to that load of all rows, out [ntime][npatch]: what arrives by way of
  * mirrors and reflections; exchange_reflect.c. */
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,

@@ -12,7 +12,6 @@
 #include "thermal/exchange_impl.h"
 #include "thermal/exchange_maker_impl.h"
 #include "thermal/network_impl.h"
-#include "thermal/surface_reflectance_impl.h"
 
 /* What is incident by way of mirrors, of the band in hand. */
 struct mirrored_incident {
@@ -95,10 +94,7 @@ static double reflected_of(const struct um_thermal_exchange_maker *m, enum um_th
                     : load == UM_THERMAL_ALBEDO ? loads->albedo
                                                 : loads->planet;
   if (of[at] == 0.0f) return 0.0; /* turned away, or in shadow */
-  struct um_thermal_reflectances r =
-      um_thermal_surface_reflectances(m->network, loads, m->aging, row, s);
-  double share = load == UM_THERMAL_SUN ? r.sun : load == UM_THERMAL_ALBEDO ? r.albedo : r.planet;
-  return share * (double)of[at];
+  return um_thermal_surface_reflectance(m->network, loads, m->aging, row, s, load) * (double)of[at];
 }
 
 /* Share of what patch p reflects that goes on as from a mirror. */

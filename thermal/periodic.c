@@ -10,14 +10,15 @@
  * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J, a rational function of
  * which sparse solves give (orbit_return_impl.h). KINSOL's fixed point with Anderson acceleration
  * takes care of what that leaves. The correction dT estimates how far T is from the periodic state,
- * dT - r how far G(T) is; G(T) is what is taken, so dT - r is judged. Where that is small by
- * chance, the function's error of r is taken to be left of every node.
+ * dT - r how far G(T) is; G(T) is what is taken, so dT - r is judged, and with it the function's
+ * error of r, which may hide as much again.
  *
  * With its correction the last orbit's end is nearer. Of G(T) + (dT - r) is left the function's
- * error of r, and of dT - r a share for a J that is not constant over the orbit and what radiation
- * bends over dT, at most 3/2 dT / T. Where that is good enough it is taken, and the orbit that
- * would only confirm it is saved. Not with thermostats, of whose slope the correction knows the
- * mean alone.
+ * error of r, and what an error of X does: a share e of it, for a J that is not constant over the
+ * orbit and for what radiation bends over dT, at most 3/2 dT / T, moves w = (dT - r)/r = 1/(exp(x)
+ * - 1) by e x (1 + w), which is e of a slow mode and e x of a fast one, x = ln(1 + 1/w). Where that
+ * is good enough it is taken, and the orbit that would only confirm it is saved. Not with
+ * thermostats, of whose slope the correction knows the mean alone.
  *
  * Thermostats act by their mean power (system_heat.c), whose slope, averaged over the orbit, is in
  * J: G is smooth. Seen from outside its narrow transition a thermostat has no slope, so a
@@ -26,6 +27,7 @@
  * The loads are taken over one window [from, from + P] whatever comes after, so a spin that is not
  * commensurate with the orbit does not keep the iteration from converging: nodes faster than the
  * orbit do not remember T(from), G does not depend on theirs, and they are right after one pass. */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -50,6 +52,7 @@
 #define LINEAR_SHARE   1e-10 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE       1e-11 /* the same with exchange between surfaces: slow modes are small in it */
 #define FROZEN         0.03 /* of a correction, for a J that is not its mean all along the orbit */
+#define SLOW_MODE      1e6  /* w of a mode that an error of X moves in proportion */
 #define SLOWEST        1e-6 /* modes slower than 1e6 orbits are taken as that */
 
 struct periodic {
@@ -195,6 +198,16 @@ static void end_correct(struct periodic *periodic, const double *y, const double
   }
 }
 
+/* What may be left of a node's corrected end [K]; the comment above has the terms. */
+static double left_of(double end, double drift, double change)
+{
+  double beyond = fabs(change - drift), bend = 1.5 * fabs(change) / fmax(end, 10.0);
+  double w = beyond / fmax(fabs(drift), DBL_MIN);
+  double by_rate = w < SLOW_MODE ? log1p(1.0 / w) * (1.0 + w) : 1.0;
+  return UM_THERMAL_RETURN_ERROR * fabs(drift) +
+         (FROZEN + bend) * beyond * (w > 0.0 ? by_rate : 0.0);
+}
+
 /* One orbit from unknowns y; end, drift and the corrected state. */
 static enum um_status orbit_run(struct periodic *periodic, const double *y, double *corrected)
 {
@@ -219,10 +232,8 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     double limit = LARGEST_CHANGE * fmax(fabs(periodic->end[system->node[k]]), 10.0);
     double drift = periodic->end[system->node[k]] - y[k];
     double beyond = fabs(change[k] - drift);
-    periodic->distance =
-        fmax(periodic->distance, fmax(beyond, UM_THERMAL_RETURN_ERROR * fabs(drift)));
-    double bend = 1.5 * fabs(change[k]) / fmax(periodic->end[system->node[k]], 10.0);
-    left = fmax(left, UM_THERMAL_RETURN_ERROR * fabs(drift) + (FROZEN + bend) * beyond);
+    periodic->distance = fmax(periodic->distance, beyond + UM_THERMAL_RETURN_ERROR * fabs(drift));
+    left = fmax(left, left_of(periodic->end[system->node[k]], drift, change[k]));
     if (beyond * factor > limit) factor = limit / beyond;
   }
   for (size_t k = 0; k < system->nunknown; k++) {
@@ -418,7 +429,7 @@ enum um_status um_thermal_solve_periodic_report(struct um_context *context,
   enum um_status status;
   struct periodic periodic = {.period = period};
   UM_TRY(arguments_check(context, loads, from, period, tolerance));
-  um_core_progress_begin(context, "orbits", ORBITS_LIMIT);
+  um_core_progress_begin(context, "orbits until one repeats", 0); /* as many as it takes */
   UM_CHECK(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_PERIODIC,
                                     &periodic.system));
   UM_CHECK(um_thermal_integrator_create(periodic.system, period, &periodic.integrator));

@@ -6,13 +6,13 @@
 #include "thermal/network_impl.h"
 #include "thermal/solve_options.h"
 
-/* Reflected shares of what falls on a surface at that row: of sunlight at its angle, of the albedo,
- * of the Earth's infrared. aging NULL: nothing ages. */
-struct um_thermal_reflectances {
-  double sun, albedo, planet;
-};
-struct um_thermal_reflectances
-um_thermal_surface_reflectances(const struct um_thermal_network *network,
-                                const struct um_irradiation_loads *loads,
-                                const struct um_thermal_aging *aging, size_t row, size_t surface);
+/* The loads that are reflected. */
+enum um_thermal_load { UM_THERMAL_SUN, UM_THERMAL_ALBEDO, UM_THERMAL_PLANET };
+
+/* Reflected share of what of a load falls on a surface at that row [1]: of sunlight at its angle.
+ * aging NULL: nothing ages. */
+double um_thermal_surface_reflectance(const struct um_thermal_network *network,
+                                      const struct um_irradiation_loads *loads,
+                                      const struct um_thermal_aging *aging, size_t row,
+                                      size_t surface, enum um_thermal_load load);
 #endif
