@@ -209,6 +209,22 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
   return solution_make(context, model, precomputed, &manner, out);
 }
 
+enum um_status um_model_thermal_solution_lead(struct um_context *context,
+                                              struct um_model_thermal_solution *heat)
+{
+  if (heat->rest != NULL || heat->precomputed->points || !um_model_thermal_predicts(heat))
+    return UM_OK;
+  UM_TRY(um_core_allocate(context, um_thermal_network_nodes(heat->model->body->network),
+                          sizeof *heat->rest, &heat->rest));
+  enum um_status status = um_model_thermal_rest(context, heat, heat->rest);
+  if (status == UM_OK) return UM_OK;
+  um_core_free(context, heat->rest);
+  heat->rest = NULL;
+  if (status != UM_ERR_NUMERIC) return status;
+  um_core_message_clear(context); /* no such balance, as each would find */
+  return UM_OK;
+}
+
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat)
 {
@@ -217,6 +233,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   um_core_free(context, (*heat)->run.surface);
   um_core_free(context, (*heat)->start);
   um_core_free(context, (*heat)->mean);
+  um_core_free(context, (*heat)->rest);
   um_model_heat_setting_clear(context, &(*heat)->setting);
   um_core_free(context, *heat);
   *heat = NULL;

@@ -29,6 +29,10 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               const struct um_model_thermal_solution *warm,
                                               double tolerance_factor, double periodic,
                                               struct um_model_thermal_solution **out);
+/* Before many models are solved from this one: what each would find anew of it is found once. Their
+ * results have the same bits without. Errors of the thermal solvers. */
+enum um_status um_model_thermal_solution_lead(struct um_context *context,
+                                              struct um_model_thermal_solution *heat);
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
 /* *out: true when the model has the same temperatures on this geometry precomputation: network,

@@ -80,14 +80,20 @@ static enum um_status settle_stated(struct um_context *context,
                                      &heat->setting, &change);
 }
 
-/* Is the periodic state that of a mean balance? */
-static bool predicts(const struct um_model_thermal_solution *warm,
-                     const struct um_model_thermal_solution *heat)
+bool um_model_thermal_predicts(const struct um_model_thermal_solution *heat)
 {
-  return warm->model->scenario->thermal->start == UM_START_PERIODIC &&
-         !isnan(warm->precomputed->period) && !isnan(heat->precomputed->period) &&
-         um_thermal_network_thermostats(warm->model->body->network) == 0 &&
+  return heat->model->scenario->thermal->start == UM_START_PERIODIC &&
+         !isnan(heat->precomputed->period) &&
          um_thermal_network_thermostats(heat->model->body->network) == 0;
+}
+
+enum um_status um_model_thermal_rest(struct um_context *context,
+                                     const struct um_model_thermal_solution *heat, double *rest)
+{
+  const struct um_model_precomputed *precomputed = heat->precomputed;
+  return um_thermal_orbit_mean_rest(context, heat->model->body->network, precomputed->loads,
+                                    &heat->setting.options, precomputed->t_start,
+                                    precomputed->period, heat->mean, rest);
 }
 
 /* heat->mean and start of a model next to that of `warm`, moved as their mean balances differ; the
@@ -97,14 +103,15 @@ static enum um_status predict(struct um_context *context,
                               struct um_model_thermal_solution *heat)
 {
   enum um_status status;
-  const struct um_model_precomputed *precomputed = heat->precomputed, *base = warm->precomputed;
+  const struct um_model_precomputed *precomputed = heat->precomputed;
   struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
-  double *rest = NULL, change = INFINITY;
-  UM_TRY(um_core_allocate(context, n, sizeof *rest, &rest));
-  UM_CHECK(um_thermal_orbit_mean_rest(context, warm->model->body->network, base->loads,
-                                      &warm->setting.options, base->t_start, base->period,
-                                      warm->mean, rest));
+  double *found = NULL, change = INFINITY;
+  if (warm->rest == NULL) {
+    UM_TRY(um_core_allocate(context, n, sizeof *found, &found));
+    UM_CHECK(um_model_thermal_rest(context, warm, found));
+  }
+  const double *rest = warm->rest != NULL ? warm->rest : found;
   memcpy(heat->mean, warm->mean, n * sizeof *heat->mean);
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_orbit_mean_solve(context, network, precomputed->loads,
@@ -117,7 +124,7 @@ static enum um_status predict(struct um_context *context,
     if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
       heat->start[i] = warm->start[i] + heat->mean[i] - warm->mean[i];
 done:
-  um_core_free(context, rest);
+  um_core_free(context, found);
   return status;
 }
 
@@ -173,7 +180,7 @@ enum um_status um_model_thermal_start(struct um_context *context,
       heat->start[i] = warm->start[i];
   UM_TRY(um_core_allocate(context, n, sizeof *built, &built));
   memcpy(built, heat->start, n * sizeof *built);
-  if (warm != NULL && predicts(warm, heat)) {
+  if (warm != NULL && um_model_thermal_predicts(warm) && um_model_thermal_predicts(heat)) {
     status = predict(context, warm, heat);
     if (status == UM_ERR_NUMERIC) { /* no such balance: from where the other stands */
       um_core_message_clear(context);

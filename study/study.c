@@ -34,6 +34,7 @@ static enum um_status solve_nominal(struct um_context *context, struct um_study 
   begin = omp_get_wtime();
   UM_TRY(um_model_thermal_solution_near(context, study->model, study->precomputed, NULL, 1.0,
                                         UM_STUDY_PERIODIC, &study->heat));
+  UM_TRY(um_model_thermal_solution_lead(context, study->heat));
   study->seconds_heat = omp_get_wtime() - begin;
   begin = omp_get_wtime();
   UM_TRY(um_model_run_observed(context, study->model, study->precomputed, study->heat, &result));
