@@ -102,7 +102,7 @@ static enum um_status predict(struct um_context *context,
                               const struct um_model_thermal_solution *warm,
                               struct um_model_thermal_solution *heat)
 {
-  enum um_status status;
+  enum um_status status = UM_OK;
   const struct um_model_precomputed *precomputed = heat->precomputed;
   struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
