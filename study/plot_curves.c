@@ -74,6 +74,15 @@ static int legend_rows(const struct um_study_result *r)
   return length < WIDE ? 2 : (int)r->nparameter + 1;
 }
 
+/* Does anything vary a curve at any time? */
+static bool varies(const struct um_study_learnt *l, const struct um_study_quantity *of)
+{
+  double quiet = um_study_quiet(l, of);
+  for (size_t k = of->first; k < of->first + of->count; k++)
+    if (l->deviation[k] > quiet) return true;
+  return false;
+}
+
 /* Shares, one parameter on the other; what is left belongs to several at once. */
 static void shares(struct um_plot *plot, const struct um_study_result *r,
                    const struct um_study_learnt *l, size_t q, bool legend)
@@ -86,6 +95,9 @@ static void shares(struct um_plot *plot, const struct um_study_result *r,
     um_plot_add(plot, "set key vertical maxrows %d\n", legend_rows(r));
   else
     um_plot_add(plot, "unset key\n");
+  if (!varies(l, of))
+    um_plot_add(plot, "set label 1 'nothing varies it' at graph 0.5, graph 0.5 center "
+                      "textcolor rgb '#666666'\n");
   /* up to column i of the parameters' first indices, none where nothing varies */
   um_plot_add(plot,
               "set yrange [0:1] noreverse\nset ytics 0.5\n"
@@ -106,7 +118,7 @@ static void shares(struct um_plot *plot, const struct um_study_result *r,
                 first, last, r->nparameter);
   else
     um_plot_add(plot, "NaN notitle");
-  um_plot_add(plot, "\n");
+  um_plot_add(plot, "\nunset label 1\n");
 }
 
 static void picture(struct um_plot *plot, const struct um_study_result *r,
