@@ -222,9 +222,10 @@ static void test_judged_in_full(void **state)
   struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
   for (double capacity = 1100.0; capacity < 1.2e5; capacity *= 1.15) {
     double found, exact, drift;
-    for (int side = 0; side < 2; side++) {
+    static const double begins[] = {260.0, 285.0, 292.0, 296.0, 303.0, 309.5, 320.0};
+    for (size_t b = 0; b < sizeof begins / sizeof *begins; b++) {
       struct um_thermal_network *network = sphere(capacity, 0.8, 0.8);
-      double begin = side == 0 ? 285.0 : 296.0;
+      double begin = begins[b];
       um_thermal_network_temperatures_set(network, &begin);
       OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, orbit_period(),
                                    0.01, &found, &drift));
