@@ -342,11 +342,74 @@ static void test_kill(void **state)
   free(value);
 }
 
+/* Power fails in the moment in which points are told to be done. */
+static bool die_when_told(void *self, const char *task, size_t done, size_t total)
+{
+  note_done(self, task, done, total);
+  if (done > 0) raise(SIGKILL);
+  return true;
+}
+
+static void test_told(void **state)
+{
+  (void)state;
+  double x[2 * NPOINT], *value = calloc(NPOINT * NVALUE, sizeof *value);
+  char *reason[NPOINT];
+  bool recorded[NPOINT];
+  size_t before = 0;
+  ask(x);
+  assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  shared->nap_us = 5000;
+  for (int workers = 1; workers <= 4; workers++) {
+    shared->done = 0;
+    pid_t child = fork();
+    if (child == 0) {
+      um_core_progress_set_sink(context, die_when_told, NULL);
+      struct um_batch *batch = opened(workers, true);
+      _exit(um_batch_run(context, batch, x, NPOINT, value, reason) == UM_OK ? 0 : 1);
+    }
+    while (waitpid(-1, NULL, 0) > 0) continue;
+    size_t n = read_recorded(recorded);
+    assert_true(shared->done > 0);
+    assert_true(n >= before + shared->done);
+    before = n;
+  }
+  assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 0), 0);
+  free(value);
+}
+
+/* A worker in the middle of a long point dies with its parent, which tells it nothing. */
+static void test_orphan(void **state)
+{
+  (void)state;
+  double x[4] = {SLEEPS, 0, SLEEPS + 1, 0}, value[2 * NVALUE], until = now() + 5.0;
+  char *reason[2];
+  int left = 3; /* the parent and two workers */
+  assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  pid_t child = fork();
+  if (child == 0) {
+    struct um_batch *batch = opened(2, false);
+    _exit(um_batch_run(context, batch, x, 2, value, reason) == UM_OK ? 0 : 1);
+  }
+  while ((shared->started[0] == 0 || shared->started[1] == 0) && now() < until) nap(1e-3);
+  kill(child, SIGKILL);
+  for (until = now() + 5.0; left > 0 && now() < until;) {
+    if (waitpid(-1, NULL, WNOHANG) > 0)
+      left--;
+    else
+      nap(1e-3);
+  }
+  for (int i = 0; i < 2 && left > 0; i++) kill(shared->process[i], SIGKILL);
+  while (waitpid(-1, NULL, 0) > 0) continue;
+  assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 0), 0);
+  assert_int_equal(left, 0);
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
   static const struct CMUnitTest tests[] = {TEST(test_same), TEST(test_death), TEST(test_refused),
                                             TEST(test_end),  TEST(test_stop),  TEST(test_full),
-                                            TEST(test_kill)};
+                                            TEST(test_kill), TEST(test_told),  TEST(test_orphan)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
