@@ -14,30 +14,36 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate clean
+.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate clean
 
-all: build
+all: program
 
 deps:
 	@tools/install-deps
 
-build: deps
+configure: deps
 	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release $(CMAKE_FLAGS) >$(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
 	@rm -f $(BUILD).log
+
+# the program, its man page and completions; `build` has the tests too
+program: configure
+	@cmake --build $(BUILD) -j $(JOBS) --target program
+
+build: configure
 	@cmake --build $(BUILD) -j $(JOBS)
 
-demo: build
+demo: program
 	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016 \
 		--picture 2016-09-21T20:33:00Z --picture first-light
 	@echo "pictures: out/envisat-graz-2016/*.png; every wavelength of two views: out/envisat-graz-2016/*.exr"
 
-demo-study: build
+demo-study: program
 	$(BUILD)/umbra study scenarios/envisat-graz-2016/study.yaml --out out/envisat-study
 
 test: build
 	tools/run-tests $(BUILD) -j $(JOBS)
 
-install: build
+install: program
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
 	@echo "installed: $(DESTDIR)$(PREFIX)/bin/umbra"
 
@@ -47,7 +53,7 @@ lab: build
 mutate: deps
 	tools/mutate $(MUTATE)
 
-bench: build
+bench: configure
 	tools/bench $(BUILD) $(BENCH)
 
 check:

@@ -8,7 +8,7 @@ find_package(ZLIB REQUIRED)
 # MPI is optional: studies on many machines. Its shared memory is not known to ThreadSanitizer.
 if(UMBRA_MPI STREQUAL "ON")
   find_package(MPI REQUIRED COMPONENTS C)
-elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN AND NOT UMBRA_FUZZ)
+elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN)
   find_package(MPI QUIET COMPONENTS C)
 endif()
 

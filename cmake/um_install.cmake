@@ -33,6 +33,7 @@ else()
   message(STATUS "help2man is not there: no man page")
 endif()
 add_custom_target(umbra_pages ALL DEPENDS ${umbra_completions} ${umbra_man})
+add_custom_target(program DEPENDS umbra umbra_pages) # all that is installed
 install(FILES ${umbra_pages}/umbra.bash RENAME umbra
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(FILES ${umbra_pages}/_umbra DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
