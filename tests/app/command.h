@@ -11,8 +11,9 @@ struct command {
   int code; /* exit status; 128 + signal when it was killed */
   char *out, *err;
   long peak_kB; /* largest memory in use */
-  /* from the signal of command_run_for to the end, wall clock [s] */
-  double seconds;
+  /* from the signal of command_run_for to the end, wall clock, and processor time of the command
+   * and of the children that it waited for in it [s] */
+  double seconds, worked;
 };
 
 /* CMocka setup and teardown: a new empty folder becomes the working folder; it is removed. */

@@ -1,7 +1,8 @@
-/* Eighty runs are ended at moments of all kinds, by SIGKILL, SIGTERM and SIGINT in turn, while they
- * replace the results of an earlier one. After each the results are whole, the earlier or the new
- * ones; no process of theirs lives on; and the next run that ends by itself leaves nothing beside
- * them. The runs have children: TetGen and a gnuplot that takes its time. */
+/* Twenty runs (eighty in the whole sweep) are ended at moments of all kinds, by SIGKILL, SIGTERM
+ * and SIGINT in turn, while they replace the results of an earlier one. After each the results are
+ * whole, the earlier or the new ones; no process of theirs lives on; and the next run that ends by
+ * itself leaves nothing beside them. The runs have children: TetGen and a gnuplot that takes its
+ * time. */
 #include <dirent.h>
 #include <signal.h>
 #include <stdio.h>
@@ -14,8 +15,7 @@
 #include "core/sampling.h"
 #include "tests/app/command.h"
 #include "tests/app/small.h"
-
-#define KILLS 80
+#include "tests/support/whole.h"
 
 #ifdef UMBRA_TETGEN
 #define SOLID                                                                                      \
@@ -84,6 +84,7 @@ static void test_kills(void **state)
   char here[4096];
   struct timespec begin, end;
   size_t left = 0;
+  const int nkill = um_test_number(80, 20);
   (void)state;
   prepare(here, sizeof here);
   clock_gettime(CLOCK_MONOTONIC, &begin);
@@ -92,7 +93,7 @@ static void test_kills(void **state)
   double whole = (double)(end.tv_sec - begin.tv_sec) + 1e-9 * (double)(end.tv_nsec - begin.tv_nsec);
   char *curve = command_read("out/lightcurve.csv");
   int ended = 0;
-  for (int i = 0; i < KILLS; i++) {
+  for (int i = 0; i < nkill; i++) {
     double after = 1.1 * whole * um_core_hash_uniform(um_core_hash(1, (uint64_t)i));
     struct command c = command_run_for(after, signals[i % 3], run_list);
     if (c.code != 0 && c.code != 128 + signals[i % 3])
@@ -103,9 +104,9 @@ static void test_kills(void **state)
     expect_whole(curve, i);
     left += count_beside();
   }
-  printf("%d of %d runs of %.2f s were ended, %zu folders lay beside the results\n", ended, KILLS,
+  printf("%d of %d runs of %.2f s were ended, %zu folders lay beside the results\n", ended, nkill,
          whole, left);
-  assert_true(ended > KILLS / 2);
+  assert_true(ended > nkill / 2);
   command_expect(0, "run", "s.yaml", "--out", "out", "--threads", "1", NULL);
   assert_int_equal(count_beside(), 0);
   free(curve);

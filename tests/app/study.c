@@ -10,9 +10,9 @@
 #include "core/sampling.h"
 #include "tests/app/command.h"
 #include "tests/app/table.h"
+#include "tests/support/whole.h"
 
-#define KILLS  20
-#define POINTS 40
+#define POINTS 12
 
 static const char study[] =
     "schema: 1\n"
@@ -21,7 +21,7 @@ static const char study[] =
     "parameters:\n"
     "  - {material: grey_white, property: emittance, from: 0.7, to: 0.9}\n"
     "  - {key: parts.bus.shell.areal_heat_capacity_J_m2_K, from: 2000, to: 4000, unit: J/m2/K}\n"
-    "design: {kind: latin_hypercube, points: 40, seed: 1}\n"
+    "design: {kind: latin_hypercube, points: 12, seed: 1}\n"
     "outputs: {bands: [vis, lwir], places: [bus]}\n";
 
 static int enter(void **state)
@@ -60,21 +60,23 @@ static long records_of_half(void)
   return size;
 }
 
-/* Twenty times SIGKILL, each later begun again where it was: records only grow, but for one that
- * was being written, and hold no point twice; the result is that of a study that nobody killed. */
+/* Five times SIGKILL (twenty in the whole sweep), each later begun again where it was: records only
+ * grow, but for one that was being written, and hold no point twice; the result is that of a study
+ * that nobody killed. */
 static void test_kills(void **state)
 {
   (void)state;
   static const char records[] = "killed.points/points-1-of-2.records";
   static const char *const half[] = {"study", "study.yaml", "-o",        "killed", "--share",
                                      "1/2",   "--resume",   "--workers", "2",      NULL};
+  const int nkill = um_test_number(20, 5);
   long whole = records_of_half(), one = whole / (POINTS / 2);
   double begin = now();
   command_expect(0, "study", "study.yaml", "-o", "whole", "--workers", "1", NULL);
   double took = now() - begin;
   int kills = 0, rounds = 0;
   long before = 0;
-  for (int i = 0; kills < KILLS && i < 20 * KILLS; i++) {
+  for (int i = 0; kills < nkill && i < 20 * nkill; i++) {
     double after = 0.5 * took * um_core_hash_uniform(um_core_hash(11, (uint64_t)i));
     struct command c = command_run_for(after, SIGKILL, half);
     if (c.code != 0 && c.code != 128 + SIGKILL)
@@ -86,7 +88,7 @@ static void test_kills(void **state)
     kills += c.code != 0;
     if (c.code == 0) { /* all of the half: begin anew */
       assert_int_equal(size, whole);
-      if (kills < KILLS) {
+      if (kills < nkill) {
         assert_int_equal(remove(records), 0);
         before = 0;
         rounds++;
@@ -95,7 +97,7 @@ static void test_kills(void **state)
     command_release(&c);
   }
   print_message("%d kills in %d rounds of a study of %.2f s\n", kills, rounds + 1, took);
-  assert_int_equal(kills, KILLS);
+  assert_int_equal(kills, nkill);
   command_expect(0, "study", "study.yaml", "-o", "killed", "--share", "1/2", "--resume", NULL);
   assert_int_equal(size_of(records), whole);
   command_expect(0, "study", "study.yaml", "-o", "killed", "--share", "2/2", NULL);
@@ -158,8 +160,7 @@ static void test_measured(void **state)
   char *text = NULL, *more = malloc(sizeof study + 200);
   assert_non_null(more);
   strcpy(more, study);
-  text = command_edit(more, "points: 40", "points: 12");
-  text = command_edit(text, "places: [bus]", "places: [bus], measured: pass.csv");
+  text = command_edit(more, "places: [bus]", "places: [bus], measured: pass.csv");
   command_write("measured.yaml", text);
   free(text);
   struct command c = command_run("study", "measured.yaml", "-o", "m", NULL);

@@ -5,8 +5,9 @@
 #include "compare/series.h"
 #include "compare_test.h"
 #include "core/constants.h"
+#include "tests/support/whole.h"
 
-enum { N = 200, TRIALS = 200 };
+enum { N = 200 };
 
 struct noise {
   const char *name;
@@ -36,7 +37,7 @@ static struct um_compare_period *search(const struct noise *noise, uint64_t k, d
   return p;
 }
 
-/* Of TRIALS series without a period, those below a level are binomial. Up to 1.7 times the level
+/* Of ntrial series without a period, those below a level are binomial. Up to 1.7 times the level
  * (the red noise is fitted, not known; a trend of a polynomial is not the range's law) and 3.3
  * errors above; not below half of it less 3.3 errors: the bound is Davies', not a guess. None is
  * named: at 1e-3, more than 3 of 200 have a probability of 6e-5. */
@@ -49,11 +50,12 @@ static void test_noise(void **state)
                                         {"red, 30 steps, ten times white", 10, 30, 0},
                                         {"white under a pass of 20 sigma", 0, 0, 20},
                                         {"red, 5 steps, under a pass", 1, 5, 20}};
+  const int ntrial = um_test_number(200, 60);
   um_core_context_set_threads(context, 1);
   for (size_t n = 0; n < sizeof noises / sizeof noises[0]; n++) {
     static const double levels[] = {0.5, 0.1, 0.01};
     int below[3] = {0}, named = 0;
-    for (uint64_t k = 0; k < TRIALS; k++) {
+    for (uint64_t k = 0; k < (uint64_t)ntrial; k++) {
       struct um_compare_period *p = search(&noises[n], k, 0.0, 1.0);
       for (int l = 0; l < 3; l++) below[l] += p->false_alarm < levels[l];
       named += p->false_alarm < UM_COMPARE_PERIOD_LEVEL;
@@ -61,11 +63,11 @@ static void test_noise(void **state)
       um_compare_period_destroy(context, &p);
     }
     print_message("%s: of %d below 0.5: %d, below 0.1: %d, below 0.01: %d; named %d\n",
-                  noises[n].name, TRIALS, below[0], below[1], below[2], named);
+                  noises[n].name, ntrial, below[0], below[1], below[2], named);
     for (int l = 0; l < 3; l++) {
       double high = fmin(1.0, 1.7 * levels[l]), low = 0.5 * levels[l];
-      assert_true(below[l] <= high * TRIALS + 3.3 * sqrt(high * (1.0 - high) * TRIALS));
-      assert_true(below[l] >= low * TRIALS - 3.3 * sqrt(low * (1.0 - low) * TRIALS));
+      assert_true(below[l] <= high * ntrial + 3.3 * sqrt(high * (1.0 - high) * ntrial));
+      assert_true(below[l] >= low * ntrial - 3.3 * sqrt(low * (1.0 - low) * ntrial));
     }
     assert_true(named <= 3);
   }
@@ -154,9 +156,9 @@ static void test_spin(void **state)
 {
   (void)state;
   static const struct noise noise = {"", 1, 5, 20};
-  enum { SPINS = 200 };
+  const int nspin = um_test_number(200, 60);
   double sum = 0.0, squares = 0.0, worst = 0.0;
-  for (uint64_t k = 0; k < SPINS; k++) {
+  for (uint64_t k = 0; k < (uint64_t)nspin; k++) {
     struct um_compare_period *p = search(&noise, k, 2.5, 17.0);
     double e = (p->period - 17.0) / p->period_sigma;
     worst = fmax(worst, p->false_alarm);
@@ -164,12 +166,12 @@ static void test_spin(void **state)
     squares += e * e;
     um_compare_period_destroy(context, &p);
   }
-  double mean = sum / SPINS, variance = squares / SPINS - mean * mean;
+  double mean = sum / nspin, variance = squares / nspin - mean * mean;
   print_message("spin: errors over sigma: mean %.3f, variance %.3f; largest probability %.2g\n",
                 mean, variance, worst);
   assert_true(worst < UM_COMPARE_PERIOD_LEVEL);
-  assert_close(mean, 0.0, 3.3 / sqrt(SPINS));
-  assert_close(variance, 1.0, 1.5 * 3.3 * sqrt(2.0 / SPINS));
+  assert_close(mean, 0.0, 3.3 / sqrt(nspin));
+  assert_close(variance, 1.0, 1.5 * 3.3 * sqrt(2.0 / nspin));
 }
 
 int main(void)

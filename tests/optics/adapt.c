@@ -3,14 +3,15 @@
  *        wing (turned, moved)
  *      ----/----
  *        +-----+   the bus is hidden and shaded by the wing in part, seen and lit from INSTANTS
- *        | bus |   directions drawn at random; each of SEEDS draws of the points has errors that
+ *        | bus |   directions drawn at random; each of 100 draws (40 in a part of the sweep) of the
+ * points has errors that
  *        +-----+   are independent of those of the others
  *
  * Truth is the mean of two draws with 2048 points, whose own variance is a hundredth of what is
  * looked at. Sums over draws and instants of (value - truth)^2 and of the stated variance are held
- * against each other: their ratio is chi-square per degree of freedom, INSTANTS * SEEDS of which
- * those of one draw have much in common; the ratio of one scene is good to 10 %, and SCENES of them
- * differ, since edges are no random lines. */
+ * against each other: their ratio is chi-square per degree of freedom, as many as instants times
+ * draws, of which those of one draw have much in common; the ratio of one scene is good to 10 %,
+ * and SCENES of them differ, since edges are no random lines. */
 #include "optics/adapt.h"
 
 #include <math.h>
@@ -19,8 +20,9 @@
 #include "core/constants.h"
 #include "core/sampling.h"
 #include "fixture.h"
+#include "tests/support/whole.h"
 
-enum { SCENES = 3, INSTANTS = 10, SEEDS = 100, VALUES = 2 * INSTANTS, TRUTHS = 2 };
+enum { SCENES = 3, INSTANTS = 10, VALUES = 2 * INSTANTS, TRUTHS = 2 };
 
 static void configure(struct fixture *f, uint64_t c)
 {
@@ -103,7 +105,7 @@ static void test_stated(void **state)
     struct fixture f;
     configure(&f, 700 + c);
     truth_of(&f, truth);
-    for (uint64_t s = 0; s < SEEDS; s++) look(&f, truth, s, NAN, sum);
+    for (uint64_t s = 0; s < (uint64_t)um_test_number(100, 40); s++) look(&f, truth, s, NAN, sum);
     fixture_destroy(&f);
   }
   for (size_t k = 0; k < 2; k++) {
@@ -127,7 +129,7 @@ static void test_asked(void **state)
     struct scatter sum[2] = {{0.0, 0.0, 0}};
     configure(&f, 700 + c);
     truth_of(&f, truth);
-    for (uint64_t s = 0; s < SEEDS; s++) look(&f, truth, s, asked, sum);
+    for (uint64_t s = 0; s < (uint64_t)um_test_number(100, 40); s++) look(&f, truth, s, asked, sum);
     for (size_t k = 0; k < 2; k++) {
       all.error += sum[k].error;
       all.stated += sum[k].stated;
@@ -154,7 +156,7 @@ static void test_asked_between(void **state)
   truth_of(&f, truth);
   f.scene.interreflection_samples = 16;
   int most = 1;
-  for (uint64_t s = 0; s < SEEDS; s++) {
+  for (uint64_t s = 0; s < (uint64_t)um_test_number(100, 40); s++) {
     look(&f, truth, s, asked, sum);
     for (size_t t = 0; t < INSTANTS; t++) most = (int)fmax(most, f.view->path_factor[t]);
   }
