@@ -32,7 +32,9 @@ static const struct um_schema_field grey_fields[] = {
              .help = "Lambert reflectance below 2.5 um; default 1 - solar_absorptance - "
                      "specular_reflectance, not below 0."),
     UM_FIELD(struct um_materials_grey_input, specular, "specular_reflectance", UM_SCHEMA_NUMBER,
-             RATIO, .default_value = 0.0, .help = "F of the lobe below 2.5 um, at every angle."),
+             RATIO, .default_value = 0.0,
+             .help = "F of the lobe below 2.5 um, at every angle; from there on 1 - emissivity is "
+                     "reflected evenly."),
     UM_FIELD(struct um_materials_grey_input, alpha, "beckmann_alpha", UM_SCHEMA_NUMBER,
              .minimum = 0.0, .maximum = 1.5, .open_minimum = true, .default_value = NAN,
              .help = "Roughness of the lobe; needed with specular_reflectance."),
@@ -51,14 +53,16 @@ static const struct um_schema_object grey_object = {.name = "grey description",
 #define WAVELENGTHS(structure)                                                                     \
   UM_FIELD(structure, wavelength_um, "wavelength_um", UM_SCHEMA_NUMBERS, .required = true,         \
            .minimum = 0.0, .maximum = 1e6, .open_minimum = true,                                   \
-           .help = "Ascending; constant outside.")
+           .help = "Ascending; the first and last values hold outside, in light and in heat.")
 
 static const struct um_schema_field reflectance_fields[] = {
     WAVELENGTHS(struct um_materials_reflectance_input),
     UM_FIELD(struct um_materials_reflectance_input, diffuse, "diffuse", UM_SCHEMA_NUMBERS,
              .required = true, RATIO, .help = "Lambert reflectance at each wavelength."),
     UM_FIELD(struct um_materials_reflectance_input, specular, "specular", UM_SCHEMA_NUMBERS, RATIO,
-             .help = "F of the lobe at each wavelength, at every angle; default 0."),
+             .help =
+                 "F of the lobe at each wavelength, at every angle, in light and in heat; default "
+                 "0."),
 };
 static const struct um_schema_object reflectance_object = {
     .name = "reflectance table",

@@ -3,7 +3,8 @@
  *   lamp     E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
  *            and air leave of the Sun (environment/shadow_light.h)
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b), of
- *            which the lobe's part is what the lobe sees of the Earth (earth_lobe.c)
+ *            which the lobe's part, wherever F is above 0, is what the lobe sees of the Earth
+ *            (earth_lobe.c)
  *   emitted  eps(lambda, cos_o) B_lambda(T)
  *
  * T_b is the brightness temperature of the Earth; where the Earth varies, of what of it lies before

@@ -62,6 +62,12 @@ static bool mirrors_earth(const struct um_optics_spectra *spectra,
   return instant->earth_lobe && spectra->lobe[skin].kind != NULL;
 }
 
+bool um_optics_reflects_evenly(const struct um_optics_spectra *spectra,
+                               const struct um_optics_instant *instant, size_t skin)
+{
+  return spectra->diffuse_emitter[skin] && !mirrors_earth(spectra, instant, skin);
+}
+
 void um_optics_earth_shares(const struct um_optics_spectra *spectra,
                             const struct um_optics_instant *instant, size_t skin,
                             const struct um_optics_sight *sight,
@@ -98,8 +104,8 @@ void um_optics_earth_seen_add(const struct um_optics_spectra *spectra,
   if (clear > 0.0) um_optics_planck_sum_add(spectra, sight->brightness, clear, &work->clear);
 }
 
-/* What a directional emitter reflects of the Earth's radiation, per bin: the diffuse parts by view
- * factor and the lobe as far as the Earth fills it. */
+/* What a surface reflects of the Earth's radiation, per bin: the diffuse parts by view factor and
+ * the lobe as far as the Earth fills it. */
 static void add_planet(const struct um_optics_spectra *spectra,
                        const struct um_optics_instant *instant, size_t skin,
                        const struct um_optics_sight *sight,
@@ -151,12 +157,8 @@ void um_optics_add_earth(const struct um_optics_spectra *spectra,
     weigh(spectra, skin, shares->lobe.lit, work->lobe_earth);
     for (size_t b = 0; b < n; b++) sum->earthlit[b] += earth->clear_lit * work->lobe_earth[b];
   }
-  if (emissivity != NULL) {
+  if (um_optics_reflects_evenly(spectra, instant, skin) && !instant->earth_varies)
+    sum->view_factor += earth->view_factor;
+  else
     add_planet(spectra, instant, skin, sight, shares, earth, emissivity, work, sum->planet);
-    return;
-  }
-  sum->view_factor += earth->view_factor;
-  const double *row = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
-  for (size_t b = 0; b < n && instant->earth_varies; b++)
-    sum->planet[b] += (1.0 - row[b]) * work->earth[b];
 }

@@ -57,10 +57,10 @@ struct um_optics_sum {
   double *earthlit;   /* [nbin] sum of area_seen cos_o times the lit Earth in the lobe [m^2] */
   double *masked;     /* [nbin] sum of area_lit cos_o cos_i M(i) M(o) [m^2] */
   double albedo;      /* sum of area_seen cos_o E_albedo [W] */
-  double view_factor; /* sum of area_seen cos_o F [m^2], diffuse emitters */
+  double view_factor; /* sum of area_seen cos_o F [m^2], of what reflects the Earth evenly */
   double *emitted; /* [nbin] sum of area_seen cos_o eps B [W/sr/m]; eps = 1 for diffuse emitters */
-  double *planet;  /* [nbin] sum of area_seen cos_o (1 - eps) F [m^2], directional emitters; where
-                      the Earth varies, of all emitters and times B(T_b) [W/sr/m] */
+  double *planet;  /* [nbin] sum of area_seen cos_o times what is reflected of the Earth, of all
+                      others [m^2]; where the Earth varies, of all and times B(T_b) [W/sr/m] */
 };
 
 /* Scratch of one thread. */
@@ -136,9 +136,13 @@ void um_optics_earth_seen_add(const struct um_optics_spectra *spectra,
                               const struct um_optics_earth_shares *shares,
                               const struct um_optics_sight *sight, double area,
                               struct um_optics_work *work, struct um_optics_earth_seen *earth);
+/* Does a skin reflect the Earth's own radiation by its view factor alone: no lobe that mirrors it,
+ * and 1 - eps the same toward all sides? A diffuse emitter may well have a lobe. */
+bool um_optics_reflects_evenly(const struct um_optics_spectra *spectra,
+                               const struct um_optics_instant *instant, size_t skin);
 /* Earthshine in the lobe into the sum, and the Earth's own radiation reflected. emissivity: [nbin]
- * toward the observer, NULL for diffuse emitters. Of directional emitters the lobe is what 1 - eps
- * leaves beside the diffuse parts, so that an Earth all round gives 1 - eps to the last digit. */
+ * toward the observer. The lobe is what 1 - eps leaves beside the diffuse parts, so that an Earth
+ * all round gives 1 - eps to the last digit. */
 void um_optics_add_earth(const struct um_optics_spectra *spectra,
                          const struct um_optics_instant *instant, size_t skin,
                          const struct um_optics_sight *sight,

@@ -91,13 +91,11 @@ void um_optics_sum_add(const struct um_optics_spectra *spectra,
   size_t n = spectra->nbin;
   const double *planck = work->planck;
   double *emitted = sum->emitted;
-  if (spectra->diffuse_emitter[skin]) {
-    for (size_t b = 0; b < n; b++) emitted[b] += planck[b];
-    um_optics_add_earth(spectra, instant, skin, sight, shares, &earth, NULL, work, sum);
-    return;
-  }
   const double *emissivity = um_optics_spectra_emissivity(spectra, skin, cos_o, work->emissivity);
-  for (size_t b = 0; b < n; b++) emitted[b] += emissivity[b] * planck[b];
+  if (spectra->diffuse_emitter[skin])
+    for (size_t b = 0; b < n; b++) emitted[b] += planck[b];
+  else
+    for (size_t b = 0; b < n; b++) emitted[b] += emissivity[b] * planck[b];
   um_optics_add_earth(spectra, instant, skin, sight, shares, &earth, emissivity, work, sum);
 }
 
@@ -146,10 +144,9 @@ void um_optics_sum_spectrum(const struct um_optics_spectra *spectra,
   }
   double albedo = instant->earthshine * sum->albedo / UM_PI;
   double lobe = instant->earthshine * instant->earth_radiance;
+  bool evenly = um_optics_reflects_evenly(spectra, instant, skin) && !instant->earth_varies;
   for (size_t b = 0; b < n; b++) {
-    double planet = diffuse_emitter && !instant->earth_varies
-                        ? (1.0 - emissivity[b]) * sum->view_factor
-                        : sum->planet[b];
+    double planet = evenly ? (1.0 - emissivity[b]) * sum->view_factor : sum->planet[b];
     planet *= instant->earth_reflection;
     double earth = instant->earth_varies ? 1.0 : spectra->earth[b];
     double *to = spectral + b * UM_MECHANISM_COUNT;
