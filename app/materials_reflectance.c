@@ -11,8 +11,6 @@
 #include "materials/profile.h"
 #include "materials/ratio.h"
 
-#define INFRARED 2.5e-6 /* [m] beyond it a record emits */
-
 struct laboratory {
   const char *name, *reference;
   double angle; /* [deg] */
@@ -44,7 +42,7 @@ static void print_record(const struct laboratory *l)
   if (m->nabove > 0)
     printf("# %zu rows reflected more than they received, at most %.4f at %g um: set to 1\n",
            m->nabove, m->largest, m->largest_at * 1e6);
-  if (m->wavelength[m->n - 1] < INFRARED)
+  if (m->wavelength[m->n - 1] < UM_INFRARED_FROM)
     printf("# beyond %g um nothing was measured: add rows, or emittance follows the last one\n",
            m->wavelength[m->n - 1] * 1e6);
   printf("reflectance:\n");

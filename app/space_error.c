@@ -7,12 +7,12 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "core/constants.h"
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
 
 #define SETS_PER_PART 3
-#define THERMAL_BAND  2.5e-6 /* [m] bands above it are the satellite's own light */
 
 /* Longest edge of a part's facets [m]. */
 static double longest_edge(const struct um_geometry_mesh *mesh, const struct um_vec3 *vertex,
@@ -80,7 +80,7 @@ static void of_light(const struct um_model *model, const struct um_model_result 
 {
   size_t band = a->nband;
   for (size_t i = 0; i < a->nband; i++)
-    if (model->band[i].from >= THERMAL_BAND) band = i;
+    if (model->band[i].from >= UM_INFRARED_FROM) band = i;
   if (a->nmaterial == 0 || band == a->nband) return;
   out->band = model->band[band].name;
   for (size_t k = 0; k < a->nobs && k < b->nobs; k++) {

@@ -11,7 +11,6 @@
 
 #define ROWS_LEAST 5 /* one more than parameters */
 #define LAWS_MAX   1e9
-#define SUN_RULES  2.5e-6 /* [m] beyond which heat outshines sunlight: bands are left out */
 
 double um_compare_spin_distance(const struct um_compare_spin_data *data,
                                 const struct um_compare_spin_law *a,
@@ -32,7 +31,7 @@ double um_compare_spin_distance(const struct um_compare_spin_data *data,
 
 static bool is_used(const struct um_model *model, const struct um_compare_map_row *row)
 {
-  return model->band[row->band].to <= SUN_RULES;
+  return model->band[row->band].to <= UM_INFRARED_FROM;
 }
 
 static size_t used_count(const struct um_model *model, const struct um_compare_on_map *on_map)
@@ -60,7 +59,7 @@ enum um_status um_compare_spins_check(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s: %zu rows of light in sunlight, in bands that end by %g um; accepted: "
                         "%d or more",
-                        on_map->measurements->path, used, 1e6 * SUN_RULES, ROWS_LEAST);
+                        on_map->measurements->path, used, 1e6 * UM_INFRARED_FROM, ROWS_LEAST);
   for (size_t i = 0; i < on_map->count; i++)
     if (is_used(model, &on_map->row[i]) && !(on_map->row[i].sigma > 0.0))
       return um_core_fail(

@@ -25,6 +25,10 @@
 #define UM_EARTH_GM         3.986004418e14        /* [m^3/s^2], WGS-84 */
 #define UM_EARTH_ROTATION   7.29211514670698e-5   /* [rad/s], IERS, LOD = 0 */
 
+/* Sunlight below, heat from here on: below lie 97 % of the Sun's power and 6e-6 of that of a black
+ * body of 300 K. */
+#define UM_INFRARED_FROM 2.5e-6 /* [m] */
+
 #define UM_ZERO_CELSIUS      273.15 /* 0 C [K], SI exact */
 #define UM_SPACE_TEMPERATURE 2.7    /* deep space [K], Fixsen 2009 rounded */
 #define UM_AB_ZERO_JY        3631.0 /* AB zero point [Jy], Oke & Gunn 1983 */

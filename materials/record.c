@@ -19,6 +19,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "core/constants.h"
 #include "materials/measured.h"
 #include "materials/record_impl.h"
 
@@ -56,7 +57,7 @@ static double linear(const double *table, size_t i, double t)
 /* Scale of the emissivity at a wavelength; 1 below the split. */
 static double emissivity_scale(const struct um_materials_adjustment *a, double wavelength)
 {
-  return wavelength < UM_MATERIALS_SPLIT ? 1.0 : a->emittance_scale * a->band_emissivity_scale;
+  return wavelength < UM_INFRARED_FROM ? 1.0 : a->emittance_scale * a->band_emissivity_scale;
 }
 
 /* --- grey records ---------------------------------------------------------------------------- */
@@ -79,7 +80,7 @@ static double grey_diffuse(const struct um_materials_record *record,
                            const struct um_materials_adjustment *a, double wavelength)
 {
   const struct um_materials_grey *g = &record->explicit_values;
-  if (wavelength >= UM_MATERIALS_SPLIT) return 1.0 - grey_emissivity(record, a, wavelength);
+  if (wavelength >= UM_INFRARED_FROM) return 1.0 - grey_emissivity(record, a, wavelength);
   if (a == NULL) return g->diffuse;
   double shifted = fmax(0.0, g->diffuse - a->absorptance_shift);
   return fmax(0.0, fmin(shifted * a->diffuse_scale, 1.0 - g->specular));
@@ -89,7 +90,7 @@ static double grey_specular(const struct um_materials_record *record,
                             const struct um_materials_adjustment *a, double wavelength)
 {
   const struct um_materials_grey *g = &record->explicit_values;
-  if (wavelength >= UM_MATERIALS_SPLIT) return 0.0;
+  if (wavelength >= UM_INFRARED_FROM) return 0.0;
   if (a == NULL) return g->specular;
   double rest = fmax(0.0, a->absorptance_shift - g->diffuse);
   double f = fmax(0.0, g->specular - rest) * a->specular_scale;
@@ -121,7 +122,7 @@ static struct changed change(const struct um_materials_record *record,
   const struct um_materials_spectrum *s = &record->spectrum;
   double diffuse = linear(s->diffuse, i, t);
   struct changed c = {diffuse, 1.0, 0.0, 1.0};
-  if (wavelength < UM_MATERIALS_SPLIT) {
+  if (wavelength < UM_INFRARED_FROM) {
     c.diffuse = fmax(0.0, diffuse - a->absorptance_shift);
     c.offset = -fmax(0.0, a->absorptance_shift - diffuse);
     if (record->measured) change_whole(record->measured, diffuse - a->absorptance_shift, &c);
@@ -162,7 +163,7 @@ static double adjusted_lambert(const struct um_materials_spectrum *s, const stru
                                const struct um_materials_adjustment *a, double wavelength, size_t i,
                                double t)
 {
-  double scale = wavelength < UM_MATERIALS_SPLIT ? a->diffuse_scale : 1.0;
+  double scale = wavelength < UM_INFRARED_FROM ? a->diffuse_scale : 1.0;
   double normal = apply(c, um_materials_spectrum_angular(s, s->facet, i, t, 1.0)) / c->most;
   return fmax(0.0, fmin(c->diffuse * scale, 1.0 - normal));
 }
@@ -323,7 +324,7 @@ double um_materials_emissivity(const struct um_materials_record *record,
   const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
   double value = record->grey ? grey_emissivity(record, a, wavelength)
                               : spectral_emissivity(record, a, wavelength, cos_o);
-  if (adjustment == NULL || adjustment->emissivity_tilt == 0.0 || wavelength < UM_MATERIALS_SPLIT)
+  if (adjustment == NULL || adjustment->emissivity_tilt == 0.0 || wavelength < UM_INFRARED_FROM)
     return value;
   /* eps' = eps + d eps_h (1 - 21 (1 - cos)^5) / 20 */
   double hemispherical = 1.0 - um_materials_hemispherical_reflectance(record, a, wavelength);

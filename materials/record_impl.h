@@ -12,7 +12,6 @@
 #include "materials/lobe.h"
 #include "materials/materials.h"
 
-#define UM_MATERIALS_SPLIT        2.5e-6 /* [m] between the solar and the infrared band of both halves */
 #define UM_MATERIALS_BUCKETS      1024   /* of the wavelength index, uniform in log */
 #define UM_MATERIALS_TEMPERATURES 49     /* nodes of the emittance tables, uniform in log T */
 #define UM_MATERIALS_INCIDENCES   25     /* nodes of the solar absorptance, cos = u^2, u uniform */

@@ -11,8 +11,7 @@
 #include "core/sampling.h"
 #include "optics/paths_impl.h"
 
-#define THERMAL_FROM 2.5e-6 /* [m] */
-#define NARROW       0.15   /* alpha below which a lobe is a mirror to paths */
+#define NARROW 0.15 /* alpha below which a lobe is a mirror to paths */
 
 static struct um_vec3 to_body(struct um_vec3 along, struct um_vec3 across, struct um_vec3 normal,
                               struct um_vec3 v)
@@ -177,7 +176,7 @@ void um_optics_vertex_row(const struct um_optics_paths *paths, const struct um_o
   if (s->lobe[v->skin].kind == NULL) {
     const double *emissivity = um_optics_spectra_emissivity(s, v->skin, v->o.z, work->emissivity);
     for (size_t b = 0; b < n; b++)
-      row[b] = flat * (s->wavelength[b] > THERMAL_FROM ? 1.0 - emissivity[b] : diffuse[b]);
+      row[b] = flat * (s->wavelength[b] >= UM_INFRARED_FROM ? 1.0 - emissivity[b] : diffuse[b]);
     return;
   }
   for (size_t b = 0; b < n; b++) row[b] = flat * (diffuse[b] - mean[b]);

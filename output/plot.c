@@ -8,9 +8,8 @@
 #include "output/lightcurve_impl.h"
 #include "output/plot_impl.h"
 
-#define MAGNITUDES 12.5   /* below the brightest: UM_PLOT_LOG_FLOOR */
-#define VISIBLE    2.5e-6 /* [m] below which magnitudes are spoken of */
-#define SHARE      0.01   /* of the largest total: what is less is not drawn */
+#define MAGNITUDES 12.5 /* below the brightest: UM_PLOT_LOG_FLOOR */
+#define SHARE      0.01 /* of the largest total: what is less is not drawn */
 
 /* Pixels. */
 #define MAGNITUDE    170
@@ -57,7 +56,7 @@ static struct extent extent_of(const struct um_output_run *run, size_t band)
 
 static bool has_magnitudes(const struct um_output_run *run, size_t band, const struct extent *e)
 {
-  return run->model->band[band].to <= VISIBLE && e->brightest <= e->faintest;
+  return run->model->band[band].to <= UM_INFRARED_FROM && e->brightest <= e->faintest;
 }
 
 static void band_ordinate(struct um_plot *plot, const struct um_optics_band *band,

@@ -11,11 +11,10 @@
 
 #include "core/constants.h"
 
-#define VISIBLE   0.55e-6 /* wavelength that reflectances are said at [m] */
-#define ROOM      300.0   /* temperature that emittances are said at [K] */
-#define SHORTWAVE 2.5e-6  /* end of sunlight, begin of heat [m] */
-#define CELLS     0.5     /* solar absorptance below which a side is no solar cell */
-#define SAMPLES   16      /* wavelengths of a band */
+#define VISIBLE 0.55e-6 /* wavelength that reflectances are said at [m] */
+#define ROOM    300.0   /* temperature that emittances are said at [K] */
+#define CELLS   0.5     /* solar absorptance below which a side is no solar cell */
+#define SAMPLES 16      /* wavelengths of a band */
 
 /* Who is asked about what. */
 struct question {
@@ -38,7 +37,7 @@ static double band_emissivity(const struct um_model *model, size_t m)
 {
   for (size_t b = 0; b < model->nband; b++) {
     double from = model->band[b].from, step = (model->band[b].to - from) / SAMPLES, sum = 0.0;
-    if (from < SHORTWAVE) continue;
+    if (from < UM_INFRARED_FROM) continue;
     for (int i = 0; i < SAMPLES; i++)
       sum += 1.0 - um_materials_hemispherical_reflectance(model->material[m], &model->adjustment[m],
                                                           from + (i + 0.5) * step);
