@@ -2,7 +2,12 @@
  * what its facets mask; none of a rough one. */
 #include "check.h"
 
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
 #include "materials/materials.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
 static struct um_materials_library *library;
@@ -58,6 +63,35 @@ static void grey_record(void **state)
   assert_close(mirror.infrared, 0.0, 0.0);
 }
 
+/* A table's mirror in one of two bands or in both: the share that is stated there, 0.4 of 0.5, and
+ * nothing in the other; beyond its ends a table goes on. Of sunlight 0.9 % lies beyond 4 um, of
+ * 300 K radiation 0.2 % below. */
+static void tables_by_band(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *table;
+    double solar, infrared;
+  } row[] = {
+      {"[0.3, 5], diffuse: [0.1, 0.1], specular: [0.4, 0.4]", 0.8, 0.8},
+      {"[5, 20], diffuse: [0.1, 0.1], specular: [0.4, 0.4]", 0.8, 0.8},
+      {"[0.3, 3.9, 4, 20], diffuse: [0.5, 0.5, 0.1, 0.1], specular: [0, 0, 0.4, 0.4]", 0.0, 0.8},
+      {"[0.3, 3.9, 4, 20], diffuse: [0.1, 0.1, 0.5, 0.5], specular: [0.4, 0.4, 0, 0]", 0.8, 0.0}};
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    char path[UM_TEST_PATH], text[256];
+    snprintf(text, sizeof text,
+             "name: table\nsummary: s\ncitation: c\nreflectance: {wavelength_um: %s}\n"
+             "lobe: mirror\n",
+             row[i].table);
+    um_test_file_create(path, text, strlen(text));
+    assert_int_equal(um_materials_library_read_file(context, library, path, NULL, 0), UM_OK);
+    unlink(path);
+    struct um_materials_mirror mirror = mirror_of("table");
+    assert_close(mirror.solar, row[i].solar, 0.8 * 0.01);
+    assert_close(mirror.infrared, row[i].infrared, 0.8 * 0.003);
+  }
+}
+
 static void rough_records(void **state)
 {
   (void)state;
@@ -74,6 +108,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(smooth_records),
       cmocka_unit_test(grey_record),
+      cmocka_unit_test(tables_by_band),
       cmocka_unit_test(rough_records),
   };
   return cmocka_run_group_tests(tests, setup, teardown);

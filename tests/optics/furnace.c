@@ -13,7 +13,8 @@
 #define AZIMUTHS 32
 
 static const struct um_geometry_skin skin = {NULL, "m", "m"};
-static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};
+static const struct um_optics_band line[] = {{"vis", 0.599e-6, 0.601e-6, 1, NULL},
+                                             {"lwir", 9.99e-6, 10.01e-6, 1, NULL}};
 
 /* A plate of F = 1 at all wavelengths and angles. */
 static void white_plate(struct fixture *f, double alpha, size_t ntime)
@@ -71,7 +72,7 @@ static void nothing_is_lost(void **state)
              {0.265, {0.999986, 0.996818, 0.939120, 0.903363}},
              {0.326, {0.999155, 0.985204, 0.912995, 0.900835}},
              {0.513, {0.933629, 0.894827, 0.866644, 0.899773}}};
-  static double weight[ALL], lobe_alone[ALL];
+  static double weight[ALL], alone[2][ALL];
   (void)state;
   for (size_t a = 0; a < sizeof row / sizeof row[0]; a++)
     for (size_t z = 0; z < 4; z++) {
@@ -81,22 +82,24 @@ static void nothing_is_lost(void **state)
       struct um_vec3 i = um_vec3(sin(zenith[z] * UM_DEG), 0.0, cos(zenith[z] * UM_DEG));
       white_plate(&f, row[a].alpha, ALL);
       place_observers(&f, i, alpha, weight);
-      double light = fixture_sun(&f, &line) * i.z, lobe = 0.0, passed_on = 0.0;
       f.environment.multiple_scattering_on = false;
-      fixture_run(&f, 1, &line, 1);
-      for (size_t t = 0; t < ALL; t++) {
-        lobe_alone[t] = fixture_intensity(&f, t, 0, UM_MECHANISM_SUN);
-        if (t < LOBE) lobe += weight[t] * lobe_alone[t] / light;
-      }
+      fixture_run(&f, 1, line, 2);
+      for (size_t k = 0; k < 2; k++)
+        for (size_t t = 0; t < ALL; t++)
+          alone[k][t] = fixture_intensity(&f, t, k, UM_MECHANISM_SUN);
       f.environment.multiple_scattering_on = true;
-      fixture_run(&f, 1, &line, 1);
-      for (size_t t = LOBE; t < ALL; t++)
-        passed_on +=
-            weight[t] * (fixture_intensity(&f, t, 0, UM_MECHANISM_SUN) - lobe_alone[t]) / light;
-      print_message("alpha %g at %g deg: %.5f without, %.5f with\n", row[a].alpha, zenith[z], lobe,
-                    lobe + passed_on);
-      fixture_close("lobe alone", lobe, row[a].albedo[z], 4.5e-4);
-      fixture_close("white furnace", lobe + passed_on, 1.0, 1e-3);
+      fixture_run(&f, 1, line, 2);
+      for (size_t k = 0; k < 2; k++) {
+        double light = fixture_sun(&f, &line[k]) * i.z, lobe = 0.0, passed_on = 0.0;
+        for (size_t t = 0; t < LOBE; t++) lobe += weight[t] * alone[k][t] / light;
+        for (size_t t = LOBE; t < ALL; t++)
+          passed_on +=
+              weight[t] * (fixture_intensity(&f, t, k, UM_MECHANISM_SUN) - alone[k][t]) / light;
+        print_message("alpha %g at %g deg, %s: %.5f without, %.5f with\n", row[a].alpha, zenith[z],
+                      line[k].name, lobe, lobe + passed_on);
+        fixture_close("lobe alone", lobe, row[a].albedo[z], 4.5e-4);
+        fixture_close("white furnace", lobe + passed_on, 1.0, 1e-3);
+      }
       fixture_destroy(&f);
     }
 }
@@ -112,7 +115,7 @@ static void reciprocity(void **state)
     f.environment.multiple_scattering_on = on != 0;
     f.samples[0].sun = f.samples[1].to_observer = um_vec3_unit(um_vec3(0.3, 0.4, 0.5));
     f.samples[1].sun = f.samples[0].to_observer = um_vec3_unit(um_vec3(-0.9, 0.2, 0.3));
-    fixture_run(&f, 1, &line, 1);
+    fixture_run(&f, 1, line, 1);
     fixture_close("changed places", fixture_intensity(&f, 0, 0, UM_MECHANISM_SUN),
                   fixture_intensity(&f, 1, 0, UM_MECHANISM_SUN), 1e-6);
     fixture_destroy(&f);

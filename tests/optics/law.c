@@ -161,7 +161,7 @@ static void test_isothermal(void **state)
   static const struct um_geometry_skin skins[] = {
       {NULL, "blanket", "blanket"}, {NULL, "cell", "cell"},     {NULL, "metal", "metal"},
       {NULL, "glass", "glass"},     {NULL, "ground", "ground"}, {NULL, "mirror", "mirror"},
-      {NULL, "table", "table"}};
+      {NULL, "table", "table"},     {NULL, "paint", "paint"},   {NULL, "phong", "phong"}};
   for (size_t k = 0; k < sizeof skins / sizeof skins[0]; k++) {
     enum { COUNT = 18 };
     struct fixture f;
@@ -173,6 +173,8 @@ static void test_isothermal(void **state)
     fixture_record(&f, "name: ground\n" METAL "lobe: {kind: ggx, alpha: 0.3}\n");
     fixture_record(&f, "name: mirror\n" METAL "lobe: mirror\n");
     fixture_measured(&f, "table");
+    fixture_reflector(&f, "paint", 0.05, 0.6, "surface: {beckmann_alpha: 0.3}\n");
+    fixture_reflector(&f, "phong", 0.1, 0.7, "lobe: {kind: phong, alpha: 0.3}\n");
     struct um_geometry_part_spec plate = fixture_part("plate", UM_SHAPE_PLATE, &skins[k]);
     plate.size[0] = plate.size[1] = 1.0;
     fixture_scene(&f, &plate, 1, COUNT);
