@@ -142,6 +142,11 @@ double um_materials_roughness(const struct um_materials_record *record,
 double um_materials_emissivity(const struct um_materials_record *record,
                                const struct um_materials_adjustment *adjustment, double wavelength,
                                double cos_o);
+/* Of its tilt: d eps_h at a wavelength, 0 below 2.5 um; and an emissivity so tilted, 0 to 1. */
+double um_materials_emissivity_tilt(const struct um_materials_record *record,
+                                    const struct um_materials_adjustment *adjustment,
+                                    double wavelength);
+double um_materials_emissivity_tilted(double emissivity, double tilt, double cos_o);
 /* True when the emissivity does not depend on cos_o. */
 bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record,
                                         const struct um_materials_adjustment *adjustment);

@@ -324,13 +324,25 @@ double um_materials_emissivity(const struct um_materials_record *record,
   const struct um_materials_adjustment *a = is_null(adjustment) ? NULL : adjustment;
   double value = record->grey ? grey_emissivity(record, a, wavelength)
                               : spectral_emissivity(record, a, wavelength, cos_o);
+  double tilt = um_materials_emissivity_tilt(record, adjustment, wavelength);
+  return tilt == 0.0 ? value : um_materials_emissivity_tilted(value, tilt, cos_o);
+}
+
+double um_materials_emissivity_tilt(const struct um_materials_record *record,
+                                    const struct um_materials_adjustment *adjustment,
+                                    double wavelength)
+{
   if (adjustment == NULL || adjustment->emissivity_tilt == 0.0 || wavelength < UM_INFRARED_FROM)
-    return value;
-  /* eps' = eps + d eps_h (1 - 21 (1 - cos)^5) / 20 */
-  double hemispherical = 1.0 - um_materials_hemispherical_reflectance(record, a, wavelength);
+    return 0.0;
+  return adjustment->emissivity_tilt *
+         (1.0 - um_materials_hemispherical_reflectance(record, adjustment, wavelength));
+}
+
+/* eps' = eps + d eps_h (1 - 21 (1 - cos)^5) / 20 */
+double um_materials_emissivity_tilted(double emissivity, double tilt, double cos_o)
+{
   double left = 1.0 - unit_clamp(cos_o), square = left * left;
-  double shape = (1.0 - 21.0 * square * square * left) / 20.0;
-  return unit_clamp(value + adjustment->emissivity_tilt * hemispherical * shape);
+  return unit_clamp(emissivity + tilt * ((1.0 - 21.0 * square * square * left) / 20.0));
 }
 
 bool um_materials_emissivity_is_diffuse(const struct um_materials_record *record,

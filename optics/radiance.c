@@ -66,6 +66,7 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   size_t nbin = spectra->nbin, nskin = spectra->nskin, nband = spectra->nband;
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->planck));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->emissivity));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->upright));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_sun));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->masked_observer));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth));
@@ -125,7 +126,7 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
         w->sum,        w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
         w->occluded,   w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
         w->lobe_all,   w->lobe_earth, w->angle,     w->rotation,   w->earth_clear,     w->row,
-        w->throughput, w->mirrored,   w->gathered};
+        w->throughput, w->mirrored,   w->gathered,  w->upright};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
     um_optics_planck_sum_clear(context, &w->bodies);
     um_optics_planck_sum_clear(context, &w->far);

@@ -65,9 +65,9 @@ struct um_optics_sum {
 
 /* Scratch of one thread. */
 struct um_optics_work {
-  double *planck, *emissivity;          /* [nbin] */
-  double *masked_sun, *masked_observer; /* [nbin] M toward both */
-  double *earth, *earth_clear;          /* [nbin] the Earth before surfaces, where it varies */
+  double *planck, *emissivity, *upright; /* [nbin] upright: emissivity before its tilt */
+  double *masked_sun, *masked_observer;  /* [nbin] M toward both */
+  double *earth, *earth_clear;           /* [nbin] the Earth before surfaces, where it varies */
   struct um_optics_planck_sum bodies, far, clear; /* surfaces; the Earth before them, by view
                                                      factor and where it is not hidden */
   double *lobe_all, *lobe_earth; /* [nbin] a lobe, and what of it the Earth fills */

@@ -27,13 +27,24 @@ void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t sk
   at_cosine(spectra->masked + skin * UM_OPTICS_ANGLE_NODES * n, n, cosine, row);
 }
 
-const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t skin,
-                                           double cosine, double *row)
+const double *um_optics_spectra_untilted(const struct um_optics_spectra *spectra, size_t skin,
+                                         double cosine, double *row)
 {
   size_t n = spectra->nbin;
   const double *table = spectra->emissivity + skin * UM_OPTICS_ANGLE_NODES * n;
   if (spectra->diffuse_emitter[skin]) return table;
   at_cosine(table, n, cosine, row);
+  return row;
+}
+
+const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t skin,
+                                           double cosine, double *row)
+{
+  const double *upright = um_optics_spectra_untilted(spectra, skin, cosine, row);
+  const double *tilt = spectra->tilt + skin * spectra->nbin;
+  if (!spectra->tilts[skin]) return upright;
+  for (size_t b = 0; b < spectra->nbin; b++)
+    row[b] = um_materials_emissivity_tilted(upright[b], tilt[b], cosine);
   return row;
 }
 
@@ -130,6 +141,8 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->emissivity,
                           &s->emissivity));
   UM_TRY(um_core_allocate(context, n, sizeof *s->diffuse_emitter, &s->diffuse_emitter));
+  UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->tilt, &s->tilt));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->tilts, &s->tilts));
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_ANGLE_NODES * s->nbin, sizeof *s->masked,
                           &s->masked));
   UM_TRY(um_core_allocate(context, n * s->nbin, sizeof *s->masked_mean, &s->masked_mean));
@@ -205,7 +218,7 @@ void um_optics_spectra_materials(const struct um_context *context,
     size_t material = um_optics_material(s, m);
     const struct um_materials_record *record = scene->material[material];
     const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, material);
-    struct um_materials_adjustment creased;
+    struct um_materials_adjustment creased, upright = um_materials_no_adjustment;
     s->flat[m] = um_materials_lobe(record, adjustment);
     s->flat[m].passes_on = s->flat[m].passes_on && passed_on;
     if (creases != NULL && creases->slope_variance[m] > 0.0) {
@@ -214,6 +227,9 @@ void um_optics_spectra_materials(const struct um_context *context,
       adjustment = &creased;
     }
     s->diffuse_emitter[m] = um_materials_emissivity_is_diffuse(record, adjustment);
+    s->tilts[m] = adjustment != NULL && adjustment->emissivity_tilt != 0.0;
+    if (adjustment != NULL) upright = *adjustment;
+    upright.emissivity_tilt = 0.0;
     lobe_fill(context, record, adjustment, passed_on, m, s);
     s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
@@ -228,9 +244,9 @@ void um_optics_spectra_materials(const struct um_context *context,
           um_materials_diffuse_reflectance(record, adjustment, wavelength);
       for (size_t i = 0; i < nodes; i++) {
         double u = nodes == 1 ? 1.0 : (double)i / (UM_OPTICS_ANGLE_NODES - 1);
-        emissivity[i * s->nbin + b] =
-            um_materials_emissivity(record, adjustment, wavelength, u * u);
+        emissivity[i * s->nbin + b] = um_materials_emissivity(record, &upright, wavelength, u * u);
       }
+      s->tilt[m * s->nbin + b] = um_materials_emissivity_tilt(record, adjustment, wavelength);
       double masked_mean = um_materials_masked_mean(record, adjustment, wavelength);
       s->masked_mean[m * s->nbin + b] = passed_on ? masked_mean : 0.0;
       if (!passed_on) s->diffuse[m * s->nbin + b] -= masked_mean;
@@ -250,7 +266,8 @@ enum um_status um_optics_spectra_share(struct um_context *context,
 {
   *to = *from;
   to->diffuse = to->emissivity = to->masked = to->masked_mean = NULL;
-  to->diffuse_emitter = to->masks = NULL;
+  to->diffuse_emitter = to->masks = to->tilts = NULL;
+  to->tilt = NULL;
   to->lobe_share = NULL;
   to->lobe = to->flat = NULL;
   to->facets = NULL;
@@ -264,7 +281,8 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
   void *const blocks[] = {shared->diffuse, shared->emissivity, shared->diffuse_emitter,
                           shared->lobe,    shared->masked,     shared->masked_mean,
                           shared->masks,   shared->facets,     shared->half,
-                          shared->fresnel, shared->flat,       shared->lobe_share};
+                          shared->fresnel, shared->flat,       shared->lobe_share,
+                          shared->tilt,    shared->tilts};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -309,7 +327,8 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
       s->wavelength, s->width,   s->from,         s->to,      s->band,       s->first,
       s->sun,        s->share,   s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
       s->lobe,       s->masked,  s->masked_mean,  s->masks,   s->planck,     s->facets,
-      s->half,       s->fresnel, s->transmission, s->flat,    s->lobe_share};
+      s->half,       s->fresnel, s->transmission, s->flat,    s->lobe_share, s->tilt,
+      s->tilts};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -30,8 +30,10 @@ struct um_optics_spectra {
   double *share;                  /* [nbin] sun / total solar irradiance [1/m] */
   double *earth;                  /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
   double *diffuse;                /* [nskin][nbin] rho_d, with the mean of M [1] */
-  double *emissivity;             /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] [1]; a diffuse emitter has
-                                     its one value in the first row */
+  double *emissivity;             /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] not tilted [1]; a diffuse
+                                     emitter has its one value in the first row */
+  double *tilt;                   /* [nskin][nbin] of the emissivity, d eps_h of materials.h [1] */
+  bool *tilts;                    /* [nskin] it is not 0 */
   bool *diffuse_emitter;          /* [nskin] */
   double *masked;                 /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] M of materials.h [1] */
   double *masked_mean;            /* [nskin][nbin] its hemispherical mean [1] */
@@ -95,6 +97,9 @@ void um_optics_spectra_masked(const struct um_optics_spectra *spectra, size_t sk
 /* Emissivity per bin of a material toward a cosine; a row of the table, or `row` filled. */
 const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spectra, size_t skin,
                                            double cosine, double *row);
+/* The same before it is tilted. */
+const double *um_optics_spectra_untilted(const struct um_optics_spectra *spectra, size_t skin,
+                                         double cosine, double *row);
 
 /* planck.c */
 /* Tables for temperatures from low to high [K]. UM_ERR_MEMORY. */

@@ -2,9 +2,9 @@
  *
  *   f_r = (rho_d - <M>)/pi + M(i) M(o)/(pi <M>) + F(cos_d) f(i, o)
  *
- * (materials.h); surfaces without a lobe have rho_d below 2.5 um and 1 - eps(cos_o) above. A
- * direction is that of the lobe or one by the cosine. Shares come in steps
- * (spectra.c), so that a parameter that is moved moves paths smoothly. */
+ * (materials.h), at every wavelength; where an emissivity is tilted, scaled so that both make 1. A
+ * direction is that of the lobe or one by the cosine. Shares come in steps (spectra.c), so that a
+ * parameter that is moved moves paths smoothly. */
 #include <math.h>
 
 #include "core/constants.h"
@@ -164,6 +164,22 @@ bool um_optics_vertex_sun(const struct um_optics_paths *paths, const struct um_o
   return true;
 }
 
+/* Where the emissivity toward o is tilted, what is reflected to there is scaled to 1 - eps
+ * (Kirchhoff). A black surface has nothing to scale: it scatters 1 - eps times `flat`. */
+static void tilt(const struct um_optics_paths *paths, const struct um_optics_vertex *v, double flat,
+                 double *row)
+{
+  const struct um_optics_spectra *s = paths->spectra;
+  if (!s->tilts[v->skin]) return;
+  const double *of = s->tilt + v->skin * s->nbin;
+  const double *upright = um_optics_spectra_untilted(s, v->skin, v->o.z, paths->work->upright);
+  for (size_t b = 0; b < s->nbin; b++) {
+    if (of[b] == 0.0) continue;
+    double left = 1.0 - um_materials_emissivity_tilted(upright[b], of[b], v->o.z);
+    row[b] = upright[b] < 1.0 ? row[b] * left / (1.0 - upright[b]) : flat * left;
+  }
+}
+
 void um_optics_vertex_row(const struct um_optics_paths *paths, const struct um_optics_vertex *v,
                           const struct um_optics_turn *turn, enum um_optics_parts parts,
                           double *row)
@@ -173,12 +189,6 @@ void um_optics_vertex_row(const struct um_optics_paths *paths, const struct um_o
   size_t n = s->nbin;
   const double *diffuse = s->diffuse + v->skin * n, *mean = s->masked_mean + v->skin * n;
   double flat = (parts & UM_OPTICS_FLAT) != 0 ? turn->flat / UM_PI : 0.0;
-  if (s->lobe[v->skin].kind == NULL) {
-    const double *emissivity = um_optics_spectra_emissivity(s, v->skin, v->o.z, work->emissivity);
-    for (size_t b = 0; b < n; b++)
-      row[b] = flat * (s->wavelength[b] >= UM_INFRARED_FROM ? 1.0 - emissivity[b] : diffuse[b]);
-    return;
-  }
   for (size_t b = 0; b < n; b++) row[b] = flat * (diffuse[b] - mean[b]);
   if (flat > 0.0 && s->masks[v->skin]) {
     um_optics_spectra_masked(s, v->skin, turn->cos_i, work->masked_sun);
@@ -186,13 +196,15 @@ void um_optics_vertex_row(const struct um_optics_paths *paths, const struct um_o
     for (size_t b = 0; b < n; b++)
       if (mean[b] > 0.0) row[b] += flat * work->masked_sun[b] * work->masked_observer[b] / mean[b];
   }
-  if ((parts & UM_OPTICS_LOBE) == 0 || !(turn->lobe > 0.0)) return;
-  double weight[4];
-  const double *node = um_optics_fresnel_at(s, v->skin, turn->cos_d, weight);
-  for (int k = 0; k < 4; k++) weight[k] *= turn->lobe;
-  for (size_t b = 0; b < n; b++)
-    row[b] += weight[0] * node[b] + weight[1] * node[n + b] + weight[2] * node[2 * n + b] +
-              weight[3] * node[3 * n + b];
+  if ((parts & UM_OPTICS_LOBE) != 0 && turn->lobe > 0.0) {
+    double weight[4];
+    const double *node = um_optics_fresnel_at(s, v->skin, turn->cos_d, weight);
+    for (int k = 0; k < 4; k++) weight[k] *= turn->lobe;
+    for (size_t b = 0; b < n; b++)
+      row[b] += weight[0] * node[b] + weight[1] * node[n + b] + weight[2] * node[2 * n + b] +
+                weight[3] * node[3 * n + b];
+  }
+  tilt(paths, v, flat, row);
 }
 
 void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_optics_vertex *v,
@@ -216,16 +228,15 @@ void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_
   }
   if (factor > 0.0 && lobe && s->masks[v->skin])
     um_optics_spectra_masked(s, v->skin, v->o.z, work->masked_observer);
+  double *rough = work->row; /* what reflects the Earth by its view factor */
+  for (size_t b = 0; b < n && lobe; b++)
+    rough[b] = diffuse[b] - mean[b] + (s->masks[v->skin] ? work->masked_observer[b] : 0.0);
+  if (lobe) tilt(paths, v, 1.0, rough);
   for (size_t b = 0; b < n; b++) {
     row[b] = emissivity[b] * work->planck[b] + diffuse[b] * albedo * s->share[b];
     if (!(factor > 0.0)) continue;
     double flat = 1.0 - emissivity[b];
-    if (lobe) {
-      double rough = diffuse[b] - mean[b];
-      if (s->masks[v->skin]) rough += work->masked_observer[b];
-      flat = fmin(flat, rough);
-    }
-    row[b] += factor * flat * earth[b];
+    row[b] += factor * (lobe ? fmin(flat, rough[b]) : flat) * earth[b];
   }
 }
 

@@ -2,6 +2,7 @@
  * enclosures of one temperature, parallel plates, flat mirrors in sunlight and before the Earth, in
  * closed form. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/constants.h"
@@ -169,6 +170,53 @@ static void parallel_plates(void **state)
   }
 }
 
+/* The same with an emissivity that is tilted: its hemispherical mean and J2 stay, and toward a
+ * grazing o, eps' = eps + d eps (1 - 21 (1 - cos)^5)/20, the other reflects (1 - eps') J2, with a
+ * lobe or without. */
+static void tilted_plate(void **state)
+{
+  (void)state;
+  static const char *const record[] = {
+      "reflectance: {wavelength_um: [0.2, 50], diffuse: [0.2, 0.2], specular: [0.3, 0.3]}\n"
+      "surface: {beckmann_alpha: 0.3}\n",
+      "reflectance: {wavelength_um: [0.2, 50], diffuse: [0.5, 0.5]}\n",
+      "grey: {solar_absorptance: 0.5, emittance: 0.5, vis_reflectance_diffuse: 0.2, "
+      "specular_reflectance: 0.3, beckmann_alpha: 0.3}\n"};
+  const struct um_optics_band band = {"lwir", 8e-6, 12e-6, 1, NULL};
+  for (size_t k = 0; k < 2 * sizeof record / sizeof record[0]; k++) {
+    struct um_materials_adjustment change[3];
+    struct fixture f;
+    struct bench b;
+    char text[512];
+    double tilt = k % 2 == 0 ? 0.9 : -0.9, cosine = 0.1;
+    fixture_create(&f);
+    snprintf(text, sizeof text, "name: plate\nsummary: test\ncitation: test\n%s", record[k / 2]);
+    fixture_record(&f, text);
+    fixture_reflector(&f, "grey", 0.8, 0.0, "");
+    fixture_material(&f, "black", 0.0, 0.0, 0.0, 1.0);
+    plates(&f, "plate", "grey", 200.0, 300.0);
+    for (size_t m = 0; m < 3; m++) {
+      change[m] = um_materials_no_adjustment;
+      if (strcmp(um_geometry_material_name(f.geometry, m), "plate") == 0)
+        change[m].emissivity_tilt = tilt;
+    }
+    f.scene.adjustment = change;
+    f.samples[0].to_observer = um_vec3(sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    f.samples[0].sunlit_fraction = 0.0;
+    bench_create(&f, &band, 4096, &b);
+    size_t s = surface_of(&f, 0, "plate");
+    assert_true(um_optics_interreflection(&b.paths, &b.photons, s, 1.0));
+    double b1 = um_core_planck_band(8e-6, 12e-6, 200.0),
+           b2 = um_core_planck_band(8e-6, 12e-6, 300.0);
+    double j2 = (0.2 * b2 + 0.8 * 0.5 * b1) / (1.0 - 0.8 * 0.5);
+    double emissivity = 0.5 + tilt * 0.5 * (1.0 - 21.0 * pow(1.0 - cosine, 5.0)) / 20.0;
+    within("tilted", b.work->reflected[0] * 4e-6, (1.0 - emissivity) * j2,
+           sqrt(b.work->band_variance[0]), 0.03);
+    bench_destroy(&f, &b);
+    fixture_destroy(&f);
+  }
+}
+
 /* A wide floor and an upright wall of 1 m^2 that is a mirror of F = 1. */
 static void mirror_and_floor(struct fixture *f, const char *lobe)
 {
@@ -274,9 +322,9 @@ static void mirrored_earth(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(enclosure_is_black),  cmocka_unit_test(parallel_plates),
-      cmocka_unit_test(mirror_lights_floor), cmocka_unit_test(floor_in_mirror),
-      cmocka_unit_test(mirrored_earth),
+      cmocka_unit_test(enclosure_is_black), cmocka_unit_test(parallel_plates),
+      cmocka_unit_test(tilted_plate),       cmocka_unit_test(mirror_lights_floor),
+      cmocka_unit_test(floor_in_mirror),    cmocka_unit_test(mirrored_earth),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
