@@ -128,7 +128,7 @@ static void test_ends(void **state)
     double begin = now();
     assert_int_equal(um_core_child_run(context, "test", work[i], NULL, &short_limits, &r), UM_OK);
     assert_int_equal(r.end, UM_CHILD_TIMED_OUT);
-    assert_true(now() - begin < 5.0);
+    assert_true(now() - begin < 20.0);
     um_core_free(context, r.answer);
     expect_no_child();
   }
@@ -155,7 +155,7 @@ static void test_stop(void **state)
     assert_int_equal(um_core_child_run(context, "gnuplot", work[i], NULL, &limits, &r),
                      UM_ERR_CANCELLED);
     assert_string_equal(um_core_message(context), "cancelled while gnuplot worked");
-    assert_true(now() - stop_at < 2.0);
+    assert_true(now() - stop_at < 20.0);
     assert_null(r.answer);
     expect_no_child();
   }
