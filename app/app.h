@@ -21,8 +21,16 @@
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
 
-/* Exit codes: 0 done, 1 failed, 2 misuse, 128 + n ended by signal n (130 SIGINT, 143 SIGTERM). */
-enum um_app_exit { UM_APP_DONE = 0, UM_APP_FAILED = 1, UM_APP_MISUSE = 2, UM_APP_SIGNAL = 128 };
+/* Exit codes of every command, and what help and man page say of them: CODE(name, number, text). */
+#define UM_APP_EXITS(CODE)                                                                         \
+  CODE(UM_APP_DONE, 0, "done")                                                                     \
+  CODE(UM_APP_FAILED, 1, "failed: one line on standard error says why")                            \
+  CODE(UM_APP_MISUSE, 2, "misuse of the command line")                                             \
+  CODE(UM_APP_EXCEEDED, 4, "done, but a limit is exceeded or a case misses its tolerance")
+#define UM_APP_EXIT_NAME(name, number, text) name = number,
+enum um_app_exit {
+  UM_APP_EXITS(UM_APP_EXIT_NAME) UM_APP_SIGNAL = 128 /* + n: ended by signal n */
+};
 
 /* Options that verbs have in common, as parsed; texts borrowed from argv. */
 struct um_app_options {

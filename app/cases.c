@@ -119,5 +119,5 @@ done:
   um_core_free(context, out);
   um_core_free(context, name);
   if (status != UM_OK) return um_app_fail(context);
-  return exceeded > 0 ? UM_APP_FAILED : UM_APP_DONE;
+  return exceeded > 0 ? UM_APP_EXCEEDED : UM_APP_DONE;
 }

@@ -124,11 +124,8 @@ static void help_examples(FILE *file, const struct um_app_verb *verb, bool page)
   }
 }
 
-#define EXIT_STATUS                                                                                \
-  "  0  done\n"                                                                                    \
-  "  1  failed: one line on standard error says why\n"                                             \
-  "  2  misuse of the command line\n"                                                              \
-  "  130, 143  ended by SIGINT (Ctrl-C), SIGTERM\n"
+#define EXIT_LINE(name, number, text) "  " #number "  " text "\n"
+#define EXIT_STATUS                   UM_APP_EXITS(EXIT_LINE) "  130, 143  ended by SIGINT (Ctrl-C), SIGTERM\n"
 
 static void page_of(FILE *file, const struct um_app_verb *verb, bool page)
 {

@@ -69,7 +69,7 @@ static int flush(int code)
 {
   if (fflush(stdout) == 0 && ferror(stdout) == 0) return code;
   fprintf(stderr, "umbra: standard output: %s\n", strerror(errno));
-  return code == UM_APP_DONE ? UM_APP_FAILED : code;
+  return code == UM_APP_MISUSE ? code : UM_APP_FAILED;
 }
 
 /* Work that a signal ended says so, as a shell does. */

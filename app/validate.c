@@ -28,5 +28,5 @@ int um_app_validate(struct um_context *context, const struct um_app_options *opt
 done:
   um_validate_report_destroy(context, &report);
   if (status != UM_OK) return um_app_fail(context);
-  return missed == 0 ? UM_APP_DONE : UM_APP_FAILED;
+  return missed == 0 ? UM_APP_DONE : UM_APP_EXCEEDED;
 }

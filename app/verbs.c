@@ -19,7 +19,7 @@ static const struct um_app_verb verbs[] = {
      .accepts = "out " CHANGES " " RESULTS,
      .about = "The scenario's cases, each with its changes: extremes of an orbit, balance under an "
               "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
-              "picture. Exit status 1 where a limit is exceeded.",
+              "picture. Exit status 4 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases},
     {"exchange", "SCENARIO", "view factors and radiative couplings of its surfaces, as tables",
      .accepts = "out " CHANGES " force json",
@@ -192,7 +192,7 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra schema parts.shell\numbra schema orbit.circular.altitude_km\n",
      .run = um_app_schema},
     {"validate", "", "analytic and published cases, expected and computed",
-     .accepts = "thermal optics json", .about = "Exit status 1 where a case misses its tolerance.",
+     .accepts = "thermal optics json", .about = "Exit status 4 where a case misses its tolerance.",
      .examples = "umbra validate --thermal\n", .run = um_app_validate},
     {"completion", "SHELL", "completion of commands, options and names for bash or zsh",
      .examples = "umbra completion bash > ~/.local/share/bash-completion/completions/umbra\n"

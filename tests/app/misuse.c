@@ -107,7 +107,8 @@ static void check_page(const char *verb)
   assert_int_equal(strncmp(a.out, begin, strlen(begin)), 0);
   const char *options = strstr(a.out, "\nOptions:\n"), *usage_end = strchr(a.out, '\n');
   if (options == NULL || strstr(a.out, example) == NULL ||
-      strstr(a.out, "\nExit status:\n  0  done\n  1  failed") == NULL)
+      strstr(a.out, "\nExit status:\n  0  done\n  1  failed") == NULL ||
+      strstr(a.out, "\n  2  misuse") == NULL || strstr(a.out, "\n  4  done, but ") == NULL)
     fail_msg("%s --help lacks a section:\n%s", verb, a.out);
   for (const char *at = strstr(a.out, "--"); at != NULL && at < usage_end;
        at = strstr(at + 2, "--")) {

@@ -230,7 +230,8 @@ static void test_full_standard_output(void **state)
   free(said);
 }
 
-/* Cases: the exit status says whether a limit is exceeded, the table stands in limits.csv. */
+/* Cases: exit status 4 says that a limit is exceeded, 1 that there is no answer; the table stands
+ * in limits.csv. */
 static void test_cases(void **state)
 {
   (void)state;
@@ -243,10 +244,17 @@ static void test_cases(void **state)
   free(table);
   struct command c = command_run("cases", "box.yaml", "--no-plots", "--set",
                                  "limits.+={of: bus, maximum_K: 20}", NULL);
-  assert_int_equal(c.code, 1);
+  assert_int_equal(c.code, 4);
+  assert_string_equal(c.err, "");
   assert_non_null(strstr(c.out, "EXCEEDED"));
   assert_non_null(strstr(c.out, "1 of 1 limits are exceeded"));
   command_release(&c);
+  command_expect(4, "cases", "box.yaml", "--no-plots", "--json", "--out", "as-json", "--set",
+                 "limits.+={of: bus, minimum_K: 900}", NULL);
+  command_expect(1, "cases", "box.yaml", "--no-plots", "--out", "as-json/limits.csv", NULL);
+  int code = system(UMBRA_PROGRAM " cases box.yaml --no-plots --out full --set "
+                                  "'limits.+={of: bus, minimum_K: 900}' > /dev/full 2> said");
+  assert_int_equal(code, 1 << 8);
 }
 
 /* Exchange: what is written is taken in again, and refused by another satellite. */
