@@ -178,10 +178,6 @@ enum um_status um_app_out_folder(struct um_context *context, const struct um_app
                                  const char *name, char **out);
 /* "REL" or "REL,FLOOR"; who takes the numbers checks their range. */
 bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor);
-/* A file that is to be written is not there, or may be replaced; said before the computing begins.
- */
-enum um_status um_app_check_target(struct um_context *context, const char *out, bool force);
-
 int um_app_run(struct um_context *context, const struct um_app_options *options);
 int um_app_study(struct um_context *context, const struct um_app_options *options);
 int um_app_cases(struct um_context *context, const struct um_app_options *options);

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "app/app.h"
+#include "app/target.h"
 #include "app/terminal.h"
 #include "compare/measurements.h"
 #include "compare/photometry.h"
@@ -52,7 +53,7 @@ static enum um_status parse(struct um_context *context, const struct um_app_opti
     return um_core_fail(context, UM_ERR_INPUT,
                         "--extinction %s; accepted: a number from -10 to 10 [mag per airmass]",
                         options->extinction);
-  return written ? um_app_check_target(context, options->out, options->force) : UM_OK;
+  return written ? um_app_check_table(context, options) : UM_OK;
 }
 
 int um_app_calibrate(struct um_context *context, const struct um_app_options *options)

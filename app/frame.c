@@ -7,6 +7,7 @@
 #include "app/app.h"
 #include "app/frame_options.h"
 #include "app/picture.h"
+#include "app/target.h"
 #include "environment/airmass.h"
 #include "model/bands.h"
 #include "model/build.h"
@@ -47,8 +48,9 @@ static enum um_status make_stars(struct um_context *context, const struct um_app
                                  struct scene *scene, struct um_instrument_frame_star *light)
 {
   const struct um_model_precomputed *t = scene->precomputed;
+  size_t instant = t->nobs - 1;
   const struct um_instrument_sensor *optics = &scene->model->sensor[scene->sensor].optics;
-  scene->airmass = um_environment_airmass(t->look[t->nsub / 2].elevation);
+  scene->airmass = um_environment_airmass(t->look[instant * t->nsub + t->nsub / 2].elevation);
   for (size_t i = 0; i < scene->nstar; i++) {
     struct star *s = &scene->star[i];
     double rate;
@@ -57,7 +59,7 @@ static enum um_status make_stars(struct um_context *context, const struct um_app
                           "--star %s; accepted: MAG,RIGHT,UP, AB magnitude and arcsec",
                           options->star[i]);
     UM_TRY(um_model_star_rate(context, scene->model, scene->sensor, s->asked[0], scene->airmass,
-                              t->t_obs[0], &rate));
+                              t->t_obs[instant], &rate));
     s->light = (struct um_instrument_frame_star){s->asked[1], s->asked[2], rate * optics->gain};
     light[i] = s->light;
   }
@@ -153,8 +155,7 @@ static void print_frame(const struct um_app_options *options, const struct scene
 /* FILE.fits is drawn as FILE.png; the caller frees. */
 static enum um_status png_name(struct um_context *context, const char *fits, char **out)
 {
-  size_t n = strlen(fits);
-  if (n > 5 && strcmp(fits + n - 5, ".fits") == 0) n -= 5;
+  size_t n = strlen(fits) - strlen(um_app_ending(fits));
   return um_core_asprintf(context, out, "%.*s.png", (int)n, fits);
 }
 
@@ -191,8 +192,8 @@ static enum um_status compute(struct um_context *context, const struct um_app_op
   o->star = light;
   o->nstar = options->nstar;
   if (status == UM_OK)
-    status = um_model_frame_create(context, scene->model, scene->precomputed, result, 0,
-                                   scene->sensor, o, &scene->frame);
+    status = um_model_frame_create(context, scene->model, scene->precomputed, result,
+                                   scene->precomputed->nobs - 1, scene->sensor, o, &scene->frame);
   um_core_free(context, light);
   if (status != UM_OK) return status;
   size_t n = (size_t)scene->frame.frame.width * (size_t)scene->frame.frame.height;
@@ -200,8 +201,8 @@ static enum um_status compute(struct um_context *context, const struct um_app_op
 }
 
 static enum um_status frame(struct um_context *context, const struct um_app_options *options,
-                            const struct um_model *model, struct um_model_frame_options *o,
-                            const uint64_t *seed)
+                            const struct um_model *model, double t,
+                            struct um_model_frame_options *o, const uint64_t *seed)
 {
   enum um_status status;
   struct um_model_precomputed *precomputed = NULL;
@@ -210,9 +211,10 @@ static enum um_status frame(struct um_context *context, const struct um_app_opti
   status = um_model_sensor_require(context, model, options->sensor, &scene.sensor);
   if (status != UM_OK) um_core_message_prefix(context, "--sensor");
   if (status != UM_OK) return status;
+  UM_TRY(um_app_instant_within(context, "--time", options->time_utc, t, model, ""));
   UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.star, &scene.star));
   UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.marked, &scene.marked));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  UM_CHECK(um_app_instant_precompute(context, model, t, &precomputed));
   UM_CHECK(um_model_run(context, model, precomputed, &result));
   scene.precomputed = precomputed;
   UM_CHECK(compute(context, options, result, o, &scene));
@@ -245,17 +247,17 @@ int um_app_frame(struct um_context *context, const struct um_app_options *option
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_app_instant instant = {0};
+  struct um_model_options changes = um_app_model_options(options);
   struct um_model_frame_options o;
+  double t;
   uint64_t seed = 0;
   UM_CHECK(um_app_frame_options(context, options, &o, &seed));
-  UM_CHECK(um_app_check_picture(context, options));
+  UM_CHECK(um_app_check_picture(context, options, UM_APP_FRAMES));
   UM_CHECK(check_png(context, options));
-  UM_CHECK(um_app_instant_create(context, options, &instant));
-  UM_CHECK(um_model_create(context, options->positional[0], &instant.changes, &model));
-  UM_CHECK(frame(context, options, model, &o, options->seed != NULL ? &seed : NULL));
+  UM_CHECK(um_app_instant(context, "--time", options->time_utc, &t));
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(frame(context, options, model, t, &o, options->seed != NULL ? &seed : NULL));
 done:
   um_model_destroy(context, &model);
-  um_app_instant_destroy(context, &instant);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "app/target.h"
 #include "app/terminal.h"
 #include "compare/mmt.h"
 #include "compare/noise.h"
@@ -18,7 +19,7 @@ int um_app_import(struct um_context *context, const struct um_app_options *optio
     fputs("umbra: --noise takes one number, or two with a comma between them\n", stderr);
     return UM_APP_MISUSE;
   }
-  UM_CHECK(um_app_check_target(context, options->out, options->force));
+  UM_CHECK(um_app_check_table(context, options));
   UM_CHECK(um_compare_mmt_read(context, options->positional[0], &m, NULL));
   for (size_t c = 0; c < m->nchannel && options->noise != NULL; c++)
     UM_CHECK(um_compare_noise_fill(context, m, c, &noise, NULL));

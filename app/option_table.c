@@ -31,7 +31,8 @@ static const struct um_app_option table[] = {
      .help = "Load the shared objects that the scenario's effect_files name, which run with the "
              "program's rights. Without it such a scenario is refused."},
     {"time", "time", "UTC", .takes = UM_APP_TEXT, AT(time_utc),
-     .example = "--time 2016-09-21T20:36:40Z", .help = "The instant of the picture."},
+     .example = "--time 2016-09-21T20:36:40Z",
+     .help = "The instant of the picture, between the scenario's start_utc and stop_utc."},
     {"band", "band", "B", .takes = UM_APP_TEXT, AT(band), .example = "--band lwir",
      .help = "The band, as the scenario or the measurements call it."},
     {"width", "width", "N", .takes = UM_APP_NUMBER, AT(width), .most = 8192,

@@ -1,6 +1,5 @@
 /* Values of options that several verbs take. */
 #include <string.h>
-#include <sys/stat.h>
 
 #include "app/app.h"
 #include "core/csv.h"
@@ -16,11 +15,4 @@ bool um_app_noise_parse(const char *text, double fallback_floor, double *relativ
   *floor = fallback_floor;
   return um_core_number_parse(first, relative) &&
          (comma == NULL || um_core_number_parse(comma + 1, floor));
-}
-
-enum um_status um_app_check_target(struct um_context *context, const char *out, bool force)
-{
-  struct stat st;
-  if (stat(out, &st) != 0 || !S_ISREG(st.st_mode) || force) return UM_OK;
-  return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
 }

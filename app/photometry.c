@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "app/target.h"
 #include "app/terminal.h"
 #include "compare/write.h"
 #include "core/file.h"
@@ -150,7 +151,7 @@ int um_app_photometry(struct um_context *context, const struct um_app_options *o
   enum um_status status;
   struct um_instrument_aperture aperture;
   UM_CHECK(parse(context, options, &aperture));
-  UM_CHECK(um_app_check_target(context, options->out, options->force));
+  UM_CHECK(um_app_check_table(context, options));
   UM_CHECK(options->nstar > 0 ? measure_stars(context, options, &aperture)
                               : measure_object(context, options, &aperture));
   printf("%s: %zu rows\n", options->out,

@@ -5,10 +5,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/statvfs.h>
 
+#include "app/target.h"
 #include "core/number.h"
+#include "model/precompute.h"
 #include "orbit/time.h"
 
 #define FILE_MOST     68719476736.0 /* of an OpenEXR file, 64 GiB */
@@ -17,61 +18,38 @@
 #define EXR_RATE      30e6 /* bytes of channels that a thread expands and compresses [1/s] */
 #define CUBE_RATE     40e6 /* bytes of factors that are compressed [1/s] */
 #define CHANNEL_BYTES 4.0
-#define COPIES        3.0 /* of a line: expanded, packed, compressed */
+#define COPIES        3.0  /* of a line: expanded, packed, compressed */
+#define SPAN_ROUNDING 1e-3 /* [s]: the ends of a span are said to a millisecond */
 
-enum um_status um_app_instant_create(struct um_context *context,
-                                     const struct um_app_options *options,
-                                     struct um_app_instant *out)
+enum um_status um_app_instant(struct um_context *context, const char *option, const char *text,
+                              double *t)
 {
-  double unused;
-  *out = (struct um_app_instant){.changes = um_app_model_options(options)};
-  if (um_orbit_time_parse(context, options->time_utc, &unused) != UM_OK) {
-    um_core_message_prefix(context, "--time");
-    return UM_ERR_INPUT;
-  }
-  UM_TRY(um_core_allocate(context, options->nset + 2, sizeof *out->overrides, &out->overrides));
-  UM_TRY(um_core_asprintf(context, &out->at[0], "time.start_utc=%s", options->time_utc));
-  UM_TRY(um_core_asprintf(context, &out->at[1], "time.stop_utc=%s", options->time_utc));
-  for (size_t i = 0; i < options->nset; i++) out->overrides[i] = options->set[i];
-  out->overrides[options->nset] = out->at[0];
-  out->overrides[options->nset + 1] = out->at[1];
-  out->changes.overrides = out->overrides;
-  out->changes.noverride = options->nset + 2;
-  return UM_OK;
+  enum um_status status = um_orbit_time_parse(context, text, t);
+  if (status != UM_OK) um_core_message_prefix(context, "%s", option);
+  return status;
 }
 
-void um_app_instant_destroy(struct um_context *context, struct um_app_instant *instant)
+enum um_status um_app_instant_within(struct um_context *context, const char *option,
+                                     const char *text, double t, const struct um_model *model,
+                                     const char *more)
 {
-  um_core_free(context, (void *)instant->overrides);
-  um_core_free(context, instant->at[0]);
-  um_core_free(context, instant->at[1]);
+  const struct um_scenario_time *time = model->scenario->time;
+  char from[32], to[32];
+  if (t >= time->start - SPAN_ROUNDING && t <= time->stop + SPAN_ROUNDING) return UM_OK;
+  um_orbit_time_format(time->start, from);
+  um_orbit_time_format(time->stop, to);
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s %s; accepted: %s to %s, the scenario's start_utc and stop_utc%s", option,
+                      text, from, to, more);
 }
 
-bool um_app_is_cube(const char *path)
+enum um_status um_app_instant_precompute(struct um_context *context, const struct um_model *model,
+                                         double t, struct um_model_precomputed **out)
 {
-  size_t n = strlen(path);
-  return n >= 3 && strcmp(path + n - 3, ".nc") == 0;
-}
-
-enum um_status um_app_check_picture(struct um_context *context,
-                                    const struct um_app_options *options)
-{
-  struct stat st;
-  char *folder = NULL;
-  const char *out = options->out, *slash = strrchr(out, '/');
-  if (lstat(out, &st) == 0) {
-    if (!S_ISREG(st.st_mode))
-      return um_core_fail(context, UM_ERR_IO, "%s: is not a file; accepted: a file name", out);
-    if (!options->force)
-      return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
-  }
-  if (slash == NULL) return UM_OK;
-  UM_TRY(um_core_asprintf(context, &folder, "%.*s", (int)(slash - out) + 1, out));
-  bool there = stat(folder, &st) == 0 && S_ISDIR(st.st_mode);
-  um_core_free(context, folder);
-  if (there && slash[1] != '\0') return UM_OK;
-  return um_core_fail(context, UM_ERR_IO, "%s: %s; accepted: a file name in a folder that exists",
-                      out, there ? "is a folder" : "there is no such folder");
+  const struct um_scenario_time *time = model->scenario->time;
+  const double times[] = {time->start, t}, exposures[] = {0.0, time->exposure_s};
+  size_t from = t - time->start > 2.0 * time->exposure_s + SPAN_ROUNDING ? 0 : 1;
+  return um_model_precompute_at(context, model, times + from, exposures + from, 2 - from, out);
 }
 
 /* "8-8.1um", "8-8.1" or, for a bin whose centre it is, "8.05" [um]. */

@@ -3,26 +3,22 @@
 #define UMBRA_APP_PICTURE_H
 
 #include "app/app.h"
+#include "model/precomputed.h"
 #include "output/cube.h"
 #include "output/exr.h"
 
-/* A scenario at the one instant that --time says: its overrides and two more. UM_ERR_INPUT names
- * --time; destroy after a failure too. */
-struct um_app_instant {
-  struct um_model_options changes;
-  const char **overrides;
-  char *at[2];
-};
-enum um_status um_app_instant_create(struct um_context *context,
-                                     const struct um_app_options *options,
-                                     struct um_app_instant *out);
-void um_app_instant_destroy(struct um_context *context, struct um_app_instant *instant);
-/* A name in .nc asks for a factored picture. */
-bool um_app_is_cube(const char *path);
-/* Said before the computing begins: what cannot be written, or is not ours to replace. The picture
- * is renamed into place, which must not hit a device. */
-enum um_status um_app_check_picture(struct um_context *context,
-                                    const struct um_app_options *options);
+/* An instant as an option says it, t_tai [s]. UM_ERR_INPUT names the option. */
+enum um_status um_app_instant(struct um_context *context, const char *option, const char *text,
+                              double *t);
+/* Refuse an instant that the scenario does not reach: outside time.start_utc to time.stop_utc.
+ * more: what else is accepted, "" for nothing. UM_ERR_INPUT names option and span. */
+enum um_status um_app_instant_within(struct um_context *context, const char *option,
+                                     const char *text, double t, const struct um_model *model,
+                                     const char *more);
+/* From the scenario's start to an instant in it, so that heat has the history that a run gives it;
+ * the instant is the last observation. The caller destroys. Errors of um_model_precompute_at. */
+enum um_status um_app_instant_precompute(struct um_context *context, const struct um_model *model,
+                                         double t, struct um_model_precomputed **out);
 /* --wavelengths FROM-TO [um] and --tile X,Y,WIDTH,HEIGHT as typed, all without them. UM_ERR_INPUT.
  */
 enum um_status um_app_picture_part(struct um_context *context, const struct um_app_options *options,

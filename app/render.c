@@ -2,12 +2,12 @@
  * netCDF. */
 #include "app/app.h"
 #include "app/picture.h"
+#include "app/target.h"
 #include "model/bands.h"
 #include "model/build.h"
 #include "model/picture.h"
 #include "model/precompute.h"
 #include "model/run.h"
-#include "orbit/time.h"
 #include "output/cube.h"
 #include "output/exr.h"
 
@@ -37,12 +37,10 @@ static int samples_of(const struct um_app_options *options)
 
 /* Said before the computing begins, and refused here where it is too much. */
 static enum um_status estimate(struct um_context *context, const struct um_app_options *options,
-                               const struct um_model *model, size_t band)
+                               const struct um_model *model, double t, size_t band)
 {
   struct um_optics_image_cost cost;
   const struct um_optics_band *bins = &model->band[band];
-  double t;
-  UM_TRY(um_orbit_time_parse(context, options->time_utc, &t));
   UM_TRY(um_model_picture_estimate(context, model, t, band, width_of(options), samples_of(options),
                                    &cost));
   return um_app_picture_cost(context, options, &cost, bins);
@@ -70,7 +68,7 @@ done:
 }
 
 static enum um_status render(struct um_context *context, const struct um_app_options *options,
-                             struct um_model *model)
+                             struct um_model *model, double t)
 {
   enum um_status status;
   struct um_model_precomputed *precomputed = NULL;
@@ -82,11 +80,12 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
     um_core_message_prefix(context, "--band %s", options->band);
     return UM_ERR_INPUT;
   }
-  UM_CHECK(estimate(context, options, model, band));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  UM_CHECK(um_app_instant_within(context, "--time", options->time_utc, t, model, ""));
+  UM_CHECK(estimate(context, options, model, t, band));
+  UM_CHECK(um_app_instant_precompute(context, model, t, &precomputed));
   UM_CHECK(um_model_run(context, model, precomputed, &result));
-  UM_CHECK(um_model_picture(context, model, precomputed, result, 0, band, 1, width_of(options),
-                            samples_of(options), &image));
+  UM_CHECK(um_model_picture(context, model, precomputed, result, precomputed->nobs - 1, band, 1,
+                            width_of(options), samples_of(options), &image));
   UM_CHECK(write_picture(context, options, model, image, band));
   UM_CHECK(mean_radiance(context, image, &mean));
   printf("%s: %d x %d pixels of %.4g m, %zu wavelengths, mean radiance %.6g W/m2/sr\n",
@@ -102,13 +101,13 @@ int um_app_render(struct um_context *context, const struct um_app_options *optio
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_app_instant instant = {0};
-  UM_CHECK(um_app_check_picture(context, options));
-  UM_CHECK(um_app_instant_create(context, options, &instant));
-  UM_CHECK(um_model_create(context, options->positional[0], &instant.changes, &model));
-  UM_CHECK(render(context, options, model));
+  struct um_model_options changes = um_app_model_options(options);
+  double t;
+  UM_CHECK(um_app_check_picture(context, options, UM_APP_PICTURES));
+  UM_CHECK(um_app_instant(context, "--time", options->time_utc, &t));
+  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
+  UM_CHECK(render(context, options, model, t));
 done:
   um_model_destroy(context, &model);
-  um_app_instant_destroy(context, &instant);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/picture.h"
 #include "core/constants.h"
 #include "model/picture.h"
 #include "orbit/time.h"
@@ -89,7 +90,7 @@ done:
 }
 
 /* The observation nearest to a time, or the one at which sunlight begins. */
-static enum um_status find_view(struct um_context *context,
+static enum um_status find_view(struct um_context *context, const struct um_model *model,
                                 const struct um_model_precomputed *precomputed, const char *text,
                                 size_t *out)
 {
@@ -105,18 +106,9 @@ static enum um_status find_view(struct um_context *context,
                         "--picture " FIRST_LIGHT ": the satellite does not leave the shadow in "
                         "this run; accepted: an instant of it");
   }
-  double wanted, step = n > 1 ? (t[n - 1] - t[0]) / (double)(n - 1) : 1.0;
-  if (um_orbit_time_parse(context, text, &wanted) != UM_OK) {
-    um_core_message_prefix(context, "--picture");
-    return UM_ERR_INPUT;
-  }
-  if (!(wanted >= t[0] - step && wanted <= t[n - 1] + step)) {
-    char from[32], to[32];
-    um_orbit_time_format(t[0], from);
-    um_orbit_time_format(t[n - 1], to);
-    return um_core_fail(context, UM_ERR_INPUT, "--picture %s; accepted: %s to %s, or " FIRST_LIGHT,
-                        text, from, to);
-  }
+  double wanted;
+  UM_TRY(um_app_instant(context, "--picture", text, &wanted));
+  UM_TRY(um_app_instant_within(context, "--picture", text, wanted, model, ", or " FIRST_LIGHT));
   *out = 0;
   for (size_t k = 1; k < n; k++)
     if (fabs(t[k] - wanted) < fabs(t[*out] - wanted)) *out = k;
@@ -158,7 +150,7 @@ enum um_status um_app_run_views(struct um_context *context, const struct um_outp
 {
   for (size_t i = 0; i < options->npicture; i++) {
     size_t k = 0;
-    UM_TRY(find_view(context, run->precomputed, options->picture[i], &k));
+    UM_TRY(find_view(context, run->model, run->precomputed, options->picture[i], &k));
     UM_TRY(write_view(context, run, k, folder));
   }
   return UM_OK;
@@ -173,6 +165,6 @@ enum um_status um_app_run_views_check(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT, "--picture %s: a picture needs an observer",
                         options->picture[0]);
   for (size_t i = 0; i < options->npicture; i++)
-    UM_TRY(find_view(context, precomputed, options->picture[i], &unused));
+    UM_TRY(find_view(context, model, precomputed, options->picture[i], &unused));
   return UM_OK;
 }

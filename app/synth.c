@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "app/target.h"
 #include "app/terminal.h"
 #include "compare/write.h"
 #include "core/csv.h"
@@ -91,7 +92,7 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
   const char **place = NULL;
   int code = read_options(options, &o);
   if (code != UM_APP_DONE) return code;
-  UM_CHECK(um_app_check_target(context, options->out, options->force));
+  UM_CHECK(um_app_check_table(context, options));
   if (options->temperatures != NULL) {
     UM_CHECK(um_core_strdup(context, options->temperatures, &list));
     UM_CHECK(split_places(context, list, &place, &o.nplace));

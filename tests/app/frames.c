@@ -124,6 +124,14 @@ static void test_refused(void **state)
       {{FRAME, "--sensor", "eye", "--psf", "seeing:5", "-o", "x.fits"},
        "point spread function of "},
       {{FRAME, "--sensor", "eye", "--motion", "1e5,0", "-o", "x.fits"}, "accepted: up to 4096 a "},
+      {{"frame", "eye.yaml", "--time", "2016-09-06T18:11:01Z", "--sensor", "eye", "-o", "x.fits"},
+       "--time 2016-09-06T18:11:01Z; accepted: 2016-09-06T18:07:00.000Z to "
+       "2016-09-06T18:11:00.000Z"},
+      {{"frame", "eye.yaml", "--time", "2016-09-06T18:06:59Z", "--sensor", "eye", "-o", "x.fits"},
+       "--time 2016-09-06T18:06:59Z; accepted: 2016-09-06T18:07:00.000Z to "},
+      {{FRAME, "--sensor", "eye", "-o", "x.png"},
+       "x.png: no '.png' is written here; accepted: a name in .fits, .fit, .fts"},
+      {{FRAME, "--sensor", "eye", "--force", "-o", "eye.yaml"}, "no '.yaml' is written here"},
   };
   write_scenario();
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -131,7 +139,7 @@ static void test_refused(void **state)
     if (c.code != 1 || command_count_lines(c.err) != 1 || strstr(c.err, cases[i].says) == NULL)
       fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, cases[i].says, c.out, c.err);
     command_release(&c);
-    assert_false(command_exists("x.fits"));
+    assert_false(command_exists("x.fits") || command_exists("x.png"));
   }
 }
 

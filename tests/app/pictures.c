@@ -265,6 +265,95 @@ static void test_views(void **state)
                  "does not leave the shadow");
 }
 
+/* A picture shows the instant of the scenario, not a scenario that begins there: a body that turns
+ * since the start and is not yet as warm as its orbit has the light curve's intensity, E = L N
+ * Omega. The outline of 128 pixels across leaves 1 %; a spin that began at the instant is 20 % off
+ * in sunlight, a body that began to cool there 23 % in the infrared. */
+static void test_instant(void **state)
+{
+  (void)state;
+  static const char *const bands[] = {"vis", "lwir"};
+  char *text = command_edit(command_data("box.yaml"), "- lvlh: {}",
+                            "- spin: {axis_gcrs: [0, 0, 1], axis_body: [1, 1, 0], period_s: 400}");
+  text = command_edit(text, "[1, 1, 1]", "[1, 2, 3]");
+  command_write("spin.yaml", text);
+  free(text);
+  command_expect(0, "run", "spin.yaml", "--no-plots", "--set", "time.step_s=30", "--out", "out",
+                 NULL);
+  struct table t = table_read("out/lightcurve.csv");
+  assert_string_equal(table_text(&t, 7, "time_utc"), "2016-09-06T18:10:30.000Z");
+  for (int b = 0; b < 2; b++) {
+    char column[32];
+    int width = 0, height = 0;
+    double side = 0.0, mean = 0.0;
+    snprintf(column, sizeof column, "%s_intensity_W_sr", bands[b]);
+    struct command c = command_run("render", "spin.yaml", MOMENT, "--band", bands[b], "--width",
+                                   "128", "--samples", "8", "--force", "-o", "r.exr", NULL);
+    const char *said = strstr(c.out, "r.exr: ");
+    assert_non_null(said);
+    assert_int_equal(sscanf(said,
+                            "r.exr: %d x %d pixels of %lf m, 4 wavelengths, mean radiance %lf",
+                            &width, &height, &side, &mean),
+                     4);
+    double drawn = mean * width * height * side * side, wanted = table_number(&t, 7, column);
+    print_message("%s: drawn %.5g, light curve %.5g W/sr\n", bands[b], drawn, wanted);
+    assert_true(wanted > 0.0 && fabs(drawn - wanted) <= 0.01 * wanted);
+    command_release(&c);
+  }
+  table_release(&t);
+}
+
+#define VIEW "run", "box.yaml", "--out", "no", "--picture"
+#define PART "expand", "p.nc", "-o"
+
+/* Instants that the scenario does not reach, and names of another format, are refused before
+ * anything is computed or written. */
+static void test_refused(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *argument[16], *says;
+  } cases[] = {
+      {{RENDER, "--time", "2016-09-06T18:11:01Z", "--band", "vis", "-o", "a.exr"},
+       "--time 2016-09-06T18:11:01Z; accepted: 2016-09-06T18:07:00.000Z to "
+       "2016-09-06T18:11:00.000Z, the scenario's start_utc and stop_utc"},
+      {{RENDER, "--time", "2016-09-06T18:06:59Z", "--band", "vis", "-o", "a.nc"},
+       "--time 2016-09-06T18:06:59Z; accepted: 2016-09-06T18:07:00.000Z to "},
+      {{RENDER, "--time", "2016-09-06T18:10:30Z", "--set", "time.stop_utc=2016-09-06T18:10:00Z",
+        "--band", "vis", "-o", "a.nc"},
+       "accepted: 2016-09-06T18:07:00.000Z to 2016-09-06T18:10:00.000Z"},
+      {{VIEW, "2016-09-06T18:11:30Z"},
+       "--picture 2016-09-06T18:11:30Z; accepted: 2016-09-06T18:07:00.000Z to "
+       "2016-09-06T18:11:00.000Z, the scenario's start_utc and stop_utc, or first-light"},
+      {{VIEW, "2016-09-06T18:06:30Z"}, "--picture 2016-09-06T18:06:30Z; accepted: "},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "a.png"},
+       "a.png: no '.png' is written here; accepted: a name in .exr, .nc"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "a.fits"}, "accepted: a name in .exr, .nc"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "./a.ex"}, "accepted: a name in .exr, .nc"},
+      {{RENDER, MOMENT, "--band", "vis", "-o", "a.exr.jpg"}, "a.exr.jpg: no '.jpg' is written"},
+      {{RENDER, MOMENT, "--band", "vis", "--force", "-o", "box.yaml"}, "no '.yaml' is written"},
+      {{PART, "b.nc"}, "b.nc: no '.nc' is written here; accepted: a name in .exr"},
+      {{PART, "b.png"}, "accepted: a name in .exr"},
+      {{"synth", "box.yaml", "--noise", "0.1", "--seed", "1", "-o", "m.png"},
+       "m.png: a table is CSV, not .png; accepted: a name in .csv"},
+      {{"synth", "box.yaml", "--noise", "0.1", "--seed", "1", "-o", "m.FITS"}, "a name in .csv"},
+      {{"import", "box.yaml", "-o", "m.nc"}, "m.nc: a table is CSV, not .nc"},
+  };
+  command_copy_data("box.yaml");
+  command_write("p.nc", "");
+  char *before = command_snapshot(".");
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    expect_failure(cases[i].argument, cases[i].says);
+  char *after = command_snapshot(".");
+  assert_string_equal(after, before);
+  free(before);
+  free(after);
+  /* the ends themselves, and capitals; a name without an ending is OpenEXR */
+  command_expect(0, RENDER, "--time", "2016-09-06T18:07:00Z", "--band", "lwir", "-o", "A.EXR",
+                 NULL);
+  command_expect(0, RENDER, "--time", "2016-09-06T18:11:00Z", "--band", "lwir", "-o", "d", NULL);
+}
+
 /* Light between surfaces is in pictures as in light curves: with the panel's light on the bus the
  * view has the light curve's intensity within its standard error and 0.2 % of outline, and without
  * it the difference is several times that. */
@@ -298,6 +387,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_expand, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_expand_refuses, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_views, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_instant, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_refused, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_views_between, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
