@@ -34,10 +34,11 @@ static void print_report(const struct um_compare_period_report *r, const char *f
       printf("%28s red noise: %.2g times the white variance, correlated over %.3g s\n", "", p->red,
              p->red_time);
   }
-  printf("a trend of every track (polynomial, up to the seventh degree) is taken out; two turns in "
-         "the "
-         "longest track is the slowest looked for; named below a false alarm of %g\n",
-         UM_COMPARE_PERIOD_LEVEL);
+  printf(
+      "a trend of every track (polynomial, up to the seventh degree) is taken out, of the folded "
+      "curve too; two turns in the longest track is the slowest looked for; named below a false "
+      "alarm of %g\n",
+      UM_COMPARE_PERIOD_LEVEL);
   printf("the light of a tumbling body often repeats twice or more a turn: look at 2 and 4 times "
          "the period too\n");
   printf("results in %s\n", folder);

@@ -94,6 +94,7 @@ enum um_status um_compare_curve_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, s->count, sizeof *c->t, &c->t));
   UM_CHECK(um_core_allocate(context, s->count, sizeof *c->y, &c->y));
   UM_CHECK(um_core_allocate(context, s->count, sizeof *c->g, &c->g));
+  UM_CHECK(um_core_allocate(context, s->count, sizeof *c->row, &c->row));
   c->n = s->count;
   for (size_t i = 0; i < c->n; i++)
     row[i] = (struct sorted){s->track == NULL ? 0 : s->track[i], i, s->t[i]};
@@ -104,6 +105,7 @@ enum um_status um_compare_curve_create(struct um_context *context,
     c->t[i] = s->t[k];
     c->y[i] = s->value[k];
     c->g[i] = s->sigma == NULL ? 1.0 : s->sigma[k] * s->sigma[k];
+    c->row[i] = k;
   }
   normalise(c);
   *out = c;
@@ -121,6 +123,7 @@ void um_compare_curve_destroy(struct um_context *context, struct um_compare_curv
   um_core_free(context, (*curve)->t);
   um_core_free(context, (*curve)->y);
   um_core_free(context, (*curve)->g);
+  um_core_free(context, (*curve)->row);
   um_core_free(context, *curve);
   *curve = NULL;
 }
@@ -259,6 +262,14 @@ void um_compare_white_set(struct um_compare_white *w, const struct um_compare_re
     }
     for (int pass = 0; pass < 2; pass++) take_trend(w, b, w->y + b->first, 1);
     for (size_t i = b->first; i < b->first + b->count; i++) w->chi2 += w->y[i] * w->y[i];
+  }
+}
+
+void um_compare_white_take_trend(const struct um_compare_white *w, double *x)
+{
+  for (size_t k = 0; k < w->curve->nblock; k++) {
+    const struct um_compare_block *b = &w->curve->block[k];
+    for (int pass = 0; pass < 2; pass++) take_trend(w, b, x + b->first, 1);
   }
 }
 

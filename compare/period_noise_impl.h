@@ -20,6 +20,7 @@ struct um_compare_curve {
   double *t;                   /* [n] less origin [s] */
   double *y;                   /* [n] less offset */
   double *g;                   /* [n] variance of the white noise, mean weight 1 */
+  size_t *row;                 /* [n] of the series */
   double origin, offset;       /* weighted mean time [s], weighted mean value */
   double first, span, longest; /* earliest time less origin; time spanned, by a track [s] */
   double variance;             /* weighted variance of t [s^2] */
@@ -52,6 +53,9 @@ enum um_status um_compare_white_create(struct um_context *context,
 void um_compare_white_destroy(struct um_context *context, struct um_compare_white **white);
 /* Set for a noise; does not fail. */
 void um_compare_white_set(struct um_compare_white *white, const struct um_compare_red *noise);
+
+/* Take the trends of all blocks out of a whitened column x, shape [n]. Does not fail. */
+void um_compare_white_take_trend(const struct um_compare_white *white, double *x);
 
 /* a cos(2 pi f t) + b sin(2 pi f t) beside the trend. */
 struct um_compare_sine {

@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "compare/fold.h"
 #include "core/words.h"
 
 static enum um_status search(struct um_context *context, const struct um_compare_measurements *m,
@@ -15,8 +16,7 @@ static enum um_status search(struct um_context *context, const struct um_compare
   out->channel = channel;
   UM_CHECK(um_compare_series_create(context, m, channel, SIZE_MAX, &series));
   UM_CHECK(um_compare_period_search(context, series, options, &out->period));
-  um_compare_fold_bins(series, out->period->period, out->period->epoch, UM_COMPARE_FOLD_BINS,
-                       out->bin);
+  UM_CHECK(um_compare_fold(context, series, out->period, UM_COMPARE_FOLD_BINS, out->bin));
 done:
   um_compare_series_destroy(context, &series);
   return status;

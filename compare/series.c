@@ -25,8 +25,36 @@ static enum um_status allocate_series(struct um_context *context, size_t n,
   UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
   UM_TRY(um_core_allocate(context, n, sizeof *s->value, &s->value));
   UM_TRY(um_core_allocate(context, n, sizeof *s->sigma, &s->sigma));
+  UM_TRY(um_core_allocate(context, n, sizeof *s->weight, &s->weight));
   UM_TRY(um_core_allocate(context, n, sizeof *s->track, &s->track));
   return um_core_allocate(context, n, sizeof *s->row, &s->row);
+}
+
+/* The power of the values by which the sigmas follow them: least squares of ln sigma against ln F.
+ */
+static double power_of(const struct um_compare_series *s)
+{
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, n = (double)s->count;
+  for (size_t i = 0; i < s->count; i++) {
+    if (!(s->value[i] > 0.0)) return 0.0;
+    x += log(s->value[i]) / n;
+    y += log(s->sigma[i]) / n;
+  }
+  for (size_t i = 0; i < s->count; i++) {
+    double d = log(s->value[i]) - x;
+    xx += d * d;
+    xy += d * (log(s->sigma[i]) - y);
+  }
+  return xx > 0.0 ? fmin(fmax(xy / xx, 0.0), 1.0) : 0.0;
+}
+
+static void set_weights(struct um_compare_series *s)
+{
+  double power = power_of(s);
+  for (size_t i = 0; i < s->count; i++) {
+    double free = power > 0.0 ? pow(s->value[i], power) / s->sigma[i] : 1.0 / s->sigma[i];
+    s->weight[i] = free * free;
+  }
 }
 
 enum um_status um_compare_series_create(struct um_context *context,
@@ -59,9 +87,12 @@ enum um_status um_compare_series_create(struct um_context *context,
     um_compare_linear(quantity, row->value, row->sigma, &s->value[k], &s->sigma[k]);
     sigmas = sigmas && s->sigma[k] > 0.0;
   }
-  if (!sigmas) {
+  if (sigmas) {
+    set_weights(s);
+  } else {
     um_core_free(context, s->sigma);
-    s->sigma = NULL;
+    um_core_free(context, s->weight);
+    s->sigma = s->weight = NULL;
   }
   *out = s;
   s = NULL;
@@ -77,10 +108,17 @@ void um_compare_series_destroy(struct um_context *context, struct um_compare_ser
   um_core_free(context, (*series)->t);
   um_core_free(context, (*series)->value);
   um_core_free(context, (*series)->sigma);
+  um_core_free(context, (*series)->weight);
   um_core_free(context, (*series)->row);
   um_core_free(context, (*series)->track);
   um_core_free(context, *series);
   *series = NULL;
+}
+
+double um_compare_series_weight(const struct um_compare_series *s, size_t i)
+{
+  if (s->weight != NULL) return s->weight[i];
+  return s->sigma == NULL ? 1.0 : 1.0 / (s->sigma[i] * s->sigma[i]);
 }
 
 /* frac((t - epoch) / period), in [0, 1) also where rounding would give 1. */
@@ -90,29 +128,35 @@ static double phase_of(double t, double period, double epoch)
   return phase < 1.0 ? phase : 0.0;
 }
 
+size_t um_compare_fold_bin_of(double t, double period, double epoch, size_t bins)
+{
+  size_t at = (size_t)(phase_of(t, period, epoch) * (double)bins);
+  return at < bins ? at : bins - 1;
+}
+
 void um_compare_fold_bins(const struct um_compare_series *series, double period, double epoch,
                           size_t bins, struct um_compare_fold_bin *out)
 {
   const struct um_compare_series *s = series;
   for (size_t b = 0; b < bins; b++) {
-    double weight = 0.0, sum = 0.0, scatter = 0.0;
+    double weight = 0.0, sum = 0.0, scatter = 0.0, variance = 0.0;
     size_t n = 0;
     for (int pass = 0; pass < 2; pass++) { /* the mean, then the scatter about it */
       for (size_t i = 0; i < s->count; i++) {
-        size_t at = (size_t)(phase_of(s->t[i], period, epoch) * (double)bins);
-        if ((at < bins ? at : bins - 1) != b) continue;
-        double w = s->sigma == NULL ? 1.0 : 1.0 / (s->sigma[i] * s->sigma[i]);
+        if (um_compare_fold_bin_of(s->t[i], period, epoch, bins) != b) continue;
+        double w = um_compare_series_weight(s, i);
         if (pass == 1) {
           scatter += (s->value[i] - sum / weight) * (s->value[i] - sum / weight);
           continue;
         }
         weight += w;
         sum += w * s->value[i];
+        if (s->sigma != NULL) variance += w * s->sigma[i] * w * s->sigma[i];
         n++;
       }
     }
     out[b] = (struct um_compare_fold_bin){n, n > 0 ? sum / weight : NAN, NAN};
-    if (s->sigma != NULL && n > 0) out[b].sigma = sqrt(1.0 / weight);
+    if (s->sigma != NULL && n > 0) out[b].sigma = sqrt(variance) / weight;
     if (s->sigma == NULL && n > 1) out[b].sigma = sqrt(scatter / (double)(n - 1) / (double)n);
   }
 }

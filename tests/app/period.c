@@ -6,6 +6,7 @@
 
 #include "tests/app/command.h"
 #include "tests/app/json.h"
+#include "tests/app/table.h"
 
 #define PERIOD 21.37 /* [s] of the track that is written here */
 #define ROWS   300   /* one a second */
@@ -68,6 +69,17 @@ static void test_no_period(void **state)
   assert_int_equal(c.code, 0);
   assert_non_null(strstr(c.out, "no period: noise peaks as high"));
   command_release(&c);
+  /* folded at that peak it is level: the pass, four times as bright in its middle, is out; 7 points
+   * of 3 % in a bin */
+  struct table t = table_read("found/folded.csv");
+  double low = INFINITY, high = 0.0;
+  for (size_t b = 0; b < t.nrow; b++) {
+    low = fmin(low, table_number(&t, b, "mean"));
+    high = fmax(high, table_number(&t, b, "mean"));
+  }
+  print_message("folded from %.4g to %.4g\n", low, high);
+  assert_true(low > 0.0 && high < 1.2 * low);
+  table_release(&t);
 }
 
 static void test_refusals(void **state)

@@ -1,5 +1,6 @@
 /* Memory that runs out: every allocation fails once, at each place in turn. Each time the call
  * returns UM_ERR_MEMORY, hands nothing out and leaves nothing behind. */
+#include "compare/fold.h"
 #include "compare/measurements.h"
 #include "compare/metrics.h"
 #include "compare/mmt.h"
@@ -16,6 +17,7 @@ static enum um_status everything(struct um_context *c)
   struct um_compare_mmt_point *points = NULL;
   struct um_compare_series *series = NULL;
   struct um_compare_period *period = NULL;
+  struct um_compare_fold_bin bin[4];
   struct um_compare_metrics all;
   enum um_status status;
   UM_CHECK(um_compare_measurements_read(c, "m.csv", &m));
@@ -23,6 +25,7 @@ static enum um_status everything(struct um_context *c)
   UM_CHECK(um_compare_mmt_read(c, "t.txt", &survey, &points));
   UM_CHECK(um_compare_series_create(c, m, 0, SIZE_MAX, &series));
   UM_CHECK(um_compare_period_search(c, series, NULL, &period));
+  UM_CHECK(um_compare_fold(c, series, period, 4, bin));
   UM_CHECK(um_compare_metrics_compute(c, UM_QUANTITY_COUNT_RATE, series->count, series->value,
                                       series->value, NULL, NULL, NULL, 0, 0.0, NULL, &all));
 done:

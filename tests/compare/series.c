@@ -81,6 +81,9 @@ static void test_series(void **state)
   assert_close(s->value[1], 0.1, 1e-16);
   assert_close(s->value[2], 0.01, 1e-17);
   assert_close(s->sigma[0], 0.2 / 1.0857362047581296, 1e-15);
+  /* errors in magnitudes follow the flux: 0.2 mag counts a quarter of 0.1 mag at any brightness */
+  assert_close(s->weight[0] / s->weight[1], 0.25, 1e-14);
+  assert_close(s->weight[2] / s->weight[1], 1.0, 1e-14);
   um_compare_series_destroy(context, &s);
   assert_null(s);
   assert_ok(um_compare_series_create(context, m, 0, 0, &s)); /* track b */
