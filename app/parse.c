@@ -5,6 +5,7 @@
 
 #include "app/app.h"
 #include "core/csv.h"
+#include "core/text.h"
 #include "core/words.h"
 
 #define OPTIONS_MAX 32 /* of one verb */
@@ -12,8 +13,10 @@
 
 int um_app_misuse(const struct um_app_verb *verb, const char *format, const char *what)
 {
+  char line[1024];
+  snprintf(line, sizeof line, format, what); /* NOLINT: formats are literals */
   fputs("umbra: ", stderr);
-  fprintf(stderr, format, what); /* NOLINT: formats are literals */
+  um_core_text_put(stderr, line);
   fputc('\n', stderr);
   if (verb != NULL) {
     fputs("usage: ", stderr);

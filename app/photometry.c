@@ -10,6 +10,7 @@
 #include "compare/write.h"
 #include "core/file.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "orbit/time.h"
 
 /* Numbers with a comma between them, just so many. */
@@ -56,8 +57,10 @@ static void print_row(const char *path, const struct um_compare_photometry *p)
 {
   char time[32];
   um_orbit_time_format(p->t_tai, time);
-  printf("%-24s %12.6g +- %-9.3g %10.5g %9.4g %6zu%s  %s\n", time, p->rate, p->sigma, p->sum.sky,
-         p->sum.snr, p->sum.annulus, p->sum.saturated > 0 ? "  saturated" : "", path);
+  printf("%-24s %12.6g +- %-9.3g %10.5g %9.4g %6zu%s  ", time, p->rate, p->sigma, p->sum.sky,
+         p->sum.snr, p->sum.annulus, p->sum.saturated > 0 ? "  saturated" : "");
+  um_core_text_put(stdout, path);
+  putchar('\n');
 }
 
 static void print_head(void)

@@ -9,6 +9,7 @@
 #include "compare/set_impl.h"
 #include "core/constants.h"
 #include "core/csv.h"
+#include "core/text.h"
 #include "environment/airmass.h"
 #include "model/points.h"
 #include "model/star.h"
@@ -46,6 +47,22 @@ static enum um_status read_time(struct um_context *context, const struct um_outp
   return status;
 }
 
+/* The sensor's name, of the printable ASCII that FITS allows (Pence et al. 2010, 4.2.1). */
+static enum um_status read_sensor(struct um_context *context, const struct um_output_fits *f,
+                                  char out[72])
+{
+  um_output_fits_text(f, "INSTRUME", out);
+  for (const unsigned char *c = (const unsigned char *)out; *c != '\0'; c++)
+    if (*c < 0x20 || *c > 0x7e)
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "%s: INSTRUME holds the byte 0x%02x; accepted: printable ASCII (0x20 to "
+                          "0x7e)",
+                          f->path, *c);
+  if (um_core_name_is_safe(out)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s: INSTRUME is '%s'; accepted: " UM_CORE_NAME_ACCEPTED, f->path, out);
+}
+
 static enum um_status measure(struct um_context *context, const struct um_output_fits *f,
                               const struct um_instrument_aperture *aperture,
                               struct um_compare_photometry *out)
@@ -62,7 +79,7 @@ static enum um_status measure(struct um_context *context, const struct um_output
   counts.saturation = um_output_fits_number(f, "SATURATE");
   if (isnan(counts.saturation)) counts.saturation = INFINITY;
   out->airmass = um_output_fits_number(f, "AIRMASS");
-  um_output_fits_text(f, "INSTRUME", out->sensor);
+  UM_TRY(read_sensor(context, f, out->sensor));
   a.x = isnan(a.x) ? 0.5 * (f->width - 1) : a.x - 1.0;
   a.y = isnan(a.y) ? 0.5 * (f->height - 1) : a.y - 1.0;
   enum um_status status = um_instrument_aperture_sum(context, &counts, &a, &out->sum);

@@ -1,5 +1,6 @@
 /* The context: allocator, message, log, progress. */
 #include "core/context_impl.h"
+#include "core/text.h"
 
 #include <omp.h>
 #include <stdint.h>
@@ -83,13 +84,6 @@ const char *um_core_message(const struct um_context *context) { return context->
 
 void um_core_message_clear(struct um_context *context) { context->message[0] = '\0'; }
 
-/* A message is one line whatever the data in it held. */
-static void make_one_line(char *text)
-{
-  for (; *text != '\0'; text++)
-    if ((unsigned char)*text < 0x20 || *text == 0x7f) *text = ' ';
-}
-
 enum um_status um_core_fail(struct um_context *context, enum um_status status, const char *format,
                             ...)
 {
@@ -99,7 +93,7 @@ enum um_status um_core_fail(struct um_context *context, enum um_status status, c
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  make_one_line(text);
+  um_core_text_make_line(text);
 #pragma omp critical(um_core_message)
   {
     if (context->message[0] == '\0') memcpy(context->message, text, sizeof text);
@@ -118,7 +112,7 @@ void um_core_message_prefix(struct um_context *context, const char *format, ...)
   /* what does not fit is cut: the prefix names the place, which matters more than the tail */
   int room = (int)(sizeof text - (size_t)n) - 3;
   snprintf(text + n, sizeof text - (size_t)n, ": %.*s", room < 0 ? 0 : room, context->message);
-  make_one_line(text);
+  um_core_text_make_line(text);
   memcpy(context->message, text, sizeof text);
 }
 
@@ -216,7 +210,7 @@ void um_core_log(struct um_context *context, enum um_core_log_level level, const
   int n = snprintf(text, sizeof text, "%s", prefix[level]);
   vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
   va_end(arguments);
-  make_one_line(text);
+  um_core_text_make_line(text);
   if (level >= UM_LOG_INFO) log_keep(context, text);
   if (context->log_sink != NULL) context->log_sink(context->log_self, level, text + n);
 }

@@ -43,8 +43,10 @@ enum um_status um_core_csv_fail(struct um_context *context, const struct um_core
 
 /* One field of a row that is written, `text` and what is put behind it ("" for nothing), as one
  * text by RFC 4180: in quotes where it holds a comma, a quote or an end of line, begins like a
- * comment, or begins or ends with a blank, which a reader would trim. Every free text of every
- * table is written by this. Errors of writing are the stream's. */
+ * comment, or begins or ends with a blank, which a reader would trim. What a spreadsheet would run
+ * stands behind an apostrophe, which is read back with it (names that are read do not begin so);
+ * '?' stands for control characters and bytes that are no UTF-8. Every free text of every table is
+ * written by this. Errors of writing are the stream's. */
 void um_core_csv_put(FILE *file, const char *text, const char *tail);
 
 /* The shortest text that is read back as the same finite number. Does not fail. */

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core/csv.h"
+#include "core/text.h"
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -10,26 +11,29 @@ static bool wants_quotes(const char *text, const char *tail)
   size_t n = strlen(text), m = strlen(tail);
   char first = n > 0 ? text[0] : tail[0], last = m > 0 ? tail[m - 1] : n > 0 ? text[n - 1] : '\0';
   return strpbrk(text, ",\"\r\n") != NULL || strpbrk(tail, ",\"\r\n") != NULL || first == '#' ||
-         is_blank(first) || is_blank(last);
+         is_blank(first) || is_blank(last) || um_core_text_runs(first);
 }
 
-static void put_doubled(FILE *file, const char *text)
+static void put_inside(FILE *file, const char *text)
 {
-  for (; *text != '\0'; text++) {
+  for (size_t n; *text != '\0'; text += n) {
+    long c = um_core_text_character(text, &n);
+    bool kept = c == '\n' || c == '\r' || c == '\t';
     if (*text == '"') fputc('"', file);
-    fputc(*text, file);
+    if (c < 0 || (um_core_text_is_unseen(c) && !kept))
+      fputc('?', file);
+    else
+      fwrite(text, 1, n, file);
   }
 }
 
 void um_core_csv_put(FILE *file, const char *text, const char *tail)
 {
-  if (!wants_quotes(text, tail)) {
-    fputs(text, file);
-    fputs(tail, file);
-    return;
-  }
-  fputc('"', file);
-  put_doubled(file, text);
-  put_doubled(file, tail);
-  fputc('"', file);
+  bool quoted = wants_quotes(text, tail);
+  if (quoted) fputc('"', file);
+  /* behind an apostrophe a spreadsheet takes it for text; a blank is trimmed by some */
+  if (um_core_text_runs(text[0] != '\0' ? text[0] : tail[0])) fputc('\'', file);
+  put_inside(file, text);
+  put_inside(file, tail);
+  if (quoted) fputc('"', file);
 }

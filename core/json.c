@@ -3,17 +3,19 @@
 
 #include <math.h>
 
+#include "core/text.h"
+
 void um_core_json_string(FILE *file, const char *text)
 {
   fputc('"', file);
-  for (; *text != '\0'; text++) {
-    unsigned char c = (unsigned char)*text;
+  for (size_t n; *text != '\0'; text += n) {
+    long c = um_core_text_character(text, &n);
     if (c == '"' || c == '\\')
-      fprintf(file, "\\%c", c);
-    else if (c < 0x20)
-      fprintf(file, "\\u%04x", c);
+      fprintf(file, "\\%c", *text);
+    else if (c < 0 || um_core_text_is_unseen(c))
+      fprintf(file, "\\u%04lx", (unsigned long)(c < 0 ? 0xfffd : c));
     else
-      fputc(c, file);
+      fwrite(text, 1, n, file);
   }
   fputc('"', file);
 }

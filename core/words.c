@@ -21,16 +21,6 @@ void um_core_words_append(char *buffer, size_t size, const char *word)
     snprintf(buffer + used, size - used, "%s%s", used > 0 ? ", " : "", word);
 }
 
-bool um_core_name_is_safe(const char *name)
-{
-  if (strlen(name) > UM_CORE_NAME_LONGEST) return false;
-  for (const unsigned char *c = (const unsigned char *)name; *c != '\0'; c++)
-    if (*c < 0x20 || *c == 0x7f || strchr("`\"\\$", *c) != NULL ||
-        (c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0))
-      return false;
-  return true;
-}
-
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
 static size_t word_length(const char *word)

@@ -5,17 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/text.h"
+
 /* The same text, where NULL is the empty one: names of targets, of which a global effect has none.
  * Does not fail. */
 bool um_core_words_same(const char *a, const char *b);
-
-/* May this name a thing? Names reach tables, scripts of pictures and messages: a backtick, a double
- * quote, a backslash, a dollar or a control character (C0, DEL, C1) in one is refused wherever a
- * name is read, and so is one of more than 255 bytes, the longest that a file may have. */
-bool um_core_name_is_safe(const char *name);
-#define UM_CORE_NAME_LONGEST 255
-#define UM_CORE_NAME_ACCEPTED                                                                      \
-  "a name of at most 255 bytes without control characters and without ` \" \\ $"
 
 /* Append `word` to the NUL-terminated text in `buffer` as "a, b, c"; ends in "..." where the buffer
  * is full. Does not fail. size >= 8. */

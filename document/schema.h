@@ -68,7 +68,8 @@ struct um_schema_field {
   bool file;            /* TEXT or TEXTS: names files, relative ones from the document's folder */
   bool name;            /* TEXT or TEXTS: names that reach other files and programs; they pass
                            um_core_name_is_safe, as do the keys of every DICT */
-  size_t most;          /* elements of a NUMBERS, TEXTS, LIST or DICT; 0: no bound */
+  bool behind; /* DICT: its keys are written behind a part's name: um_core_name_is_safe_behind */
+  size_t most; /* elements of a NUMBERS, TEXTS, LIST or DICT; 0: no bound */
   bool always; /* MAP: an absent mapping is read as an empty one, so that its defaults hold */
   const char *const *choices;            /* NULL-terminated, for CHOICE */
   const struct um_schema_object *object; /* for MAP, LIST, DICT */

@@ -93,6 +93,10 @@ static enum um_status bind_text(struct binder *b, const struct um_schema_field *
 {
   if (node->kind != UM_NODE_SCALAR || (field->name && !um_core_name_is_safe(node->text)))
     return fail_type(b, field, node);
+  if (!um_core_text_is_plain(node->text))
+    return um_document_mark_fail(b->context, &node->at,
+                                 "'%.100s' holds a control character; accepted: a text without",
+                                 node->text);
   *out = node->text;
   return UM_OK;
 }
@@ -177,9 +181,10 @@ static enum um_status bind_list(struct binder *b, const struct um_schema_field *
   element.type = UM_SCHEMA_MAP;
   for (const struct um_node *n = node->first; n != NULL; n = n->next, out->count++) {
     char *item = items + out->count * size;
-    if (dict && !um_core_name_is_safe(n->key))
-      return um_document_mark_fail(b->context, &n->at, "'%.100s' is not accepted; accepted: %s",
-                                   n->key, UM_CORE_NAME_ACCEPTED);
+    if (dict && !(field->behind ? um_core_name_is_safe_behind : um_core_name_is_safe)(n->key))
+      return um_document_mark_fail(
+          b->context, &n->at, "'%.100s' is not accepted; accepted: %s", n->key,
+          field->behind ? UM_CORE_NAME_ACCEPTED_BEHIND : UM_CORE_NAME_ACCEPTED);
     UM_TRY(bind_element(b, &element, n, item));
     if (dict) memcpy(item + sizeof(struct um_mark), &n->key, sizeof n->key);
   }

@@ -47,7 +47,9 @@ static void write_default(FILE *file, const struct um_schema_field *field)
 #define TEXT_TYPES "{\"type\": [\"string\", \"number\", \"boolean\"]"
 
 /* What um_core_name_is_safe passes. */
-#define NAME_PATTERN "^[^\\u0000-\\u001f\\u007f-\\u009f`\"\\\\$]*$"
+#define NAME_FORBIDS                                                                               \
+  "\\u0000-\\u001f\\u007f-\\u009f\\u200b-\\u200f\\u2028-\\u202e\\u2060-\\u206f\\ufeff`\"\\\\$"
+#define NAME_PATTERN "^([^=+@\\-" NAME_FORBIDS "][^" NAME_FORBIDS "]*)?$"
 
 static void write_most(FILE *file, const struct um_schema_field *field, const char *member)
 {

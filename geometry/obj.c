@@ -142,8 +142,8 @@ static enum um_status read_line(struct reader *r, char *line)
   if (strcmp(line, "f") == 0) return read_face(r, rest);
   const char *name = *rest != '\0' ? rest : NULL;
   bool naming = strcmp(line, "g") == 0 || strcmp(line, "o") == 0 || strcmp(line, "usemtl") == 0;
-  if (naming && name != NULL && !um_core_name_is_safe(name))
-    return FAIL(r, "'%.100s' is not accepted; accepted: " UM_CORE_NAME_ACCEPTED, name);
+  if (naming && name != NULL && !um_core_name_is_safe_behind(name))
+    return FAIL(r, "'%.100s' is not accepted; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND, name);
   if (strcmp(line, "g") == 0)
     r->g = name;
   else if (strcmp(line, "o") == 0)

@@ -5,6 +5,7 @@
 #include "tests/app/bad.h"
 
 #define ACCEPTED "accepted: a name of at most 255 bytes without control characters"
+#define FIRST    "its first character none of = + - @"
 #define BAND     "  vis: {from_um: 0.38, to_um: 0.78, bins: 4}"
 #define BUS      "  - name: bus"
 #define STATION  "station: {name: Graz"
@@ -55,6 +56,27 @@ static const struct bad_case cases[] = {
           "measurements.noise.0.of", ACCEPTED),
     NAMED("dollar in what is excluded", THERMAL, "measurements: {exclude: [$x]}\n" THERMAL,
           "measurements", "measurements.exclude.0", ACCEPTED),
+    NAMED("a formula in the scenario's name", "name: box", "name: \"=1+1\"", "name: \"=1",
+          "name: '=1+1'", FIRST),
+    NAMED("a formula in a part's name", BUS, "  - name: \"@SUM(1)\"", "  - name: \"@",
+          "name: '@SUM(1)'", FIRST),
+    NAMED("a sign before a part's name", BUS, "  - name: +bus", "  - name: +", "name: '+bus'",
+          FIRST),
+    NAMED("a formula in a band's name", BAND, "  \"=vis\": {from_um: 0.38, to_um: 0.78, bins: 4}",
+          "  \"=vis\"", "'=vis'", FIRST),
+    NAMED("a sign before a case's name", THERMAL, "cases: {-hot: {}}\n" THERMAL, "cases", "'-hot'",
+          FIRST),
+    NAMED("a formula in a station", STATION, "station: {name: \"=1\"",
+          "  station:", "observer.station.name", FIRST),
+    NAMED("a formula in a material", "outside: grey_white", "outside: \"@white\"",
+          "    outside: \"@", "parts.bus.outside", FIRST),
+    NAMED("a mark of direction in a part's name", BUS, "  - name: \"b\\u202ex\"", "  - name: \"b",
+          ACCEPTED),
+    NAMED("an escape sequence in a summary", "name: box", "name: box\nsummary: \"\\e[2J\"",
+          "summary:", "summary: ' [2J' holds a control character"),
+    SET("a formula by --set", "name==1", "--set: name", FIRST),
+    NAMED("a formula in a sensor's name", THERMAL, "sensors: {=eye: {band: vis}}\n" THERMAL,
+          "sensors", "'=eye'", FIRST),
     SET("line end by --set", "name=a\n\nb", "--set: name", ACCEPTED),
     SET("two carriage returns by --set", "parts.bus.outside=white\r\rx", "--set: parts.bus.outside",
         ACCEPTED),

@@ -179,8 +179,12 @@ static void test_large_picture(void **state)
 static void test_measured_names(void **state)
 {
   (void)state;
-  static const char *const names[] = {"x`id`", "\"x\"\"; system(\"\"touch P\"\"); o = \"\"y\"",
-                                      "x$(touch P)", "x\\y", "x\x01y"};
+  static const char *const names[] = {
+      "x`id`",       "\"x\"\"; system(\"\"touch P\"\"); o = \"\"y\"",
+      "x$(touch P)", "x\\y",
+      "x\x01y",      "=cmd",
+      "@x",          "-x",
+      "x\x9b"};
   char text[512];
   command_write("s.yaml", SMALL_HEAD BOX);
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {

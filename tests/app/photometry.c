@@ -236,9 +236,88 @@ static void test_refused(void **state)
                  NULL);
 }
 
+/* A frame of 32 x 32 zeros with these values of INSTRUME and DATE-AVG, as they stand. */
+static void write_header(const char *path, const char *instrument, const char *date)
+{
+  const char *card[] = {"SIMPLE  =                    T",
+                        "BITPIX  =                    8",
+                        "NAXIS   =                    2",
+                        "NAXIS1  =                   32",
+                        "NAXIS2  =                   32",
+                        "EXPTIME = 1.0",
+                        "GAIN    = 1.0",
+                        "RDNOISE = 1.0",
+                        "AIRMASS = 1.5",
+                        NULL,
+                        NULL,
+                        "END"};
+  char text[2][96];
+  FILE *out = fopen(path, "wb");
+  assert_non_null(out);
+  snprintf(text[0], sizeof text[0], "INSTRUME= '%s'", instrument);
+  snprintf(text[1], sizeof text[1], "DATE-AVG= '%s'", date);
+  card[9] = text[0];
+  card[10] = text[1];
+  for (size_t i = 0; i < 36; i++) fprintf(out, "%-80.80s", i < 12 ? card[i] : "");
+  for (int i = 0; i < 2880; i++) fputc(0, out);
+  assert_int_equal(fclose(out), 0);
+}
+
+static bool holds_control(const char *text)
+{
+  for (; *text != '\0'; text++)
+    if (((unsigned char)*text < 0x20 && *text != '\n') || *text == 0x7f) return true;
+  return false;
+}
+
+/* Texts of a header reach a terminal and a table only as what the standard allows, and as nothing
+ * that a terminal or a spreadsheet obeys; those that are names are quoted where they have to be. */
+static void test_header_texts(void **state)
+{
+  (void)state;
+  static const char when[] = "2016-09-21T20:33:00";
+  static const struct {
+    const char *path, *instrument, *date, *says;
+  } refused[] = {
+      {"x.fits", "\x1b[31mX\x1b]0;pwn\x07", when,
+       "x.fits: INSTRUME holds the byte 0x1b; accepted: "},
+      {"x.fits", "caf\xe9", when, "x.fits: INSTRUME holds the byte 0xe9; accepted: "},
+      {"x.fits", "\x7f", when, "x.fits: INSTRUME holds the byte 0x7f; accepted: printable ASCII"},
+      {"x.fits", "=cmd|'' /C calc''!A0", when,
+       "x.fits: INSTRUME is '=cmd|' /C calc'!A0'; accepted: a name "},
+      {"x.fits", "@SUM(1)", when, "its first character none of = + - @"},
+      {"x.fits", "-2+3", when, "its first character none of = + - @"},
+      {"x.fits", "+1", when, "its first character none of = + - @"},
+      {"x.fits", "a \"b\"", when, "x.fits: INSTRUME is 'a \"b\"'; accepted: a name "},
+      {"x.fits", "eye", "\x1b[2J\xc2\x9b", "x.fits: DATE-AVG: ' [2J\?\?' is not a UTC time"},
+      {"\x1b[2J.fits", "=1", when, " [2J.fits: INSTRUME is '=1'; accepted: a name "},
+  };
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    write_header(refused[i].path, refused[i].instrument, refused[i].date);
+    struct command c =
+        command_run("photometry", refused[i].path, "--aperture", "3,5,8", "-o", "m.csv", NULL);
+    if (c.code != 1 || c.out[0] != '\0' || strstr(c.err, refused[i].says) == NULL ||
+        holds_control(c.err) || command_exists("m.csv"))
+      fail_msg("case %zu: exit %d, expected 1 and '%s':\n%s%s", i, c.code, refused[i].says, c.out,
+               c.err);
+    command_release(&c);
+  }
+  write_header("y\x1b[2J.fits", "eye, O''Brien", when);
+  struct command c =
+      command_run("photometry", "y\x1b[2J.fits", "--aperture", "3,5,8", "-o", "m.csv", NULL);
+  assert_int_equal(c.code, 0);
+  assert_false(holds_control(c.out) || holds_control(c.err));
+  assert_non_null(strstr(c.out, "  y?[2J.fits\n"));
+  command_release(&c);
+  char *table = command_read("m.csv");
+  assert_non_null(strstr(table, ",count_rate,\"eye, O'Brien\",0,"));
+  free(table);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_header_texts, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_there_and_back, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_files, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, command_enter, command_leave),

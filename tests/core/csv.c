@@ -107,6 +107,37 @@ static void test_written(void **state)
   }
 }
 
+/* No field begins as a formula does, whatever is written, and none holds what a terminal obeys. */
+static void test_written_tame(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *text, *tail, *written;
+  } cases[] = {{"=cmd|'/C calc'!A0", "", "\"'=cmd|'/C calc'!A0\""},
+               {"+1", "", "\"'+1\""},
+               {"-x", ".mean_K", "\"'-x.mean_K\""},
+               {"@SUM(A1)", "", "\"'@SUM(A1)\""},
+               {"\t=1", "", "\"'\t=1\""},
+               {"\r=1", "", "\"'\r=1\""},
+               {"", "=1", "\"'=1\""},
+               {"=1,\"2\"", "", "\"'=1,\"\"2\"\"\""},
+               {"a=1", "", "a=1"},
+               {"\x1b[31mX\x07", "", "?[31mX?"},
+               {"\x9b"
+                "2J\xc2\x9b"
+                "2J",
+                "\x7f", "?2J?2J?"},
+               {"caf\xc3\xa9", "", "caf\xc3\xa9"}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char text[128] = "";
+    FILE *file = fmemopen(text, sizeof text, "w");
+    assert_non_null(file);
+    um_core_csv_put(file, cases[i].text, cases[i].tail);
+    fclose(file);
+    assert_string_equal(text, cases[i].written);
+  }
+}
+
 static void test_header_only(void **state)
 {
   (void)state;
@@ -265,15 +296,11 @@ static void test_numbers_in_comma_locale(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_plain),
-      cmocka_unit_test(test_quotes),
-      cmocka_unit_test(test_written),
-      cmocka_unit_test(test_header_only),
-      cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_field_messages),
-      cmocka_unit_test(test_files),
-      cmocka_unit_test(test_numbers),
-      cmocka_unit_test(test_numbers_in_comma_locale),
+      cmocka_unit_test(test_plain),          cmocka_unit_test(test_quotes),
+      cmocka_unit_test(test_written),        cmocka_unit_test(test_written_tame),
+      cmocka_unit_test(test_header_only),    cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_field_messages), cmocka_unit_test(test_files),
+      cmocka_unit_test(test_numbers),        cmocka_unit_test(test_numbers_in_comma_locale),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

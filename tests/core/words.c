@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/json.h"
 #include "tests/support/cmocka_all.h"
 
 static void test_distance(void **state)
@@ -71,10 +72,26 @@ static void test_guess(void **state)
 static void test_names(void **state)
 {
   (void)state;
-  static const char *const good[] = {"a",    "solar array", "b.+x",        "caf\xc3\xa9",
-                                     "it's", "a/b,c;d#",    "\xe2\x82\xac"};
-  static const char *const bad[] = {"`id`", "a\"b", "a\\b", "$x",      "a\nb",
-                                    "\r",   "\t",   "\x7f", "\x1b[2J", "b\xc2\x85"};
+  static const char *const good[] = {"a",    "solar array",     "b.+x",         "caf\xc3\xa9",
+                                     "it's", "a/b,c;d#",        "\xe2\x82\xac", "a=b",
+                                     "x-1",  "\xf0\x9f\x9b\xb0"};
+  static const char *const bad[] = {"`id`", "a\"b", "a\\b", "$x", "a\nb", "\r", "\t", "\x7f",
+                                    "\x1b[2J", "b\xc2\x85",
+                                    /* what a spreadsheet runs */
+                                    "=cmd|'/C calc'!A0", "+1", "-1", "@SUM(A1)", "\tx", "\rx",
+                                    /* no UTF-8: CSI of one byte, a cut, overlong, a surrogate */
+                                    "\x9b"
+                                    "2J",
+                                    "\xe2\x82", "\xc0\xaf", "\xed\xa0\x80",
+                                    /* right to left, nothing, a line's end, a mark of order */
+                                    "a\xe2\x80\xae"
+                                    "b",
+                                    "a\xe2\x80\x8b"
+                                    "b",
+                                    "a\xe2\x80\xa8"
+                                    "b",
+                                    "\xef\xbb\xbf"
+                                    "a"};
   char longest[UM_CORE_NAME_LONGEST + 2];
   for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
     if (!um_core_name_is_safe(good[i])) fail_msg("'%s' is refused", good[i]);
@@ -87,9 +104,49 @@ static void test_names(void **state)
   assert_true(um_core_name_is_safe(longest));
 }
 
+/* A name behind another may begin as it likes; else it is held to the same. */
+static void test_names_behind(void **state)
+{
+  (void)state;
+  assert_true(um_core_name_is_safe_behind("+x") && um_core_name_is_safe_behind("=a"));
+  assert_false(um_core_name_is_safe_behind("+`x`") || um_core_name_is_safe_behind("\tx") ||
+               um_core_name_is_safe_behind("-\x1b"));
+}
+
+/* Texts may have lines; nothing that a terminal obeys. */
+static void test_texts(void **state)
+{
+  (void)state;
+  char line[64], shown[64] = "";
+  assert_true(um_core_text_is_plain("two\n\tlines of caf\xc3\xa9, \"quoted\" = 1"));
+  assert_false(um_core_text_is_plain("a\x1b[2J") || um_core_text_is_plain("\a") ||
+               um_core_text_is_plain("\xc2\x9b") || um_core_text_is_plain("\xff") ||
+               um_core_text_is_plain("\x7f"));
+  strcpy(line, "caf\xc3\xa9\n\x1b[2J\xc2\x9b"
+               "2J\xff.\xe2\x82");
+  um_core_text_make_line(line);
+  assert_string_equal(line, "caf\xc3\xa9  [2J\?\?2J?.\?\?");
+  FILE *file = fmemopen(shown, sizeof shown, "w");
+  assert_non_null(file);
+  um_core_text_put(file, "caf\xc3\xa9\n\x1b[2J\xc2\x9b"
+                         "2J\xff.\xe2\x82");
+  fclose(file);
+  assert_string_equal(shown, "caf\xc3\xa9\?\?[2J?2J?.\?\?");
+  char quoted[64] = "";
+  file = fmemopen(quoted, sizeof quoted, "w");
+  assert_non_null(file);
+  um_core_json_string(file, "\"\\\x1b\x7f\xff\xc2\x9b"
+                            "caf\xc3\xa9");
+  fclose(file);
+  assert_string_equal(quoted, "\"\\\"\\\\\\u001b\\u007f\\ufffd\\u009b"
+                              "caf\xc3\xa9\"");
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_distance), cmocka_unit_test(test_list),
-                                     cmocka_unit_test(test_guess), cmocka_unit_test(test_names)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_distance),     cmocka_unit_test(test_list),
+      cmocka_unit_test(test_guess),        cmocka_unit_test(test_names),
+      cmocka_unit_test(test_names_behind), cmocka_unit_test(test_texts)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
