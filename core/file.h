@@ -16,6 +16,8 @@ enum um_status um_core_file_read(struct um_context *context, const char *path, s
  * a file that could not be read is tried again. Hold: UM_ERR_MEMORY. Letting go does not fail. */
 enum um_status um_core_files_hold(struct um_context *context);
 void um_core_files_let_go(struct um_context *context);
+/* One of them is held no longer: it is read from the disk the next time. Does not fail. */
+void um_core_file_forget(struct um_context *context, const char *path);
 /* A number that the bytes of all files held so far make (Fowler, Noll and Vo, 64 bits, summed), in
  * whatever order they were read, whoever read them; 0 where none are. */
 uint64_t um_core_files_digest(struct um_context *context);

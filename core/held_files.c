@@ -55,6 +55,18 @@ uint64_t um_core_files_digest(struct um_context *context)
   return sum;
 }
 
+void um_core_file_forget(struct um_context *context, const char *path)
+{
+  struct um_core_held_files *h = *um_core_context_held_files(context);
+  for (size_t i = 0; h != NULL && i < h->count; i++) {
+    if (strcmp(h->file[i].path, path) != 0) continue;
+    um_core_free(context, h->file[i].path);
+    um_core_free(context, h->file[i].text);
+    h->file[i] = h->file[--h->count];
+    return;
+  }
+}
+
 enum um_status um_core_held_files_find(struct um_context *context, const char *path, char **out,
                                        size_t *length, bool *found)
 {

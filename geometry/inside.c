@@ -143,17 +143,6 @@ static enum um_status trace(struct room_maker *m, size_t limit,
                                          m->patches, &options, &m->factors);
 }
 
-/* What was read has no way out either. */
-static enum um_status check_closed(const struct room_maker *m, const char *name)
-{
-  for (size_t p = 0; p < m->factors->npatch; p++)
-    if (m->factors->space[p] > 0.0)
-      return um_core_fail(m->context, UM_ERR_INPUT,
-                          "%s.csv: patch %zu sends %g m2 to space; accepted: 0, it is inside", name,
-                          p, m->factors->space[p]);
-  return UM_OK;
-}
-
 /* From a file, inside-PART.csv, or by rays. */
 static enum um_status fill(struct room_maker *m, const struct um_geometry *geometry, uint32_t part,
                            size_t limit, const struct um_geometry_view_factor_options *options)
@@ -161,14 +150,14 @@ static enum um_status fill(struct room_maker *m, const struct um_geometry *geome
   char name[512];
   bool found = false;
   struct um_geometry_view_factor_set set = {
-      .geometry = geometry, .mesh = &m->inner, .npose = 1, .pose = &m->factors};
+      .geometry = geometry, .mesh = &m->inner, .npose = 1, .pose = &m->factors, .closed = true};
   snprintf(name, sizeof name, "inside-%s", um_geometry_part_name(geometry, part));
   um_geometry_view_factor_key_begin(&m->inner, &m->turned, limit, options, &set.key);
   m->key = set.key;
   UM_TRY(um_geometry_view_factor_find(m->context, name, options, &set, &found));
   if (found) {
     m->patches = set.patches;
-    return check_closed(m, name);
+    return UM_OK;
   }
   UM_TRY(trace(m, limit, *options));
   set.patches = m->patches;

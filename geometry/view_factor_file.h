@@ -5,8 +5,9 @@
  *   surfaces,,,,4c2e...   hashes of what they were made of: facets and groups, positions, angles of
  *   ...                   joints, rays and gathering
  *   patch,,0,17,0.25,bus.+x     surface 17 of patch 0 and its area [m^2]; of a room, its facet
- *   exchange,0,0,3,0.0125,      exchange area of patches 0 and 3 [m^2] in pose 0, once for both
- * ways space,0,0,,0.2,             exchange area with space [m^2] */
+ *   exchange,0,0,3,0.0125,      exchange area of patches 0 and 3 [m^2] in pose 0, once for
+ *                               both ways
+ *   space,0,0,,0.2,             exchange area with space [m^2] */
 #ifndef UMBRA_GEOMETRY_VIEW_FACTOR_FILE_H
 #define UMBRA_GEOMETRY_VIEW_FACTOR_FILE_H
 
@@ -23,6 +24,7 @@ struct um_geometry_view_factor_set {
   struct um_geometry_patches *patches;    /* NULL before they are read */
   struct um_geometry_view_factors **pose; /* [npose] */
   double interpolation;                   /* see view_factor_table.h */
+  bool closed;                            /* a room: nothing goes to space */
 };
 
 /* Key of a mesh and its poses: pose_add for every one, the first of them at rest. */
@@ -42,9 +44,14 @@ void um_geometry_view_factor_file_write(const struct um_geometry_view_factor_set
  * What was read of a set that fails is destroyed. Tests: geometry/view_factor_file, fuzz. */
 enum um_status um_geometry_view_factor_file_read(struct um_context *context, const char *path,
                                                  bool own, struct um_geometry_view_factor_set *set);
+/* The same, as own ones, of a text that messages call `path`. */
+enum um_status um_geometry_view_factor_file_parse(struct um_context *context, const char *path,
+                                                  const char *text, size_t length,
+                                                  struct um_geometry_view_factor_set *set);
 
 /* The set from options->import/NAME.csv, which must be good, or from the cache; *found: it is
- * there. A file of the cache that is not good is said in the log and made anew. */
+ * there. A file of the cache that is not good, by its checksum or by the laws of view factors, is
+ * said in the log and made anew. */
 enum um_status um_geometry_view_factor_find(struct um_context *context, const char *name,
                                             const struct um_geometry_view_factor_options *options,
                                             struct um_geometry_view_factor_set *set, bool *found);

@@ -20,9 +20,9 @@
 #include <math.h>
 #include <string.h>
 
-#define SMALLEST   0.01  /* factor of one step */
-#define CLOSED     1e-13 /* residual of a row that is good enough [1] */
-#define ACCEPTED   1e-9  /* that is still accepted: a room of few rays without a way out */
+#define SMALLEST   0.01                            /* factor of one step */
+#define CLOSED     1e-13                           /* residual of a row that is good enough [1] */
+#define ACCEPTED   UM_GEOMETRY_VIEW_FACTORS_CLOSED /* a room of few rays without a way out */
 #define STEPS      50
 #define ITERATIONS 2000
 

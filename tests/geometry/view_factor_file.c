@@ -4,8 +4,12 @@
 #include "geometry/view_factor_file.h"
 
 #include <dirent.h>
+#include <inttypes.h>
+#include <stdlib.h>
 #include <unistd.h>
 
+#include "core/csv.h"
+#include "core/file.h"
 #include "geometry/inside.h"
 #include "tests/geometry/support.h"
 #include "tests/support/allocator.h"
@@ -120,6 +124,151 @@ static void spoil(const char *path)
   assert_int_equal(fclose(file), 0);
 }
 
+/* --- files of a cache that somebody changed --- */
+
+/* The checksum of the changed bytes behind them, by the published offset and prime of FNV-1a. */
+static void seal(char *text)
+{
+  uint64_t digest = 0xcbf29ce484222325u;
+  char *end = strstr(text, "# checksum");
+  assert_non_null(end);
+  for (const char *c = text; c < end; c++) digest = (digest ^ (unsigned char)*c) * 0x100000001b3u;
+  char *number = strrchr(end, ' ');
+  assert_int_equal(strlen(number + 1), 17);
+  snprintf(number + 1, 18, "%016" PRIx64 "\n", digest);
+}
+
+/* The last row of a record before `end`; where its value begins. */
+static char *value_of(char *text, const char *end, const char *row)
+{
+  char *found = NULL;
+  for (char *c = text; (c = strstr(c, row)) != NULL && c < end; c++) found = c;
+  return found == NULL ? NULL : found + strlen(row);
+}
+
+/* `add` to the value of a row, in a text that has room. */
+static void add_to(char *value, double add)
+{
+  char *end, rest[1 << 16], number[32];
+  double old = strtod(value, &end);
+  assert_true(strlen(end) < sizeof rest);
+  strcpy(rest, end);
+  um_core_number_text(old + add, number);
+  strcpy(value, number);
+  strcat(value, rest);
+}
+
+/* 30 % of the last exchange of two patches goes to space: both rows still add up. */
+static void give_to_space(char *text)
+{
+  char row[64], *at = text, *last = NULL;
+  unsigned pose, p, q, from = 0, to = 0, of = 0;
+  while ((at = strstr(at, "\nexchange,")) != NULL) {
+    assert_int_equal(sscanf(++at, "exchange,%u,%u,%u,", &pose, &p, &q), 3);
+    if (p != q && strncmp(at, "exchange,0,", 11) == 0) last = at, of = pose, from = p, to = q;
+  }
+  assert_non_null(last);
+  snprintf(row, sizeof row, "exchange,%u,%u,%u,", of, from, to);
+  double share = 0.3 * strtod(last + strlen(row), NULL);
+  add_to(last + strlen(row), -share);
+  const unsigned patch[2] = {from, to};
+  for (int k = 0; k < 2; k++) {
+    snprintf(row, sizeof row, "\nspace,%u,%u,,", of, patch[k]);
+    char *space = strstr(text, row);
+    assert_non_null(space);
+    add_to(space + strlen(row), share);
+  }
+}
+
+/* The last digit of the last exchange area is another. */
+static void change_digit(char *text)
+{
+  char *value = value_of(text, text + strlen(text), "\nexchange,");
+  char *end = strchr(value, '\n') - 2;
+  *end = *end == '4' ? '5' : '4';
+}
+static void drop_checksum(char *text) { *strstr(text, "# checksum") = '\0'; }
+static void give_and_seal(char *text)
+{
+  give_to_space(text);
+  seal(text);
+}
+static void no_longer_closed(char *text)
+{
+  add_to(strchr(value_of(text, text + strlen(text), "\nspace,0,0,"), ',') + 1, 1e-3);
+  seal(text);
+}
+
+static void (*change)(char *text);
+static void change_file(const char *path)
+{
+  char text[1 << 16] = "";
+  FILE *file = fopen(path, "r");
+  assert_non_null(file);
+  size_t n = fread(text, 1, sizeof text - 200, file);
+  assert_true(n > 0 && n < sizeof text - 200);
+  assert_int_equal(fclose(file), 0);
+  change(text);
+  file = fopen(path, "w");
+  assert_non_null(file);
+  assert_true(fputs(text, file) >= 0);
+  assert_int_equal(fclose(file), 0);
+}
+
+/* How often the log says it. */
+static size_t warnings(const struct support *s)
+{
+  size_t n = 0;
+  for (const char *c = um_core_log_text(s->context);
+       (c = strstr(c, "of the cache are made anew: ")) != NULL; c++)
+    n++;
+  return n;
+}
+
+/* One digit, an exchange given to space, no checksum as in files of old: by the checksum. Space
+ * inside a room and rows that do not add up, with the checksum of these bytes: by the laws. All is
+ * made anew, with a warning a file, once. */
+static void cache_changed(void **state)
+{
+  (void)state;
+  struct um_geometry_part_spec part[2];
+  struct support s = support_create(part, satellite(part));
+  char folder[UM_TEST_PATH], room[UM_TEST_PATH + 300] = "";
+  static void (*const changes[])(char *text) = {change_digit, give_to_space, drop_checksum,
+                                                give_and_seal, no_longer_closed};
+  assert_int_equal(um_test_folder_create(folder), 0);
+  struct um_geometry_view_factor_table *rays = table_of(&s, folder, NULL), *t;
+  assert_int_equal(warnings(&s), 0);
+  for (size_t k = 0; k < sizeof changes / sizeof changes[0]; k++) {
+    size_t before = warnings(&s);
+    change = changes[k];
+    if (change == give_and_seal) { /* which the outside may do */
+      DIR *d = opendir(folder);
+      assert_non_null(d);
+      for (struct dirent *e; (e = readdir(d)) != NULL;)
+        if (strstr(e->d_name, "-inside-") != NULL)
+          snprintf(room, sizeof room, "%s/%s", folder, e->d_name);
+      closedir(d);
+      change_file(room);
+    } else {
+      for_files(folder, change_file);
+    }
+    assert_int_equal(um_core_files_hold(s.context), UM_OK);
+    for (int again = 0; again < 2; again++) { /* a second time it is good, though files are held */
+      t = table_of(&s, folder, NULL);
+      assert_same(rays, t);
+      um_geometry_view_factor_table_destroy(s.context, &t);
+      assert_int_equal(warnings(&s) - before, change == give_and_seal ? 1 : 2);
+    }
+    assert_int_equal(um_core_files_digest(s.context), 0); /* no input of the user's */
+    um_core_files_let_go(s.context);
+  }
+  for_files(folder, drop);
+  assert_int_equal(um_test_folder_remove(folder), 0);
+  um_geometry_view_factor_table_destroy(s.context, &rays);
+  support_destroy(&s);
+}
+
 static void cache(void **state)
 {
   (void)state;
@@ -188,7 +337,7 @@ static void import(void **state)
   (void)state;
   struct um_geometry_part_spec part[2];
   struct support s = support_create(part, satellite(part));
-  char folder[UM_TEST_PATH];
+  char folder[UM_TEST_PATH], path[UM_TEST_PATH + 32];
   static const double other[3] = {0.0, 0.3, 1.0};
   assert_int_equal(um_test_folder_create(folder), 0);
   struct um_geometry_view_factor_table *rays = table_of(&s, NULL, NULL), *t = NULL;
@@ -212,6 +361,10 @@ static void import(void **state)
   moved = support_create(part, 2);
   refused(&moved, angles, folder, "made of another satellite: facets, groups or parts differ");
   support_destroy(&moved);
+  change = give_to_space;
+  snprintf(path, sizeof path, "%s/inside-bus.csv", folder);
+  change_file(path);
+  refused(&s, angles, folder, "accepted: 0, it is inside");
   for_files(folder, spoil);
   refused(&s, angles, folder, "add up to its area but for a share of");
   for_files(folder, drop);
@@ -301,8 +454,8 @@ static void out_of_memory(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(cache), cmocka_unit_test(import),
-                                     cmocka_unit_test(other_program),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(cache), cmocka_unit_test(cache_changed),
+                                     cmocka_unit_test(import), cmocka_unit_test(other_program),
                                      cmocka_unit_test(out_of_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
