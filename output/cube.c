@@ -10,6 +10,7 @@
 
 #include "core/file.h"
 #include "output/cube_impl.h"
+#include "output/netcdf_text.h"
 
 #define FIRST_SIZE  65536 /* of the file in memory, which grows [bytes] */
 #define CHUNK       262144
@@ -47,13 +48,13 @@ static enum um_status define(const struct cube *c, const char *name, nc_type typ
   UM_TRY(check(c, nc_def_var(c->file, name, type, naxis, dimension, id)));
   UM_TRY(check(c, nc_def_var_chunking(c->file, *id, NC_CHUNKED, chunk)));
   UM_TRY(check(c, nc_def_var_deflate(c->file, *id, 1, 1, DEFLATE)));
-  UM_TRY(check(c, nc_put_att_text(c->file, *id, "units", strlen(units), units)));
-  return check(c, nc_put_att_text(c->file, *id, "long_name", strlen(long_name), long_name));
+  UM_TRY(check(c, um_output_netcdf_text(c->file, *id, "units", units)));
+  return check(c, um_output_netcdf_text(c->file, *id, "long_name", long_name));
 }
 
 static enum um_status note(const struct cube *c, const char *name, const char *text)
 {
-  return check(c, nc_put_att_text(c->file, NC_GLOBAL, name, strlen(text), text));
+  return check(c, um_output_netcdf_text(c->file, NC_GLOBAL, name, text));
 }
 
 static enum um_status describe(struct cube *c, const char *comments)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "output/netcdf_impl.h"
+#include "output/netcdf_text.h"
 #include "output/solids_impl.h"
 
 #define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
@@ -42,8 +43,8 @@ static enum um_status define(const struct um_output_netcdf *w, const char *name,
   int dimension[AXES_MAX];
   for (int i = 0; i < naxis; i++) dimension[i] = w->dimension[axes[i]];
   UM_TRY(check(w, nc_def_var(w->file, name, type, naxis, dimension, id)));
-  UM_TRY(check(w, nc_put_att_text(w->file, *id, "units", strlen(units), units)));
-  UM_TRY(check(w, nc_put_att_text(w->file, *id, "long_name", strlen(long_name), long_name)));
+  UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "units", units)));
+  UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "long_name", long_name)));
   if (naxis > 1) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
   return UM_OK;
 }
@@ -72,7 +73,7 @@ enum um_status um_output_netcdf_note(const struct um_output_netcdf *w, const cha
 {
   int id = NC_GLOBAL;
   if (variable != NULL) UM_TRY(check(w, nc_inq_varid(w->file, variable, &id)));
-  return check(w, nc_put_att_text(w->file, id, name, strlen(text), text));
+  return check(w, um_output_netcdf_text(w->file, id, name, text));
 }
 
 enum um_status um_output_netcdf_names(const struct um_output_netcdf *w,

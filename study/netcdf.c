@@ -8,6 +8,7 @@
 
 #include "core/file.h"
 #include "orbit/time.h"
+#include "output/netcdf_text.h"
 #include "study/study.h"
 
 #define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
@@ -31,7 +32,7 @@ static enum um_status check(const struct writer *w, int code)
 
 static enum um_status note(const struct writer *w, int id, const char *name, const char *text)
 {
-  return check(w, nc_put_att_text(w->file, id, name, strlen(text), text));
+  return check(w, um_output_netcdf_text(w->file, id, name, text));
 }
 
 static enum um_status define(const struct writer *w, const char *name, nc_type type,

@@ -441,6 +441,31 @@ static void test_netcdf_leap_second(void **state)
   table_release(&light);
 }
 
+/* A scenario of more than 64 KiB, which HDF5 refuses as characters: whole, under its name. */
+static void test_long_scenario(void **state)
+{
+  (void)state;
+  enum { LINES = 2000, LINE = 51 };
+  char *box = command_data("box.yaml"), *text = malloc(strlen(box) + LINES * LINE + 1), *found;
+  int file;
+  assert_non_null(text);
+  strcpy(text, box);
+  char *end = text + strlen(text);
+  for (int i = 0; i < LINES; i++) end += sprintf(end, "# %048d\n", i);
+  command_write("long.yaml", text);
+  command_expect(0, "run", "long.yaml", "--no-plots", "--out", "long", NULL);
+  char *kept = command_read("long/scenario.yaml");
+  assert_true(strlen(kept) > 100000);
+  NC(nc_open("long/run.nc", NC_NOWRITE, &file));
+  NC(nc_get_att_string(file, NC_GLOBAL, "scenario", &found));
+  assert_string_equal(found, kept);
+  NC(nc_free_string(1, &found));
+  NC(nc_close(file));
+  free(kept);
+  free(text);
+  free(box);
+}
+
 /* Opens with the library, and says of everything what it is and in which unit. */
 static void test_netcdf(void **state)
 {
@@ -607,6 +632,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_netcdf, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_netcdf_is_the_tables, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_netcdf_leap_second, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_long_scenario, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_age_of_elements, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_long_names, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_other_observers, enter_box, command_leave),
