@@ -277,6 +277,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_model_run(context, model, precomputed, &result));
   UM_CHECK(estimate(context, options, model, result));
   computed = seconds();
+  run.options = &changes;
   run.context = context;
   run.model = model;
   run.precomputed = precomputed;

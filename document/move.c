@@ -16,21 +16,28 @@ struct move {
 static enum um_status move_object(struct move *m, const struct um_schema_object *object,
                                   struct um_node *node);
 
-/* Real path of an existing file's folder, then the file's own name, which may be a link. */
+/* Real path of the folder that a path leads through, free() frees; NULL: there is none. */
+static char *folder_of(const char *path)
+{
+  const char *slash = strrchr(path, '/');
+  if (slash == NULL) return realpath(".", NULL);
+  char *cut = strndup(path, (size_t)(slash - path) + 1);
+  char *real = cut == NULL ? NULL : realpath(cut, NULL);
+  free(cut);
+  return real;
+}
+
+/* Real path of a file's folder, then the file's own name, which may be a link; where there is no
+ * such folder, the whole name from the document's. */
 static enum um_status find_file(struct move *m, const char *name, char **out)
 {
-  char *path = NULL, *real = NULL;
+  char *path = NULL;
   enum um_status status = UM_OK;
   *out = NULL;
   UM_TRY(um_core_path_resolve(m->context, m->document->path, name, &path));
-  char *slash = strrchr(path, '/');
-  const char *file = slash == NULL ? path : slash + 1;
-  if (slash == NULL) {
-    real = realpath(".", NULL);
-  } else {
-    *slash = '\0';
-    real = realpath(path[0] == '\0' ? "/" : path, NULL);
-  }
+  const char *slash = strrchr(path, '/'), *file = slash == NULL ? path : slash + 1;
+  char *real = folder_of(path);
+  if (real == NULL && (real = folder_of(m->document->path)) != NULL) file = name;
   if (real == NULL)
     status = um_core_fail(m->context, UM_ERR_IO, "%s: %s", name, strerror(errno));
   else

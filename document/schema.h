@@ -127,8 +127,9 @@ enum um_status um_document_text(struct um_context *context, const struct um_docu
                                 char **out);
 /* Relative names of files (fields with `file`) are written anew so that they lead to the same files
  * from a document in `folder`, which exists: relative, or absolute where the two folders have only
- * the root in common. For um_document_text: what is bound stays. UM_ERR_IO "name: reason" for
- * a name whose folder does not exist. */
+ * the root in common; one whose folder does not exist leads to the same place, too. For
+ * um_document_text: what is bound stays. UM_ERR_IO "name: reason" where the document's own folder
+ * does not exist any more. */
 enum um_status um_document_move(struct um_context *context, struct um_document *document,
                                 const struct um_schema_object *schema, const char *folder);
 /* The number at a key path (that of an override), after overrides; NaN where the document has none

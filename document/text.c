@@ -67,10 +67,18 @@ static enum um_status append_list(struct edits *e, const struct um_node *node)
   return add_edit(e, e->length, e->length, at);
 }
 
+/* 1 where a scalar stands in quotes, which its place leaves out. */
+static size_t quotes_of(const struct edits *e, const struct um_node *node)
+{
+  size_t from = node->place.from, to = node->place.to;
+  return !node->plain && from > 0 && to < e->length && strchr("'\"", e->source[to]) != NULL &&
+         e->source[from - 1] == e->source[to];
+}
+
 /* Behind the last character of a node that stands in the file; 0 when that cannot be told. */
 static size_t end_of(const struct edits *e, const struct um_node *node)
 {
-  if (node->kind == UM_NODE_SCALAR) return node->place.to;
+  if (node->kind == UM_NODE_SCALAR) return node->place.to + quotes_of(e, node);
   if (node->last == NULL) return 0;
   size_t end = end_of(e, node->last);
   if (!node->flow || end == 0) return end;
@@ -117,9 +125,9 @@ static enum um_status collect_edits(struct edits *e, const struct um_node *old,
 {
   if (um_document_node_equal(old, node)) return UM_OK;
   if (old->kind == UM_NODE_SCALAR) {
-    size_t at = e->pool.length;
+    size_t at = e->pool.length, quotes = quotes_of(e, old);
     UM_TRY(um_document_emit_flow(&e->pool, node, flow));
-    return add_edit(e, old->place.from, old->place.to, at);
+    return add_edit(e, old->place.from - quotes, old->place.to + quotes, at);
   }
   flow = flow || old->flow;
   const struct um_node *p = old->first, *q = node->first;

@@ -159,7 +159,7 @@ static enum um_status make_table(struct um_context *context, const struct um_mod
   char *import = NULL;
   enum um_status status = UM_OK;
   if (thermal->view_factors != NULL)
-    UM_TRY(um_core_path_resolve(context, thermal->at.file, thermal->view_factors, &import));
+    UM_TRY(um_core_path_resolve(context, model->scenario->at.file, thermal->view_factors, &import));
   struct um_geometry_mirrors *mirrors = NULL;
   options.import = import;
   UM_CHECK(um_model_mirrors_create(context, model, &mirrors));

@@ -15,12 +15,14 @@ struct um_output_run {
   const struct um_model_result *result;
   const char *command; /* as typed, for the record */
   const char *version;
-  struct um_context *context; /* asked for a stop while files are written; NULL: none */
+  const struct um_model_options *options; /* of the command line, for scenario.yaml; NULL: none */
+  struct um_context *context;             /* asked for a stop while files are written; NULL: none */
 };
 
 /* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,
- * temperatures.csv, heat.csv, temperatures.cic, run.nc, run.xdmf, scenario.yaml (with overrides),
- * log.txt. Light-curve files only with an observer, counts.csv only with sensors. UM_ERR_IO. */
+ * temperatures.csv, heat.csv, temperatures.cic, run.nc, run.xdmf, scenario.yaml (as it was run, and
+ * can be again where it stands), log.txt. Light-curve files only with an observer, counts.csv only
+ * with sensors. UM_ERR_IO. */
 enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
                                    struct um_core_folder *folder);
 

@@ -1,6 +1,8 @@
 /* All files of a run into one folder. */
 #include "output/output.h"
 
+#include "model/scenario_text.h"
+
 typedef enum um_status (*writer)(const struct um_output_run *run, FILE *file);
 
 static enum um_status write_file(struct um_context *context, const struct um_output_run *run,
@@ -35,8 +37,10 @@ static enum um_status write_netcdf(struct um_context *context, const struct um_o
 static enum um_status write_scenario(struct um_context *context, const struct um_output_run *run,
                                      struct um_core_folder *folder)
 {
+  const struct um_model *model = run->model;
   char *text = NULL;
-  UM_TRY(um_document_text(context, run->model->document, &text));
+  UM_TRY(um_model_scenario_text(context, model, model->effect, model->neffect, run->options,
+                                um_core_folder_path(folder), &text));
   enum um_status status = write_text(context, folder, "scenario.yaml", text);
   um_core_free(context, text);
   return status;

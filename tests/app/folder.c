@@ -204,6 +204,70 @@ static void test_scenario_copy(void **state)
   }
 }
 
+/* A scenario whose mesh, record and table stand in folders about it, with a sensor and a material
+ * that come with the program. */
+static void write_scene(void)
+{
+  static const char mesh[] = "v -1 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv -1 0.5 0\nf 1 2 3 4\n";
+  char *text = command_data("box.yaml");
+  text = command_edit(text, "parts:\n",
+                      "parts: # two\n  - name: panel\n"
+                      "    mesh: {file: meshes/panel.obj}\n"
+                      "    front: own\n    back: grey_panel\n"
+                      "    pose: {position_m: [0, 0, 1]}\n"
+                      "    shell: {areal_heat_capacity_J_m2_K: 2000}\n"
+                      "    lumped: true\n");
+  text =
+      command_edit(text, "    outside: grey_white\n",
+                   "    outside: grey_white\n"
+                   "    interior: {capacity_J_K: 900, conductance_W_K: 1, power_file: ../p.csv}\n");
+  text = command_edit(text, "bands:", "material_files: ['../own record.yaml']\nbands:");
+  assert_int_equal(mkdir("project", 0777), 0);
+  assert_int_equal(mkdir("project/scene", 0777), 0);
+  assert_int_equal(mkdir("project/scene/meshes", 0777), 0);
+  command_write("project/scene/scenario.yaml", text);
+  command_write("project/scene/meshes/panel.obj", mesh);
+  command_write("project/own record.yaml",
+                "name: own\nsummary: a paint\ncitation: none\ngrey: {solar_absorptance: 0.3, "
+                "emittance: 0.8, vis_reflectance_diffuse: 0.7}\n");
+  command_write("project/p.csv", "time_utc,power_W\n2016-09-06T10:00:00Z,20\n"
+                                 "2016-09-06T20:00:00Z,40\n");
+  free(text);
+}
+
+/* A run's scenario.yaml stands where its results are: run from there it gives their bytes, with all
+ * that the command line changed; also when the folders moved together. */
+static void test_scenario_runs_where_it_stands(void **state)
+{
+  (void)state;
+  static const char *const files[] = {"lightcurve.csv", "materials.csv", "temperatures.csv",
+                                      "heat.csv", NULL};
+  write_scene();
+  command_expect(0, "exchange", "project/scene", "--out", "project/seen", NULL);
+  command_expect(
+      0, "run", "project/scene", "--no-plots", "--out", "project/a/b", "--set",
+      "parts.bus.interior.capacity_J_K=1200", "--set",
+      "thermal={start: isothermal, orbits_before: 0.05, step_s: 30, view_factors: ../seen}",
+      "--set", "parts.panel.shell.areal_heat_capacity_J_m2_K=2500", "--set",
+      "sensors.ufo={preset: ufo, band: vis, exposure_s: 1}", "--with",
+      "internal_power:bus,power_W=15", "--with", "zero_point:lwir,factor=1.1", "--without",
+      "albedo", NULL);
+  char *text = command_read("project/a/b/scenario.yaml");
+  assert_non_null(strstr(text, "view_factors: ../../seen"));
+  assert_non_null(strstr(text, "file: ../../scene/meshes/panel.obj"));
+  assert_non_null(strstr(text, "\"../../own record.yaml\""));
+  free(text);
+  command_expect(0, "run", "project/a/b/scenario.yaml", "--no-plots", "--out", "again", NULL);
+  command_expect_same("project/a/b", "again", files);
+  assert_true(command_exists("again/counts.csv"));
+  assert_int_equal(rename("project", "elsewhere"), 0);
+  command_expect(0, "run", "elsewhere/a/b", "--no-plots", "--out", "moved", NULL);
+  command_expect_same("again", "moved", files);
+  /* and its own own */
+  command_expect(0, "run", "moved", "--no-plots", "--out", "elsewhere/last", NULL);
+  command_expect_same("moved", "elsewhere/last", files);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -215,6 +279,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_failure_leaves_results, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_interrupt_leaves_results, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_scenario_copy, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_scenario_runs_where_it_stands, command_enter,
+                                      command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

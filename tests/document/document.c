@@ -110,7 +110,10 @@ static void test_move(void **state)
       {"link/s.yaml", "tags: [../m.obj, s.yaml]\n", "out",
        "tags: [../scene/m.obj, ../scene/d/s.yaml]\n"},
       {"s.yaml", "tags: [m.obj]\n", "out", "tags: [../m.obj]\n"},
-      {"s.yaml", "tags: ['a b.obj', /dev/null]\n", "out", "tags: [\"../a b.obj\", /dev/null]\n"},
+      {"s.yaml", "tags: ['a b.obj', /dev/null] # c\n", "out",
+       "tags: [\"../a b.obj\", /dev/null] # c\n"},
+      {"s.yaml", "tags: [/dev/null, \"a b.obj\"] # c\n", "out",
+       "tags: [/dev/null, \"../a b.obj\"] # c\n"},
   };
   static const char *const folders[] = {"scene", "scene/d", "out", "out/improved"};
   for (size_t i = 0; i < 4; i++) assert_int_equal(mkdir(folders[i], 0777), 0);
@@ -131,7 +134,11 @@ static void test_move(void **state)
   assert_int_equal(um_document_move(context, document, &sample_schema, "/"), UM_OK);
   expect_text(document, expected);
   free(real);
-  document = parse("s.yaml", HEAD "tags: [no/m.obj]\n", NULL, 0);
+  /* a file that nobody reads needs no folder, but for the document's own */
+  document = parse("scene/s.yaml", HEAD "tags: [no/m.obj]\n", NULL, 0);
+  assert_int_equal(um_document_move(context, document, &sample_schema, "out"), UM_OK);
+  expect_text(document, HEAD "tags: [../scene/no/m.obj]\n");
+  document = parse("gone/s.yaml", HEAD "tags: [no/m.obj]\n", NULL, 0);
   um_core_message_clear(context);
   assert_int_equal(um_document_move(context, document, &sample_schema, "out"), UM_ERR_IO);
   assert_string_equal(um_core_message(context), "no/m.obj: No such file or directory");

@@ -141,7 +141,8 @@ static enum um_status write_results(struct subject *s)
   enum um_status status;
   struct stat there;
   struct um_core_folder *folder = NULL;
-  const struct um_output_run out = {s->model, s->precomputed, s->result, "run", "0", s->context};
+  const struct um_output_run out = {s->model, s->precomputed, s->result, "run",
+                                    "0",      NULL,           s->context};
   UM_CHECK(um_core_folder_begin(s->context, s->results, false, &folder));
   UM_CHECK(um_output_write_run(s->context, &out, folder));
   UM_CHECK(um_core_folder_commit(s->context, &folder));
