@@ -54,8 +54,8 @@ void um_geometry_edges_destroy(struct um_context *context, struct um_geometry_ed
   memset(edges, 0, sizeof *edges);
 }
 
-/* Root of the piece that v belongs to, halving the path. */
-static uint32_t root_of(uint32_t *piece, uint32_t v)
+/* Halves the path. */
+uint32_t um_geometry_piece_root(uint32_t *piece, uint32_t v)
 {
   while (piece[v] != v) {
     piece[v] = piece[piece[v]];
@@ -64,10 +64,10 @@ static uint32_t root_of(uint32_t *piece, uint32_t v)
   return v;
 }
 
-static void unite(uint32_t *piece, uint32_t u, uint32_t v)
+void um_geometry_pieces_unite(uint32_t *piece, uint32_t u, uint32_t v)
 {
-  u = root_of(piece, u);
-  v = root_of(piece, v);
+  u = um_geometry_piece_root(piece, u);
+  v = um_geometry_piece_root(piece, v);
   if (u < v)
     piece[v] = u;
   else
@@ -84,11 +84,13 @@ enum um_status um_geometry_edges_closed(struct um_context *context, const uint32
   UM_CHECK(um_core_allocate(context, nvertex, sizeof *piece, (void *)&piece));
   UM_CHECK(um_core_allocate(context, nvertex, 1, (void *)&open));
   for (uint32_t v = 0; v < nvertex; v++) piece[v] = v;
-  for (size_t e = 0; e < edges->nedge; e++) unite(piece, edges->edge[e].a, edges->edge[e].b);
+  for (size_t e = 0; e < edges->nedge; e++)
+    um_geometry_pieces_unite(piece, edges->edge[e].a, edges->edge[e].b);
   for (size_t e = 0; e < edges->nedge; e++)
     if (edges->edge[e].uses != 2 || edges->edge[e].forward != 1)
-      open[root_of(piece, edges->edge[e].a)] = 1;
-  for (size_t f = 0; f < nfacet; f++) closed[f] = !open[root_of(piece, corner[f][0])];
+      open[um_geometry_piece_root(piece, edges->edge[e].a)] = 1;
+  for (size_t f = 0; f < nfacet; f++)
+    closed[f] = !open[um_geometry_piece_root(piece, corner[f][0])];
 done:
   um_core_free(context, piece);
   um_core_free(context, open);

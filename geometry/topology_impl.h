@@ -27,4 +27,9 @@ enum um_status um_geometry_edges_closed(struct um_context *context, const uint32
                                         size_t nfacet, size_t nvertex,
                                         const struct um_geometry_edges *edges, uint8_t *closed);
 
+/* Pieces as a forest over vertices, piece[v] = v before any are united: the vertex that stands for
+ * the piece of v, the lowest; and two of them made one. */
+uint32_t um_geometry_piece_root(uint32_t *piece, uint32_t v);
+void um_geometry_pieces_unite(uint32_t *piece, uint32_t u, uint32_t v);
+
 #endif

@@ -27,9 +27,6 @@
 
 #define PACKET 8
 
-/* Blur of Embree's hit points relative to the model size [1]: about 80 units in the last place. */
-#define FLOAT_BLUR 1e-5
-
 /* Height above the facet that a ray leaves below which nothing is met, relative to the model size
  * [1]: 0.4 um of 20 m, what float rounds coordinates by. At most SHALLOW^-1 as far along the ray.
  */
@@ -103,7 +100,7 @@ static bool hit_is_real(const struct um_geometry_visibility *v, const struct um_
   struct um_vec3 bc = um_vec3_sub(tri.ac, tri.ab);
   double longest = sqrt(
       fmax(um_vec3_dot(bc, bc), fmax(um_vec3_dot(tri.ab, tri.ab), um_vec3_dot(tri.ac, tri.ac))));
-  double blur = FLOAT_BLUR * v->size * longest / (2.0 * v->mesh->area[facet]);
+  double blur = UM_GEOMETRY_BLUR * v->size * longest / (2.0 * v->mesh->area[facet]);
   return u >= -blur && w >= -blur && u + w <= 1.0 + blur;
 }
 
@@ -286,7 +283,7 @@ static void fill_packet(const struct um_geometry_visibility *v, const struct um_
     packet->dir_y[i] = (float)ray->direction.y;
     packet->dir_z[i] = (float)ray->direction.z;
     packet->tnear[i] = (float)nearest(v, ray);
-    packet->tfar[i] = (float)(ray->limit * (1.0 + FLOAT_BLUR) + FLOAT_BLUR * v->size);
+    packet->tfar[i] = (float)(ray->limit * (1.0 + UM_GEOMETRY_BLUR) + UM_GEOMETRY_BLUR * v->size);
     packet->time[i] = 0.0f;
     packet->mask[i] = 0xffffffffu;
     packet->id[i] = (unsigned)i;

@@ -7,6 +7,9 @@
 /* A vertex within this times the model size of a plane lies in it [1]. */
 #define UM_GEOMETRY_PLANE 1e-9
 
+/* Blur of Embree's hit points relative to the model size [1]: about 80 units in the last place. */
+#define UM_GEOMETRY_BLUR 1e-5
+
 /* First indices of facets in the point sequences lie below this, as do the samples that need no
  * evaluation. */
 #define UM_GEOMETRY_POINTS 1024

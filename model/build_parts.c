@@ -9,6 +9,7 @@
 #include "core/words.h"
 #include "model/aging_impl.h"
 #include "model/build_bands_impl.h"
+#include "model/build_coincident_impl.h"
 #include "model/effects_impl.h"
 #include "model/interior_names_impl.h"
 #include "model/words_impl.h"
@@ -260,6 +261,8 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
     goto done;
   }
   UM_CHECK(build_records(context, model));
+  /* a variant has the parts of its origin, which said it */
+  if (model->origin == NULL) UM_CHECK(um_model_warn_coincident(context, model));
 done:
   um_core_free(context, specs);
   return status;

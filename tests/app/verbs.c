@@ -295,6 +295,52 @@ static void test_exchange(void **state)
   command_release(&c);
 }
 
+/* A satellite that counts something twice: said with names and areas by what reads it, in the log
+ * of its run too; two boxes that touch say nothing. */
+static void test_counted_twice(void **state)
+{
+  (void)state;
+  static const char twin[] = "parts:\n  - name: twin\n    box: {size_m: [1, 1, 1]}\n"
+                             "    outside: black\n    lumped: true\n"
+                             "    shell: {areal_heat_capacity_J_m2_K: 3000}\n"
+                             "    pose: {position_m: [AT, 0, 0]}\n";
+  static const char *const at[] = {"0", "0.5", "1"};
+  static const char *const says[] = {
+      "parts twin and bus have 6 m2 of surfaces in one place that look the same way",
+      "parts twin and bus have 2 m2 of surfaces in one place that look the same way", NULL};
+  for (int i = 0; i < 3; i++) {
+    char *text = command_edit(command_data("box.yaml"), "parts:\n", twin);
+    text = command_edit(text, "AT", at[i]);
+    command_write("twin.yaml", text);
+    free(text);
+    struct command c = command_run("check", "twin.yaml", NULL);
+    assert_int_equal(c.code, 0);
+    assert_true(says[i] == NULL ? strstr(c.err, "in one place") == NULL
+                                : strstr(c.err, says[i]) != NULL);
+    command_release(&c);
+    if (i > 0) continue;
+    command_expect(0, "run", "twin.yaml", "--no-plots", "--out", "twin", NULL);
+    char *log = command_read("twin/log.txt");
+    assert_non_null(strstr(log, says[0]));
+    free(log);
+  }
+  /* two tetrahedra in one mesh, legs of 1 m and 2 m: (3 + sqrt 3)/2 m2 and four times that */
+  command_write("two.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 7 0 0\nv 5 2 0\nv 5 0 2\n"
+                "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+                "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
+  char *text = command_edit(command_data("box.yaml"), "box: {size_m: [1, 1, 1]}",
+                            "mesh: {file: two.obj}\n    interior: {capacity_J_K: 900, "
+                            "power_W: 1, conductance_W_K: 1}");
+  command_write("two.yaml", text);
+  free(text);
+  struct command c = command_run("check", "two.yaml", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.err, "part bus: its mesh holds 2 bodies that do not touch, of 2.366, "
+                                "9.464 m2: they share its interior"));
+  command_release(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -306,6 +352,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_text, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_counted_twice, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_map_and_attitude, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
   };
