@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "app/app.h"
+#include "app/run_bands.h"
 #include "app/run_pictures.h"
 #include "app/space_error.h"
 #include "app/terminal.h"
@@ -14,93 +15,6 @@
 #include "model/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
-
-/* Radiant energy toward the observer per material over the run, one band [W s/sr]. */
-static void material_energy(const struct um_model_result *r, size_t band, double *out)
-{
-  for (size_t m = 0; m < r->nmaterial; m++) out[m] = 0.0;
-  for (size_t k = 0; k < r->nobs; k++)
-    for (size_t m = 0; m < r->nmaterial; m++)
-      for (int i = 0; i < UM_MECHANISM_COUNT; i++)
-        out[m] += r->intensity[((k * r->nband + band) * r->nmaterial + m) * UM_MECHANISM_COUNT +
-                               (size_t)i];
-}
-
-/* What a run says of one band. */
-struct band_summary {
-  double low, high; /* intensity [W/sr] */
-  double error;     /* Monte-Carlo error of a total at most [1] */
-  size_t umbra;     /* instants in it, core/constants.h */
-  double umbra_sun; /* largest Sun term of those [W/sr] */
-  double umbra_low; /* their lowest total [W/sr] */
-};
-
-static struct band_summary band_summary(const struct um_model_precomputed *precomputed,
-                                        const struct um_model_result *r, size_t band)
-{
-  struct band_summary s = {INFINITY, 0.0, 0.0, 0, 0.0, INFINITY};
-  for (size_t k = 0; k < r->nobs; k++) {
-    double total = um_model_result_intensity(r, k, band, -1);
-    s.low = fmin(s.low, total);
-    s.high = fmax(s.high, total);
-    if (total > 0.0) s.error = fmax(s.error, r->standard_error[k * r->nband + band] / total);
-    if (precomputed->sunlit[k] > UM_UMBRA_MOST) continue;
-    s.umbra++;
-    s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
-    s.umbra_low = fmin(s.umbra_low, total);
-  }
-  return s;
-}
-
-static void print_band(const struct um_output_run *run, size_t band, double *energy)
-{
-  const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->precomputed, r, band);
-  double sum = 0.0;
-  size_t best = 0;
-  printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
-  if (s.umbra > 0)
-    printf(
-        "; %zu of %zu instants in the umbra: Sun term at most %.3g W/sr, total at least %.4g W/sr",
-        s.umbra, r->nobs, s.umbra_sun, s.umbra_low);
-  printf("; Monte-Carlo error at most %.2g %%\n", 100.0 * s.error);
-  material_energy(r, band, energy);
-  for (size_t m = 0; m < r->nmaterial; m++) {
-    sum += energy[m];
-    if (energy[m] > energy[best]) best = m;
-  }
-  printf("      most of it over the run: %s,",
-         um_geometry_material_name(run->model->geometry, best));
-  for (size_t m = 0; m < r->nmaterial; m++)
-    printf(" %s %.1f %%", um_geometry_material_name(run->model->geometry, m),
-           sum > 0.0 ? 100.0 * energy[m] / sum : 0.0);
-  printf("\n");
-}
-
-static void json_band(const struct um_output_run *run, size_t band, double *energy)
-{
-  const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->precomputed, r, band);
-  double sum = 0.0;
-  printf("{\"name\": ");
-  um_core_json_string(stdout, run->model->band[band].name);
-  um_core_json_field(stdout, ", ", "lowest_W_sr", s.low);
-  um_core_json_field(stdout, ", ", "highest_W_sr", s.high);
-  um_core_json_field(stdout, ", ", "relative_error", s.error);
-  printf(", \"umbra_instants\": %zu", s.umbra);
-  um_core_json_field(stdout, ", ", "umbra_sun_W_sr", s.umbra > 0 ? s.umbra_sun : (double)NAN);
-  um_core_json_field(stdout, ", ", "umbra_lowest_W_sr", s.umbra_low);
-  printf(", \"share_by_material\": {");
-  material_energy(r, band, energy);
-  for (size_t m = 0; m < r->nmaterial; m++) sum += energy[m];
-  for (size_t m = 0; m < r->nmaterial; m++) {
-    printf("%s", m > 0 ? ", " : "");
-    um_core_json_string(stdout, um_geometry_material_name(run->model->geometry, m));
-    printf(": ");
-    um_core_json_number(stdout, sum > 0.0 ? energy[m] / sum : 0.0);
-  }
-  printf("}}");
-}
 
 /* Mean, lowest and highest temperature of a place over the run [K]. */
 static void place_summary(const struct um_model_result *r, size_t place, double out[3])
@@ -168,13 +82,13 @@ static size_t hidden_count(const struct um_model_precomputed *precomputed)
   return n;
 }
 
-static void print_run(const struct um_output_run *run, const char *folder, double *energy)
+static void print_run(const struct um_output_run *run, const char *folder, double *work)
 {
   const struct um_model_result *r = run->result;
   printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
          run->model->scenario->name, r->nobs, r->nsurface, r->nnode, r->steps);
   print_heat(run->precomputed, r);
-  for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) print_band(run, b, energy);
+  for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) um_app_run_print_band(run, b, work);
   const struct um_model *model = run->model;
   if (!isnan(model->orbit_error))
     printf("two-line elements %.1f days %s: %.2g km, %.2g s of error along the track expected "
@@ -191,7 +105,7 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
   printf("results in %s\n", folder);
 }
 
-static void json_run(const struct um_output_run *run, const char *folder, double *energy)
+static void json_run(const struct um_output_run *run, const char *folder, double *work)
 {
   const struct um_model_result *r = run->result;
   printf("{\"name\": ");
@@ -208,7 +122,7 @@ static void json_run(const struct um_output_run *run, const char *folder, double
   printf(",\n  \"bands\": [");
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) {
     printf("%s\n    ", b > 0 ? "," : "");
-    json_band(run, b, energy);
+    um_app_run_json_band(run, b, work);
   }
   printf("]}\n");
 }
@@ -216,13 +130,15 @@ static void json_run(const struct um_output_run *run, const char *folder, double
 static enum um_status summarise(struct um_context *context, const struct um_output_run *run,
                                 const char *folder, bool json)
 {
-  double *energy = NULL;
-  UM_TRY(um_core_allocate(context, run->result->nmaterial, sizeof *energy, &energy));
+  const struct um_model_result *r = run->result;
+  size_t n = r->nmaterial > r->nobs ? r->nmaterial : r->nobs;
+  double *work = NULL;
+  UM_TRY(um_core_allocate(context, n, sizeof *work, &work));
   if (json)
-    json_run(run, folder, energy);
+    json_run(run, folder, work);
   else
-    print_run(run, folder, energy);
-  um_core_free(context, energy);
+    print_run(run, folder, work);
+  um_core_free(context, work);
   return UM_OK;
 }
 

@@ -1,5 +1,6 @@
 /* Pictures of a finished folder by gnuplot, from the CSV files that lie in it. The script is kept
  * beside them, so that a user can change a picture without computing again. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +10,6 @@
 #include "output/plot_impl.h"
 
 #define MAGNITUDES 12.5 /* below the brightest: UM_PLOT_LOG_FLOOR */
-#define SHARE      0.01 /* of the largest total: what is less is not drawn */
 
 /* Pixels. */
 #define MAGNITUDE    170
@@ -59,26 +59,26 @@ static bool has_magnitudes(const struct um_output_run *run, size_t band, const s
   return run->model->band[band].to <= UM_INFRARED_FROM && e->brightest <= e->faintest;
 }
 
-static void band_ordinate(struct um_plot *plot, const struct um_optics_band *band,
-                          const struct extent *e)
+/* Returns the least that the panel shows [W/sr]. */
+static double band_ordinate(struct um_plot *plot, const struct um_optics_band *band,
+                            const struct extent *e)
 {
   char name[200];
   snprintf(name, sizeof name, "%.150s %g–%g µm", band->name, band->from * 1e6, band->to * 1e6);
-  um_output_plot_ordinate(plot, name, "radiant intensity", "W/sr", e->largest, e->mean_lit);
+  return um_output_plot_ordinate(plot, name, "radiant intensity", "W/sr", e->largest, e->mean_lit);
 }
 
-static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
+/* Every mechanism that is seen beside the total has its curve and its name. */
+static void intensity(struct um_plot *plot, size_t band, const struct extent *e, double least)
 {
-  static const char *const title[] = {[UM_MECHANISM_SUN] = "Sun",
-                                      [UM_MECHANISM_EARTH] = "Earth",
-                                      [UM_MECHANISM_EMITTED] = "emitted",
-                                      [UM_MECHANISM_INTERREFLECTED] = "interreflected",
-                                      [UM_MECHANISM_OTHER] = "other"};
-  static const char *const colour[] = {[UM_MECHANISM_SUN] = "#e69f00",
-                                       [UM_MECHANISM_EARTH] = "#009e73",
-                                       [UM_MECHANISM_EMITTED] = "#777777",
-                                       [UM_MECHANISM_INTERREFLECTED] = "#cc79a7",
-                                       [UM_MECHANISM_OTHER] = "#56b4e9"};
+  static const struct {
+    const char *title, *colour;
+  } curve[] = {[UM_MECHANISM_SUN] = {"Sun", "#e69f00"},
+               [UM_MECHANISM_EARTH] = {"Earth", "#009e73"},
+               [UM_MECHANISM_EMITTED] = {"emitted", "#777777"},
+               [UM_MECHANISM_INTERREFLECTED] = {"interreflected", "#cc79a7"},
+               [UM_MECHANISM_OTHER] = {"Moon", "#56b4e9"}};
+  static_assert(sizeof curve / sizeof curve[0] == UM_MECHANISM_COUNT, "a mechanism has no name");
   static const char *const total[] = {"#1f4e9c", "#b3261e", "#3a7d34", "#7b3fa0"};
   size_t t = column_of(band, UM_LIGHTCURVE_TOTAL), s = column_of(band, UM_LIGHTCURVE_STDERR);
   um_plot_add(
@@ -89,11 +89,11 @@ static void intensity(struct um_plot *plot, size_t band, const struct extent *e)
       "linecolor rgb %s title 'total'",
       t, s, t, s, total[band % 4], t, total[band % 4]);
   for (size_t m = 0; m < UM_MECHANISM_COUNT; m++) {
-    if (m >= UM_MECHANISM_INTERREFLECTED && !(e->part[m] > SHARE * e->largest)) continue;
+    if (!(e->part[m] > least)) continue;
     um_plot_add(plot, ", '' every ::1 using (x(1)):(v(%zu)) with lines linewidth 1.3 ",
                 column_of(band, UM_LIGHTCURVE_MECHANISM + m));
-    if (m == UM_MECHANISM_SUN) um_plot_add(plot, "dashtype (8,5) ");
-    um_plot_add(plot, "linecolor rgb %s title %s", colour[m], title[m]);
+    if (m == UM_MECHANISM_SUN || m == UM_MECHANISM_OTHER) um_plot_add(plot, "dashtype (8,5) ");
+    um_plot_add(plot, "linecolor rgb %s title %s", curve[m].colour, curve[m].title);
   }
   um_plot_add(plot, "\n");
 }
@@ -128,12 +128,12 @@ static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
     struct extent e = extent_of(run, b);
     bool faint = has_magnitudes(run, b, &e);
     um_plot_panel(plot, UM_PLOT_LEFT, at, UM_PLOT_RIGHT, at + UM_PLOT_PANEL);
-    band_ordinate(plot, &run->model->band[b], &e);
+    double least = band_ordinate(plot, &run->model->band[b], &e);
     if (b + 1 == n && !faint) {
       um_plot_xnumbers(plot, true);
       um_plot_time_label(plot, &time);
     }
-    intensity(plot, b, &e);
+    intensity(plot, b, &e, least);
     at += UM_PLOT_PANEL + UM_PLOT_KEY;
     if (!faint) continue;
     um_plot_panel(plot, UM_PLOT_LEFT, at - UM_PLOT_KEY + GAP, UM_PLOT_RIGHT,

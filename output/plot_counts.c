@@ -7,7 +7,8 @@
 #include "output/csv_impl.h"
 #include "output/plot_impl.h"
 
-#define PEAK_CONTRAST 5.0 /* highest over mean in sunlight that asks for a logarithmic axis */
+#define SEEN          0.01 /* of the highest, on an axis that is not logarithmic */
+#define PEAK_CONTRAST 5.0  /* highest over mean in sunlight that asks for a logarithmic axis */
 
 /* Columns of counts.csv as gnuplot counts them, of the first sensor. */
 #define RATE 2
@@ -21,8 +22,8 @@ struct um_plot_time um_output_plot_time(const struct um_output_run *run)
   return um_plot_time(t->t_obs[0], t->t_obs[t->nobs - 1], start);
 }
 
-void um_output_plot_ordinate(struct um_plot *plot, const char *name, const char *what,
-                             const char *unit, double largest, double mean)
+double um_output_plot_ordinate(struct um_plot *plot, const char *name, const char *what,
+                               const char *unit, double largest, double mean)
 {
   char scaled[80], words[120];
   bool wide = largest > PEAK_CONTRAST * mean;
@@ -37,6 +38,7 @@ void um_output_plot_ordinate(struct um_plot *plot, const char *name, const char 
     um_plot_add(plot, "unset logscale y\nset yrange [0:%.6g]\nset format y '%%g'\n",
                 largest > 0.0 ? 1.06 * largest / power : 1.0);
   um_plot_add(plot, "v(i) = column(i) / %g\nup(v) = v > %g ? v : %g\n", power, least, least);
+  return wide ? least : SEEN * largest;
 }
 
 static void panel(struct um_plot *plot, const struct um_output_run *run, size_t s)

@@ -579,6 +579,143 @@ static void expect_drawn(const char *script, const char *band, const char *colum
   table_release(&t);
 }
 
+/* Every mechanism that is seen beside the total, and no other, has its curve and its name: above
+ * the lower end of a logarithmic axis, above a hundredth of the highest total else. Returns how
+ * many. */
+static size_t expect_named(const char *folder, const char *band, const char *scale)
+{
+  static const struct {
+    const char *column, *name;
+  } mechanism[] = {{"sun", "Sun"},
+                   {"earth", "Earth"},
+                   {"emitted", "emitted"},
+                   {"interreflected", "interreflected"},
+                   {"other", "Moon"}};
+  char path[64], text[64];
+  size_t named = 0;
+  snprintf(path, sizeof path, "%s/plots.gp", folder);
+  char *script = command_read(path);
+  snprintf(path, sizeof path, "%s/lightcurve.csv", folder);
+  struct table t = table_read(path);
+  snprintf(text, sizeof text, "'%s ", band);
+  char *panel = strstr(script, text), *plot = strstr(panel, "plot 'lightcurve.csv'");
+  *strchr(plot, '\n') = '\0';
+  const char *axis = strstr(panel, scale);
+  if (axis == NULL || axis > plot) fail_msg("%s, %s: no %s in\n%s", folder, band, scale, panel);
+  snprintf(text, sizeof text, "%s_intensity_W_sr", band);
+  double highest = 0.0, share = strcmp(scale, "\nset logscale y") == 0 ? 1e-5 : 0.01;
+  for (size_t k = 0; k < t.nrow; k++) highest = fmax(highest, table_number(&t, k, text));
+  for (size_t m = 0; m < sizeof mechanism / sizeof mechanism[0]; m++) {
+    double most = 0.0;
+    snprintf(text, sizeof text, "%s_%s_W_sr", band, mechanism[m].column);
+    for (size_t k = 0; k < t.nrow; k++) most = fmax(most, table_number(&t, k, text));
+    snprintf(text, sizeof text, "(v(%zu)) with lines", 1 + table_column(&t, text));
+    const char *curve = strstr(plot, text);
+    snprintf(text, sizeof text, " title '%s'", mechanism[m].name);
+    if ((curve != NULL) != (most > share * highest) ||
+        (strstr(plot, text) != NULL) != (curve != NULL))
+      fail_msg("%s, %s: '%s' reaches %g of %g in\n%s", folder, band, mechanism[m].name, most,
+               highest, plot);
+    named += curve != NULL;
+  }
+  table_release(&t);
+  free(script);
+  return named;
+}
+
+/* Sunlight and heat; the Moon alone in the umbra, and beside a low Sun and a bright Earth; on
+ * logarithmic axes, above their lower end and below it; light between surfaces. */
+static void test_mechanisms_named(void **state)
+{
+  (void)state;
+  static const char log[] = "\nset logscale y", linear[] = "\nunset logscale y";
+  static const struct {
+    const char *start, *stop, *step, *outside, *attitude;
+    size_t vis, lwir;
+    const char *scale;
+  } cases[] = {
+      {"2016-09-06T18:07:00Z", "2016-09-06T18:11:00Z", "60", "grey_white", "[{lvlh: {}}]", 1, 2,
+       linear},
+      {"2016-09-06T18:07:00Z", "2016-09-06T18:09:00Z", "60", "grey_white", "[{lvlh: {}}]", 1, 2,
+       linear},
+      {"2016-09-16T20:30:00Z", "2016-09-16T20:33:00Z", "60", "grey_white", "[{lvlh: {}}]", 2, 2,
+       linear},
+#define SPUN(period)                                                                               \
+  "[{spin: {axis_gcrs: [0.3, 0.2, 0.9], axis_body: [0, 0.6, 0.8], period_s: " period "}}]"
+      {"2016-09-16T20:18:00Z", "2016-09-16T20:21:40Z", "5", "cell_silicon", SPUN("90"), 2, 2, log},
+      {"2016-09-16T20:18:00Z", "2016-09-16T20:21:50Z", "5", "cell_silicon", SPUN("170"), 1, 2, log},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char set[5][128];
+    snprintf(set[0], sizeof set[0], "time.start_utc=%s", cases[i].start);
+    snprintf(set[1], sizeof set[1], "time.stop_utc=%s", cases[i].stop);
+    snprintf(set[2], sizeof set[2], "time.step_s=%s", cases[i].step);
+    snprintf(set[3], sizeof set[3], "parts.bus.outside=%s", cases[i].outside);
+    snprintf(set[4], sizeof set[4], "attitude=%s", cases[i].attitude);
+    command_expect(0, "run", "box.yaml", "--force", "--out", "drawn", "--set", set[0], "--set",
+                   set[1], "--set", set[2], "--set", set[3], "--set", set[4], NULL);
+    assert_int_equal(expect_named("drawn", "vis", cases[i].scale), cases[i].vis);
+    assert_int_equal(expect_named("drawn", "lwir", linear), cases[i].lwir);
+  }
+  command_copy_data("two_parts.yaml");
+  command_expect(0, "run", "two_parts.yaml", "--out", "two", NULL);
+  assert_int_equal(expect_named("two", "vis", linear), 2);
+  assert_int_equal(expect_named("two", "lwir", linear), 3);
+}
+
+static double said(const struct command *c, const char *band, const char *what, const char *text)
+{
+  const char *at = strstr(c->out, band);
+  at = at != NULL ? strstr(at, what) : NULL;
+  at = at != NULL ? strstr(at, text) : NULL;
+  if (at == NULL) fail_msg("no '%s', '%s', '%s' in\n%s", band, what, text, c->out);
+  return strtod(at + strlen(text), NULL);
+}
+
+static int by_size(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* The Monte-Carlo error that a run states of each band is that of its table: the median, and how
+ * many instants of those with light are above 5 %. */
+static void test_error_stated(void **state)
+{
+  (void)state;
+  struct command text =
+      command_run("run", "two_parts.yaml", "--no-plots", "--out", "out", "--force", NULL);
+  struct command json =
+      command_run("run", "two_parts.yaml", "--no-plots", "--out", "out", "--json", NULL);
+  struct table t = table_read("out/lightcurve.csv");
+  for (size_t b = 0; b < 2; b++) {
+    double error[16], above = 0.0;
+    size_t n = 0;
+    assert_true(t.nrow <= 16);
+    for (size_t k = 0; k < t.nrow; k++) {
+      double total = band_number(&t, k, bands[b], "intensity_W_sr");
+      if (!(total > 0.0)) continue;
+      error[n] = band_number(&t, k, bands[b], "stderr_W_sr") / total;
+      above += error[n++] > 0.05 ? 1.0 : 0.0;
+    }
+    qsort(error, n, sizeof *error, by_size);
+    double median = 0.5 * (error[(n - 1) / 2] + error[n / 2]);
+    char name[2][32];
+    snprintf(name[0], sizeof name[0], "\"name\": \"%s\"", bands[b]);
+    snprintf(name[1], sizeof name[1], "\n%-5s ", bands[b]);
+    assert_true(fabs(said(&json, name[0], "", "\"relative_error_median\": ") - median) <=
+                1e-6 * median);
+    assert_true(said(&json, name[0], "", "\"instants_above_5_percent\": ") == above);
+    assert_true(fabs(said(&text, name[1], "Monte-Carlo", " error ") - 100.0 * median) <=
+                0.05 * 100.0 * median); /* two digits */
+    assert_true(said(&text, name[1], "Monte-Carlo", "above 5 % at ") == above);
+    assert_true((b == 0) == (above > 0.0 && above < (double)n));
+  }
+  table_release(&t);
+  command_release(&text);
+  command_release(&json);
+}
+
 /* With gnuplot three pictures, each of three kinds; without it a warning and everything else. */
 static void test_pictures(void **state)
 {
@@ -636,6 +773,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_age_of_elements, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_long_names, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_other_observers, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_mechanisms_named, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_error_stated, enter_two_parts, command_leave),
       cmocka_unit_test_setup_teardown(test_pictures, enter_box, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
