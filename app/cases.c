@@ -21,18 +21,22 @@ static size_t print_case(const struct um_model_cases *cases, const struct um_mod
 {
   size_t exceeded = 0;
   printf("case %s, %s\n", c->name, um_model_analysis_name(c->analysis));
-  printf("%-28s %9s %9s %9s %9s %9s %9s\n", "place [K]", "mean", "lowest", "highest", "minimum",
-         "maximum", "margin");
+  printf("%-28s %9s %9s %9s %9s %9s %9s %9s\n", "place [K]", "mean", "lowest", "highest", "minimum",
+         "maximum", "uncertain", "margin");
   for (size_t p = 0; p < c->nplace; p++) {
     const struct um_model_case_place *place = &c->place[p];
     if (!um_output_case_shows(cases, place)) continue;
-    double margin = um_model_case_margin(place);
     printf("%-28s", place->name);
-    const double cell[] = {place->mean,    place->lowest,  place->highest,
-                           place->minimum, place->maximum, margin};
+    const double cell[] = {place->mean,
+                           place->lowest,
+                           place->highest,
+                           place->minimum,
+                           place->maximum,
+                           place->uncertainty,
+                           um_model_case_margin(place)};
     for (size_t k = 0; k < sizeof cell / sizeof cell[0]; k++) print_cell(cell[k]);
-    printf("%s\n", margin < 0.0 ? "  EXCEEDED" : "");
-    exceeded += margin < 0.0 ? 1 : 0;
+    printf("%s\n", um_model_case_exceeded(place) ? "  EXCEEDED" : "");
+    exceeded += um_model_case_exceeded(place) ? 1 : 0;
   }
   return exceeded;
 }
@@ -75,10 +79,12 @@ static size_t json_cases(const struct um_model_cases *cases, const char *folder)
       um_core_json_field(stdout, ", ", "highest_K", place->highest);
       um_core_json_field(stdout, ", ", "minimum_K", place->minimum);
       um_core_json_field(stdout, ", ", "maximum_K", place->maximum);
+      um_core_json_field(stdout, ", ", "uncertainty_K", place->uncertainty);
       um_core_json_field(stdout, ", ", "margin_low_K", place->margin_low);
       um_core_json_field(stdout, ", ", "margin_high_K", place->margin_high);
-      printf("}");
-      exceeded += um_model_case_margin(place) < 0.0 ? 1 : 0;
+      bool over = um_model_case_exceeded(place);
+      printf(", \"exceeded\": %s}", over ? "true" : "false");
+      exceeded += over ? 1 : 0;
     }
     printf("]}");
   }

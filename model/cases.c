@@ -55,7 +55,8 @@ static void options_clear(struct um_context *context, struct um_model_options *o
 static void limit_place(const struct um_model *model, struct um_model_case_place *place)
 {
   const struct um_scenario_limit *limit = model->scenario->limits.items;
-  place->minimum = place->maximum = place->margin_low = place->margin_high = NAN;
+  place->minimum = place->maximum = place->uncertainty = NAN;
+  place->margin_low = place->margin_high = NAN;
   for (size_t i = 0; i < model->scenario->limits.count; i++) {
     if (strcmp(limit[i].of, place->name) != 0) continue;
     place->minimum = limit[i].minimum_K;

@@ -13,7 +13,8 @@ enum um_model_analysis {
 const char *um_model_analysis_name(enum um_model_analysis analysis);
 
 /* A place in a case [K]. Bounds and margins are NaN where there is none; uncertainty: of what is
- * computed; margins: lowest - uncertainty - minimum and maximum - uncertainty - highest. */
+ * computed, NaN without a limit; margins: lowest - uncertainty - minimum and maximum - uncertainty
+ * - highest. */
 struct um_model_case_place {
   char *name;
   double mean, lowest, highest; /* over nodes and instants; mean by area, or by capacity inside */
@@ -45,6 +46,13 @@ static inline double um_model_case_margin(const struct um_model_case_place *plac
 {
   double low = place->margin_low, high = place->margin_high;
   return low < high || high != high ? low : high;
+}
+
+/* Is a limit exceeded, the uncertainty taken off? The rule of table, JSON, picture and exit status.
+ */
+static inline bool um_model_case_exceeded(const struct um_model_case_place *place)
+{
+  return um_model_case_margin(place) < 0.0;
 }
 
 #endif

@@ -1,4 +1,5 @@
 /* The verbs beside run: what they print, and that their JSON is JSON. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -257,6 +258,79 @@ static void test_cases(void **state)
   assert_int_equal(code, 1 << 8);
 }
 
+/* Does a text that begins with `from` say that a limit is exceeded? Frees it. */
+static bool says_exceeded(char *text, const char *from, const char *word)
+{
+  const char *at = strstr(text, from);
+  if (at == NULL) fail_msg("no %s in\n%s", from, text);
+  bool said = strstr(at, word) != NULL;
+  free(text);
+  return said;
+}
+
+/* Table, JSON, picture and exit status agree whether a limit is exceeded: a place 3 K inside its
+ * bound is so with an uncertainty of 4 K, which the picture shows, and not with 2 K or none. Names
+ * stand in the picture as they are written. */
+static void test_uncertain_limits(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *uncertainty;
+    double value;
+    bool exceeded;
+  } cases[] = {
+      {"", 0.0, false}, {", uncertainty_K: 2", 2.0, false}, {", uncertainty_K: 4", 4.0, true}};
+  command_copy_data("box.yaml");
+  command_expect(0, "cases", "box.yaml", "--no-plots", "--out", "first", NULL);
+  char *csv = command_read("first/limits.csv");
+  const char *row = strstr(csv, "\nnominal,transient,bus,");
+  double mean, lowest, highest;
+  assert_int_equal(
+      sscanf(row, "\nnominal,transient,bus,%lf,%lf,%lf,,,,,", &mean, &lowest, &highest), 3);
+  /* no limit, no uncertainty of one */
+  char *end = strchr(row + 1, '\n');
+  *end = '\0';
+  assert_string_equal(end - 5, ",,,,,");
+  free(csv);
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char set[160], bar[200];
+    snprintf(set, sizeof set, "limits.+={of: bus, minimum_K: 10, maximum_K: %.9g%s}", highest + 3.0,
+             cases[i].uncertainty);
+    const char *const plain[] = {"cases", "box.yaml", "--out",
+                                 "out",   "--force",  "--set",
+                                 set,     "--set",    "cases={hot_case: {}}",
+                                 NULL};
+    const char *const json[] = {
+        "cases", "box.yaml", "--json", "--no-plots",           "--out", "out", "--force",
+        "--set", set,        "--set",  "cases={hot_case: {}}", NULL};
+    struct command c = command_run_list(json);
+    assert_int_equal(c.code, cases[i].exceeded);
+    snprintf(bar, sizeof bar, "\"uncertainty_K\": %g, ", cases[i].value);
+    assert_non_null(strstr(c.out, bar));
+    assert_true(says_exceeded(strdup(c.out), "\"name\": \"bus\"", "\"exceeded\": true") ==
+                cases[i].exceeded);
+    command_release(&c);
+    c = command_run_list(plain);
+    assert_int_equal(c.code, cases[i].exceeded);
+    assert_true(says_exceeded(strdup(c.out), "\nbus ", "EXCEEDED\n") == cases[i].exceeded);
+    command_release(&c);
+    char *script = command_read("out/limits.gp"), *bars = strstr(script, "\n$bars << EOD\n");
+    double drawn[7];
+    assert_non_null(bars);
+    assert_int_equal(sscanf(bars, "\n$bars << EOD\n%lf,%lf,%lf,%lf,%lf,%lf,%lf\n", &drawn[0],
+                            &drawn[1], &drawn[2], &drawn[3], &drawn[4], &drawn[5], &drawn[6]),
+                     7);
+    assert_true(fabs(drawn[5] - highest - 3.0) < 1e-3 && fabs(drawn[3] - highest) < 2.0);
+    assert_true(fabs(drawn[6] - cases[i].value) < 1e-4);
+    snprintf(bar, sizeof bar, "set label '%.2f K%s' at graph 1.01,", 3.0 - cases[i].value,
+             cases[i].exceeded ? " EXCEEDED" : "");
+    assert_non_null(strstr(script, bar));
+    assert_non_null(strstr(script, "($3-$7):($4+$7)"));
+    assert_non_null(strstr(script, "\nset key noenhanced\n"));
+    free(script);
+  }
+}
+
 /* Exchange: what is written is taken in again, and refused by another satellite. */
 static void test_exchange(void **state)
 {
@@ -353,6 +427,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_failures, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_cases, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_counted_twice, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_uncertain_limits, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_map_and_attitude, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_full_standard_output, command_enter, command_leave),
   };
