@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "compare/figures.h"
+#include "compare/predict.h"
+#include "compare/shade.h"
 #include "orbit/time.h"
 #include "plot/plot.h"
 
@@ -26,102 +28,183 @@ struct rows {
   size_t first, last;
 };
 
-static double largest_of(const struct um_compare_comparison *c, size_t i)
+/* What the panels of a channel show. */
+struct shown {
+  const struct um_compare_comparison *c;
+  const struct um_compare_channel_comparison *channel;
+  const struct um_compare_channel *of;
+  struct rows rows;
+  size_t number;      /* of the curve */
+  bool few, weighted; /* residuals are in sigma */
+  double *curve;      /* [nobs] model at every observation of the run, of any channel */
+  struct um_plot_range values, residuals;
+  double unit;     /* of values */
+  char words[120]; /* "[mag]" */
+};
+
+static bool is_linear_light(enum um_compare_quantity quantity)
 {
-  const struct um_compare_channel_comparison *channel = &c->channel[i];
-  double largest = 0.0;
-  for (size_t k = 0; k < channel->count; k++) {
-    size_t row = channel->row[k];
-    double model = isnan(c->model[row]) ? 0.0 : fabs(c->model[row]);
-    largest = fmax(largest, fmax(fabs(c->run.plan->measurements->row[row].value), model));
-  }
-  return largest;
+  return !um_compare_is_magnitude(quantity) && quantity != UM_QUANTITY_TEMPERATURE &&
+         !um_compare_is_grey_body(quantity);
 }
 
-static void values(struct um_plot *plot, const struct um_compare_comparison *c, size_t i,
-                   struct rows rows)
+/* Axes: of what is measured and of the model, and of residuals. */
+static enum um_status ranges(struct um_context *context, struct shown *s)
 {
-  const struct um_compare_channel *of = &c->run.plan->measurements->channel[c->channel[i].channel];
-  bool few = c->channel[i].count <= FEW;
-  char name[200], unit[80], words[120];
-  um_compare_channel_words(of, name, sizeof name);
-  double power = um_plot_power(um_compare_is_magnitude(of->quantity) ? 1.0 : largest_of(c, i),
-                               um_compare_quantity_unit(of->quantity), unit);
-  snprintf(words, sizeof words, "[%s]", unit);
-  um_plot_ylabel(plot, name, words);
+  const struct um_compare_comparison *c = s->c;
+  size_t n = s->channel->count;
+  bool light = is_linear_light(s->of->quantity);
+  double *all = NULL;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, 3 * n, sizeof *all, &all));
+  const struct um_plot_values of[] = {{all, n, UM_PLOT_MOST},
+                                      {all + n, n, UM_PLOT_MIDDLE},
+                                      {s->curve, c->run.precomputed->nobs, UM_PLOT_NEAR}};
+  const struct um_plot_values residual = {all + 2 * n, n, UM_PLOT_MOST};
+  for (size_t k = 0; k < n; k++) {
+    size_t row = s->channel->row[k];
+    bool none = s->weighted && isnan(c->sigma[row]);
+    all[k] = c->run.plan->measurements->row[row].value;
+    all[n + k] = c->model[row];
+    all[2 * n + k] = none          ? (double)NAN
+                     : s->weighted ? um_compare_normalised(c, row)
+                                   : c->residual[row];
+  }
+  UM_CHECK(um_plot_range(context, &residual, 1, 0.0, UM_PLOT_STRETCH, &s->residuals));
+  UM_CHECK(um_plot_range(context, of, 3, NAN, light ? UM_PLOT_STRETCH_LIGHT : UM_PLOT_STRETCH,
+                         &s->values));
+done:
+  um_core_free(context, all);
+  return status;
+}
+
+static enum um_status shown_of(struct um_context *context, const struct um_compare_comparison *c,
+                               size_t i, struct rows rows, struct shown *out)
+{
+  const struct um_compare_run *run = &c->run;
+  struct shown s = {.c = c, .channel = &c->channel[i], .rows = rows, .number = i};
+  char unit[80];
+  s.of = &run->plan->measurements->channel[s.channel->channel];
+  s.few = s.channel->count <= FEW;
+  s.weighted = !isnan(s.channel->all.chi2);
+  UM_TRY(um_core_allocate(context, run->precomputed->nobs, sizeof *s.curve, &s.curve));
+  for (size_t k = 0; k < run->precomputed->nobs; k++)
+    s.curve[k] =
+        um_compare_predict_at(run->plan, run->precomputed, run->result, s.channel->channel, k);
+  enum um_status status = ranges(context, &s);
+  double largest = fmax(fabs(s.values.low), fabs(s.values.high));
+  s.unit = um_plot_power(um_compare_is_magnitude(s.of->quantity) ? 1.0 : largest,
+                         um_compare_quantity_unit(s.of->quantity), unit);
+  snprintf(s.words, sizeof s.words, "[%s]", unit);
+  if (status != UM_OK) um_core_free(context, s.curve);
+  *out = s;
+  return status;
+}
+
+static enum um_status values(struct um_context *context, struct um_plot *plot,
+                             const struct um_plot_time *time, const struct shown *s)
+{
+  const struct um_model_precomputed *t = s->c->run.precomputed;
+  bool points = s->c->run.model->points;
+  size_t first = s->rows.first, last = s->rows.last;
+  char name[200];
+  double gap;
+  UM_TRY(um_plot_gap(context, t->nobs, t->t_obs, &gap));
+  um_compare_channel_words(s->of, name, sizeof name);
+  um_plot_ylabel(plot, name, s->words);
+  um_plot_ordinate(plot, &s->values, s->unit, um_compare_is_magnitude(s->of->quantity));
+  if (!points) um_plot_curve(plot, time, s->number, t->nobs, t->t_obs, s->curve, gap);
   um_plot_add(plot,
               "y(i) = column(i) / %g\ns(i) = strcol(i) eq '' ? 0 : column(i) / %g\n"
               "plot 'residuals.csv' every ::%zu::%zu using (x(1)):(y(4)-s(6)):(0):(2*s(6)) with "
               "vectors nohead linewidth 0.9 linecolor rgb '#8a8a8a' notitle, '' every ::%zu::%zu "
               "using (x(1)):(y(4)) with points pointtype 7 pointsize %g linecolor rgb '#444444' "
-              "title 'measured', '' every ::%zu::%zu using (x(1)):(y(5)) with ",
-              power, power, rows.first, rows.last, rows.first, rows.last, few ? 0.4 : 0.25,
-              rows.first, rows.last);
-  if (c->run.model->points)
-    um_plot_add(plot, "points pointtype 6 pointsize 0.6 ");
+              "title 'measured', ",
+              s->unit, s->unit, first, last, first, last, s->few ? 0.4 : 0.25);
+  if (points)
+    um_plot_add(plot,
+                "'' every ::%zu::%zu using (x(1)):(y(5)) with points pointtype 6 pointsize 0.6 "
+                "linecolor rgb '#b3261e' title 'model'",
+                first, last);
   else
-    um_plot_add(plot, "lines linewidth 2 ");
-  um_plot_add(plot, "linecolor rgb '#b3261e' title 'model'\n");
+    um_plot_add(plot,
+                "$curve%zu using 1:($2/%g) with linespoints linewidth 2 pointtype 7 pointsize 0.15 "
+                "linecolor rgb '#b3261e' title 'model'",
+                s->number, s->unit);
+  if (s->values.cut)
+    um_plot_add(plot,
+                ", 'residuals.csv' every ::%zu::%zu using (x(1)):(edge(y(4))) with points "
+                "pointtype 12 linecolor rgb '#444444' notitle, '' every ::%zu::%zu using "
+                "(x(1)):(edge(y(5))) with points pointtype 12 linecolor rgb '#b3261e' notitle",
+                first, last, first, last);
+  um_plot_add(plot, "\n");
+  return UM_OK;
 }
 
-static void residuals(struct um_plot *plot, const struct um_compare_comparison *c, size_t i,
-                      struct rows rows)
+static void residuals(struct um_plot *plot, const struct shown *s)
 {
-  const struct um_compare_channel *of = &c->run.plan->measurements->channel[c->channel[i].channel];
-  bool weighted = !isnan(c->channel[i].all.chi2);
+  size_t first = s->rows.first, last = s->rows.last;
   char unit[80], words[120];
-  double largest = 0.0;
-  for (size_t k = 0; k < c->channel[i].count; k++) {
-    double residual = c->residual[c->channel[i].row[k]];
-    if (isfinite(residual)) largest = fmax(largest, fabs(residual));
-  }
-  double power =
-      um_plot_power(weighted ? 1.0 : largest, um_compare_residual_unit(of->quantity), unit);
+  double power = um_plot_power(s->weighted ? 1.0 : fmax(-s->residuals.low, s->residuals.high),
+                               um_compare_residual_unit(s->of->quantity), unit);
   snprintf(words, sizeof words, "[%s]", unit);
-  um_plot_ylabel(plot, weighted ? "" : "measured − model",
-                 weighted ? "(measured − model) / σ" : words);
+  um_plot_ylabel(plot, s->weighted ? "" : "measured − model",
+                 s->weighted ? "(measured − model) / σ" : words);
+  um_plot_ordinate(plot, &s->residuals, power, false);
   um_plot_add(plot, "plot 0 with lines linecolor rgb '#888888' notitle, ");
-  if (weighted)
+  if (s->weighted)
     um_plot_add(plot, "1 with lines dashtype (3,4) linecolor rgb '#888888' notitle, -1 with lines "
                       "dashtype (3,4) linecolor rgb '#888888' notitle, ");
+  int column = s->weighted ? 8 : 7;
   um_plot_add(plot,
               "'residuals.csv' every ::%zu::%zu using (x(1)):(column(%d) / %g) with points "
-              "pointtype 7 pointsize %g linecolor rgb '#1f4e9c' notitle\n",
-              rows.first, rows.last, weighted ? 8 : 7, power,
-              c->channel[i].count <= FEW ? 0.5 : 0.25);
+              "pointtype 7 pointsize %g linecolor rgb '#1f4e9c' notitle",
+              first, last, column, power, s->few ? 0.5 : 0.25);
+  if (s->residuals.cut)
+    um_plot_add(plot,
+                ", '' every ::%zu::%zu using (x(1)):(edge(column(%d) / %g)) with points pointtype "
+                "12 linecolor rgb '#1f4e9c' notitle",
+                first, last, column, power);
+  um_plot_add(plot, "\n");
+}
+
+static void title(struct um_plot *plot, const struct shown *s)
+{
+  char text[300];
+  um_compare_channel_words(s->of, text, sizeof text);
+  size_t n = strlen(text);
+  if (!isnan(s->channel->all.chi2_reduced))
+    snprintf(text + n, sizeof text - n, ": %zu observations, reduced χ² %.3g",
+             s->channel->all.count, s->channel->all.chi2_reduced);
+  um_plot_title(plot, s->c->run.model->scenario->name, text);
 }
 
 static enum um_status picture(struct um_context *context, struct um_plot *plot,
                               const struct um_compare_comparison *c, size_t i, struct rows rows)
 {
   const struct um_model_precomputed *t = c->run.precomputed;
-  const struct um_compare_channel_comparison *channel = &c->channel[i];
-  const struct um_compare_channel *of = &c->run.plan->measurements->channel[channel->channel];
-  char start[32], *name = NULL, text[300];
+  struct shown s;
+  enum um_status status;
+  char start[32], *name = NULL;
   um_orbit_time_format(t->t_obs[0], start);
   struct um_plot_time time = um_plot_time(t->t_obs[0], t->t_obs[t->nobs - 1], start);
-  UM_TRY(um_compare_channel_file(context, of, &name));
+  UM_TRY(shown_of(context, c, i, rows, &s));
+  UM_CHECK(um_compare_channel_file(context, s.of, &name));
   um_plot_picture(plot, name, WIDTH, TOP + VALUES + GAP + RESIDUAL + BELOW);
-  um_core_free(context, name);
-  um_compare_channel_words(of, text, sizeof text);
-  size_t n = strlen(text);
-  if (!isnan(channel->all.chi2_reduced))
-    snprintf(text + n, sizeof text - n, ": %zu observations, reduced χ² %.3g", channel->all.count,
-             channel->all.chi2_reduced);
-  um_plot_title(plot, c->run.model->scenario->name, text);
+  title(plot, &s);
   um_plot_time_axis(plot, &time);
-  um_plot_shade(plot, &time, t->nobs, t->t_obs, t->sunlit);
+  UM_CHECK(um_compare_plot_shade(context, c->run.model, &time, plot));
   um_plot_xnumbers(plot, false);
   um_plot_panel(plot, LEFT, TOP, RIGHT, TOP + VALUES);
-  um_plot_add(plot, um_compare_is_magnitude(of->quantity) ? "set yrange [*:*] reverse\n"
-                                                          : "set yrange [*:*] noreverse\n");
-  values(plot, c, i, rows);
+  UM_CHECK(values(context, plot, &time, &s));
   um_plot_panel(plot, LEFT, TOP + VALUES + GAP, RIGHT, TOP + VALUES + GAP + RESIDUAL);
-  um_plot_add(plot, "set yrange [*:*] noreverse\n");
   um_plot_xnumbers(plot, true);
   um_plot_time_label(plot, &time);
-  residuals(plot, c, i, rows);
-  return UM_OK;
+  residuals(plot, &s);
+done:
+  um_core_free(context, name);
+  um_core_free(context, s.curve);
+  return status;
 }
 
 enum um_status um_compare_plot(struct um_context *context,

@@ -252,16 +252,38 @@ static enum um_status refuse_hidden(struct um_context *context,
                       m->path, m->row[row].line, m->time_column, lowest / UM_DEG);
 }
 
-/* Temperature or area of all thermal bands together. */
-static enum um_status predict_grey_body(struct um_context *context,
-                                        const struct um_compare_measurements *m, size_t row,
-                                        const struct um_model_result *result, size_t k,
-                                        double *value)
+/* Temperature or area of all thermal bands together; NaN where no grey body fits. */
+static double grey_body_of(enum um_compare_quantity quantity, const struct um_model_result *result,
+                           size_t k)
+{
+  const struct um_instrument_grey_body *one = &result->grey_body[k].one;
+  if (one->n == 0) return NAN;
+  return quantity == UM_QUANTITY_INFRARED_CROSS_SECTION ? one->area[0] : one->temperature[0];
+}
+
+double um_compare_predict_at(const struct um_compare_plan *plan,
+                             const struct um_model_precomputed *precomputed,
+                             const struct um_model_result *result, size_t channel, size_t k)
+{
+  enum um_compare_quantity quantity = plan->measurements->channel[channel].quantity;
+  size_t s = plan->source[channel];
+  if (quantity == UM_QUANTITY_TEMPERATURE) return result->place[s].mean[k];
+  if (um_compare_is_grey_body(quantity)) return grey_body_of(quantity, result, k);
+  if (quantity == UM_QUANTITY_RADIANT_INTENSITY) /* the satellite's own */
+    return result->measured_intensity[k * result->nband + s];
+  if (precomputed->hidden[k]) return NAN;
+  if (quantity == UM_QUANTITY_BAND_IRRADIANCE) return result->irradiance[k * result->nband + s];
+  if (quantity == UM_QUANTITY_COUNT_RATE) return result->count_rate[k * result->nsensor + s];
+  double vega = quantity == UM_QUANTITY_MAGNITUDE_VEGA ? result->vega_ab[s] : 0.0;
+  return result->magnitude_ab[k * result->nband + s] - vega;
+}
+
+/* A row for which the model has no value. */
+static enum um_status refuse(struct um_context *context, const struct um_compare_measurements *m,
+                             size_t row, const struct um_model_precomputed *precomputed, size_t k)
 {
   enum um_compare_quantity quantity = m->channel[m->row[row].channel].quantity;
-  const struct um_instrument_grey_body *one = &result->grey_body[k].one;
-  *value = quantity == UM_QUANTITY_INFRARED_CROSS_SECTION ? one->area[0] : one->temperature[0];
-  if (one->n > 0) return UM_OK;
+  if (!um_compare_is_grey_body(quantity)) return refuse_hidden(context, m, row, precomputed, k);
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: column 'quantity': %s: no grey body fits the model's light of this "
                       "time; accepted: light above 0 in the thermal bands, or a flag that leaves "
@@ -275,26 +297,14 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
 {
   const struct um_compare_measurements *m = plan->measurements;
   for (size_t i = 0; i < m->count; i++) {
-    size_t k = plan->observation[i], channel = m->row[i].channel, s = plan->source[channel];
+    size_t k = plan->observation[i];
+    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
     value[i] = NAN;
     if (k == UM_COMPARE_NOWHERE) continue;
-    enum um_compare_quantity quantity = m->channel[channel].quantity;
-    if (quantity == UM_QUANTITY_TEMPERATURE) {
-      value[i] = result->place[s].mean[k];
-    } else if (um_compare_is_grey_body(quantity)) {
-      UM_TRY(predict_grey_body(context, m, i, result, k, &value[i]));
-    } else if (quantity == UM_QUANTITY_RADIANT_INTENSITY) {
-      value[i] = result->measured_intensity[k * result->nband + s]; /* the satellite's own */
-    } else if (precomputed->hidden[k]) {
-      return refuse_hidden(context, m, i, precomputed, k);
-    } else if (quantity == UM_QUANTITY_BAND_IRRADIANCE) {
-      value[i] = result->irradiance[k * result->nband + s];
-    } else if (quantity == UM_QUANTITY_COUNT_RATE) {
-      value[i] = result->count_rate[k * result->nsensor + s];
-    } else {
-      value[i] = result->magnitude_ab[k * result->nband + s];
-      if (quantity == UM_QUANTITY_MAGNITUDE_VEGA) value[i] -= result->vega_ab[s];
-    }
+    value[i] = um_compare_predict_at(plan, precomputed, result, m->row[i].channel, k);
+    bool sky = quantity != UM_QUANTITY_TEMPERATURE && quantity != UM_QUANTITY_RADIANT_INTENSITY;
+    if (sky && (um_compare_is_grey_body(quantity) ? isnan(value[i]) : precomputed->hidden[k]))
+      return refuse(context, m, i, precomputed, k);
   }
   return UM_OK;
 }

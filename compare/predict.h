@@ -58,6 +58,12 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
                                   const struct um_model_precomputed *precomputed,
                                   const struct um_model_result *result, double *value);
 
+/* The same of a channel with a source at observation k, whether or not a row is measured then; NaN
+ * where um_compare_predict refuses a row. */
+double um_compare_predict_at(const struct um_compare_plan *plan,
+                             const struct um_model_precomputed *precomputed,
+                             const struct um_model_result *result, size_t channel, size_t k);
+
 /* Standard error of those values by the sampling of the model: sigma of each observation in linear
  * flux (magnitudes: of the flux relative to magnitude 0), shape [count of the set]; NaN for rows
  * that are left out, 0 for temperatures, whose error the model does not state. All instants look at

@@ -10,6 +10,8 @@
 #ifndef UMBRA_PLOT_PLOT_H
 #define UMBRA_PLOT_PLOT_H
 
+#include <stdbool.h>
+
 #include "core/context.h"
 
 struct um_plot;
@@ -76,5 +78,45 @@ void um_plot_time_label(struct um_plot *plot, const struct um_plot_time *time);
  * halfway to the neighbours. t_tai rising and sunlit fraction, both [count]. */
 void um_plot_shade(struct um_plot *plot, const struct um_plot_time *time, size_t count,
                    const double *t_tai, const double *sunlit);
+
+/* ---- axes that outliers do not set, curves with gaps ---- */
+
+#define UM_PLOT_STRETCH 1.0 /* of an axis by values that are few: a third is left */
+#define UM_PLOT_STRETCH_LIGHT                                                                      \
+  9.0 /* of light in linear units, where peaks are what one looks for                              \
+       */
+
+/* What an axis holds of a set: all but the last twentieth at either end (3 of fewer than 60, at
+ * most a fifth), as of measurements; the middle half, as of a model; nothing for its own sake. */
+enum um_plot_shown { UM_PLOT_MOST, UM_PLOT_MIDDLE, UM_PLOT_NEAR };
+struct um_plot_values {
+  const double *value; /* [n]; what is not finite is left out */
+  size_t n;
+  enum um_plot_shown shown;
+};
+/* An axis that holds what it must, and all else within `stretch` times that length. */
+struct um_plot_range {
+  double low, high;       /* of the axis, with a margin */
+  bool cut;               /* a value lies beyond it */
+  size_t below, above;    /* of the sets of UM_PLOT_MOST, beyond it */
+  double lowest, highest; /* of the same; NaN: none is finite */
+};
+/* anchor: a value that the axis always holds, NaN for none. 0 to 1 without values. UM_ERR_MEMORY.
+ */
+enum um_status um_plot_range(struct um_context *context, const struct um_plot_values *set,
+                             size_t nset, double anchor, double stretch, struct um_plot_range *out);
+/* The vertical axis of the next panels, in units of `unit`, with a line that says how many of
+ * UM_PLOT_MOST lie beyond it and how far. edge(v) is then the end of the axis beyond which v lies,
+ * NaN for a v on the axis: where the caller marks what is cut. */
+void um_plot_ordinate(struct um_plot *plot, const struct um_plot_range *range, double unit,
+                      bool reverse);
+
+/* Step of times [n], ascending, beyond which a curve has a gap: eight median ones [s]; INFINITY for
+ * fewer than three. UM_ERR_MEMORY. */
+enum um_status um_plot_gap(struct um_context *context, size_t n, const double *t, double *out);
+/* The table $curveNUMBER, place on the axis of time and value, with an empty line, at which a curve
+ * stops, wherever times are further apart than `gap` [s] or a value is not finite. */
+void um_plot_curve(struct um_plot *plot, const struct um_plot_time *time, size_t number, size_t n,
+                   const double *t, const double *value, double gap);
 
 #endif

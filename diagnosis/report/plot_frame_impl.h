@@ -1,4 +1,5 @@
-/* What the pictures of a diagnosis share: size, axis of time, shadow. Private to diagnosis/report/.
+/* What the pictures of a diagnosis share: size, axis of time, verdict. Private to
+ * diagnosis/report/.
  */
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
@@ -13,10 +14,7 @@
 
 /* The axis of time from t_tai `first` to `last`. */
 struct um_plot_time um_diagnosis_report_plot_time(double first, double last);
-/* The Earth's shadow behind what is drawn from here on. */
-enum um_status um_diagnosis_report_plot_shade(struct um_context *context,
-                                              const struct um_diagnosis *diagnosis,
-                                              const struct um_plot_time *time,
-                                              struct um_plot *plot);
+/* The verdict and what was added: "not identifiable: emittance of white (drawn) or albedo". */
+void um_diagnosis_report_plot_verdict(const struct um_diagnosis *diagnosis, char *out, size_t size);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/shade.h"
 #include "diagnosis/report/channels.h"
 #include "diagnosis/report/plot_frame_impl.h"
 #include "diagnosis/report/plot_ranking_impl.h"
@@ -217,6 +218,34 @@ enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
 
 #define HEAT 360 /* height of the panel [pixels] */
 
+/* By the heat and its pulse; what is known worse than a few times either leaves the axis. Returns
+ * the unit of the axis [W] in *unit. */
+static enum um_status heat_axis(struct um_context *context, const struct um_missing_heat *h,
+                                struct um_plot *plot, double *unit)
+{
+  size_t n = h->nbin + 1;
+  double *value;
+  struct um_plot_range range;
+  char scaled[80], words[120];
+  UM_TRY(um_core_allocate(context, 3 * n, sizeof *value, &value));
+  value[0] = h->power;
+  for (size_t i = 0; i < h->nbin; i++) {
+    value[1 + i] = h->heat[i];
+    value[n + 2 * i] = h->heat[i] - h->sigma[i];
+    value[n + 2 * i + 1] = h->heat[i] + h->sigma[i];
+  }
+  const struct um_plot_values of[] = {{value, n, UM_PLOT_MOST},
+                                      {value + n, 2 * h->nbin, UM_PLOT_NEAR}};
+  enum um_status status = um_plot_range(context, of, 2, 0.0, UM_PLOT_STRETCH, &range);
+  um_core_free(context, value);
+  if (status != UM_OK) return status;
+  *unit = um_plot_power(fmax(fabs(range.low), fabs(range.high)), "W", scaled);
+  snprintf(words, sizeof words, "missing heat [%s]", scaled);
+  um_plot_ylabel(plot, "", words);
+  um_plot_ordinate(plot, &range, *unit, false);
+  return UM_OK;
+}
+
 enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
                                              const struct um_diagnosis *diagnosis,
                                              struct um_plot *plot)
@@ -224,19 +253,22 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
   const struct um_missing_heat *h = &diagnosis->unexplained->heat[0];
   struct um_plot_time time = um_diagnosis_report_plot_time(h->t[0], h->t[h->nbin]);
   char energy[80], below[300];
+  double unit;
   um_diagnosis_report_value_text(h->energy, h->energy_sigma, "±", energy);
-  snprintf(below, sizeof below, "missing heat of %.150s: best pulse %s J", h->place, energy);
+  snprintf(below, sizeof below, "%s %.150s: best pulse %s J",
+           diagnosis->unexplained->found ? "missing heat of" : "explains a part at best: heat of",
+           h->place, energy);
   um_plot_picture(plot, "heat", WIDTH, TOP + 24 + HEAT + 58);
   um_plot_title(plot, diagnosis->forward->model->scenario->name, below);
   um_plot_time_axis(plot, &time);
-  UM_TRY(um_diagnosis_report_plot_shade(context, diagnosis, &time, plot));
+  UM_TRY(um_compare_plot_shade(context, diagnosis->forward->model, &time, plot));
   um_plot_panel(plot, UM_DIAGNOSIS_PLOT_LEFT, TOP + 24, UM_DIAGNOSIS_PLOT_RIGHT, TOP + 24 + HEAT);
-  um_plot_ylabel(plot, "", "missing heat [W]");
   um_plot_time_label(plot, &time);
+  UM_TRY(heat_axis(context, h, plot, &unit));
   um_plot_add(plot, "$heat << EOD\n");
   for (size_t i = 0; i < h->nbin; i++)
     um_plot_add(plot, "%.6f,%.6f,%.6g,%.6g\n", um_plot_time_at(&time, h->t[i]),
-                um_plot_time_at(&time, h->t[i + 1]), h->heat[i], h->sigma[i]);
+                um_plot_time_at(&time, h->t[i + 1]), h->heat[i] / unit, h->sigma[i] / unit);
   double from = um_plot_time_at(&time, h->start), to = um_plot_time_at(&time, h->stop);
   um_plot_add(
       plot,
@@ -247,6 +279,6 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
       "with vectors nohead linewidth 2 linecolor rgb '#1f4e9c' title 'reconstructed', $pulse "
       "using 1:2 with lines linewidth 2 dashtype (6,4) linecolor rgb '#c2410c' title 'best "
       "pulse'\n",
-      from, from, h->power, to, h->power, to, um_plot_time_at(&time, time.last));
+      from, from, h->power / unit, to, h->power / unit, to, um_plot_time_at(&time, time.last));
   return UM_OK;
 }

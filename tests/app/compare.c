@@ -149,11 +149,128 @@ static void test_bad_measurements(void **state)
   refused(HEAD, "m.csv: no measurements");
 }
 
+/* ---- pictures ---- */
+
+/* Three passes with hours between, on one of which a second channel is measured more densely; three
+ * faint outliers. */
+static void write_passes(void)
+{
+  static const char *const format = "2016-09-06T%02d:%02d:%02dZ,%s,%.6g,%g,%s\n";
+  FILE *file = fopen("m.csv", "w");
+  assert_non_null(file);
+  fputs("time_utc,quantity,of,value,sigma,track\n", file);
+  for (int i = 0; i < 60; i++) { /* 18:08:10 on, 19:50:10 on, 21:31:10 on: every 20 s */
+    int pass = i / 20, at = 10 + 20 * (i % 20),
+        first = pass == 0   ? 18 * 60 + 8
+                : pass == 1 ? 19 * 60 + 50
+                            : 21 * 60 + 31;
+    int minute = first + at / 60;
+    double value = i == 12 ? 19.0 : i == 31 ? 21.5 : i == 50 ? 20.0 : 7.0 + 0.03 * (i % 20);
+    fprintf(file, format, minute / 60, minute % 60, at % 60, "magnitude_ab,vis", value, 0.2, "a");
+  }
+  for (int i = 0; i < 30; i++) /* 18:10:05 on, every 10 s */
+    fprintf(file, format, 18, 10 + (5 + 10 * i) / 60, (5 + 10 * i) % 60, "band_irradiance,lwir",
+            1e-11 * (1.0 + 0.01 * i), 1e-13, "b");
+  fclose(file);
+}
+
+#define TO "--set", "time.stop_utc=2016-09-06T21:40:00Z"
+
+/* The picture of channel NAME up to the next, cut out of the script; the caller frees. */
+static char *picture_of(const char *script, const char *name)
+{
+  char text[100];
+  snprintf(text, sizeof text, "set output '%s'", name);
+  const char *from = strstr(script, text);
+  if (from == NULL) fail_msg("no %s", text);
+  const char *to = strstr(from + 1, "set output");
+  return strndup(from, (size_t)(to - from));
+}
+
+/* Rows of $curve0 [unit of the axis]: how many, and the largest step within a pass and of gaps. */
+static void read_curve(const char *picture, size_t *rows, size_t *gaps, double *within)
+{
+  const char *at = strstr(picture, "$curve0 << EOD\n");
+  assert_non_null(at);
+  double t, value, last = NAN;
+  *rows = *gaps = 0;
+  *within = 0.0;
+  for (at = strchr(at, '\n') + 1; strncmp(at, "EOD", 3) != 0; at = strchr(at, '\n') + 1) {
+    if (*at == '\n') {
+      assert_true(isfinite(last));
+      last = NAN;
+      (*gaps)++;
+      continue;
+    }
+    assert_int_equal(sscanf(at, "%lf,%lf\n", &t, &value), 2);
+    if (!isnan(last)) *within = fmax(*within, t - last);
+    last = t;
+    (*rows)++;
+  }
+}
+
+/* First second after 18:09:30 at which more than `least` of the Sun is seen, from a run. */
+static double edge_of(double least)
+{
+  struct table t = table_read("edge/lightcurve.csv");
+  size_t k = 0;
+  while (table_number(&t, k, "sunlit_fraction") <= least) k++;
+  double second = strtod(table_text(&t, k, "time_utc") + 17, NULL);
+  double minute = strtod(table_text(&t, k, "time_utc") + 14, NULL);
+  table_release(&t);
+  return 60.0 * (minute - 8.0) + second - 10.0; /* after 18:08:10 */
+}
+
+/* The axis is that of the measurements without three outliers, which are counted; magnitudes rise
+ * downwards. The model is a curve per pass, of every instant at which it was computed; umbra and
+ * penumbra end where a run says so, between measurements too. */
+static void test_picture(void **state)
+{
+  (void)state;
+  write_passes();
+  command_expect(0, "compare", "box.yaml", "m.csv", "--out", "out", TO, NULL);
+  command_expect(0, "run", "box.yaml", "--out", "edge", "--no-plots", "--set",
+                 "time.start_utc=2016-09-06T18:09:30Z", "--set",
+                 "time.stop_utc=2016-09-06T18:11:10Z", "--set", "time.step_s=0.25", NULL);
+  char *script = command_read("out/plots.gp"), *picture = picture_of(script, "magnitude_ab_vis");
+  double from, to, within;
+  size_t rows, gaps;
+  assert_int_equal(sscanf(strstr(picture, "set yrange ["), "set yrange [%lf:%lf]", &from, &to), 2);
+  print_message("axis from %g to %g mag\n", from, to);
+  assert_true(from > to && to > 4.0 && to < 7.0 && from > 7.57 && from < 12.0);
+  assert_non_null(strstr(picture, "'3 beyond the axis, to 21.5'"));
+  read_curve(picture, &rows, &gaps, &within);
+  assert_true(rows >= 60 + 30 && gaps >= 2); /* all but what the umbra leaves without light */
+  assert_true(within <= 20.0 / 3600.0 + 1e-6 || within <= 20.0 / 60.0 + 1e-6);
+  assert_non_null(strstr(picture, "$curve0 using 1:($2/1) with linespoints"));
+  /* hours after the first observation */
+  double umbra, penumbra, begin;
+  const char *box = strstr(picture, "set object 1 rectangle from first ");
+  assert_int_equal(
+      sscanf(box, "set object 1 rectangle from first %lf, graph 0 to first %lf,", &begin, &umbra),
+      2);
+  box = strstr(picture, "set object 2 rectangle from first ");
+  assert_int_equal(sscanf(box, "set object 2 rectangle from first %lf, graph 0 to first %lf,",
+                          &begin, &penumbra),
+                   2);
+  double unit = strstr(picture, "'hours after") != NULL ? 3600.0 : 60.0;
+  print_message("umbra ends %.3f s, penumbra %.3f s after the first observation\n", unit * umbra,
+                unit * penumbra);
+  assert_true(fabs(unit * umbra - edge_of(1e-3)) <= 0.27);
+  assert_true(fabs(unit * penumbra - edge_of(0.999)) <= 0.27);
+  /* the eclipses of the next two revolutions, of which nothing was measured but the ends */
+  assert_non_null(strstr(picture, "set object 8 "));
+  assert_null(strstr(picture, "set object 9 "));
+  free(picture);
+  free(script);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_synth, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_compare, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_picture, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_bad_measurements, enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

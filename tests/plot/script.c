@@ -175,6 +175,82 @@ static void test_shade(void **state)
   assert_string_equal(um_plot_time(0.0, 5.0 * 86400.0, "").word, "days");
 }
 
+static struct um_plot_range range_of(const double *v, size_t n, const double *model, size_t nmodel,
+                                     double anchor, double stretch)
+{
+  struct um_plot_range r;
+  const struct um_plot_values set[] = {{v, n, UM_PLOT_MOST}, {model, nmodel, UM_PLOT_MIDDLE}};
+  assert_int_equal(um_plot_range(context, set, 2, anchor, stretch, &r), UM_OK);
+  return r;
+}
+
+/* An axis holds what most values need: a few that are far off, and a model that is dark at a few,
+ * do not set it; those few are counted. Small sets are whole, and where a model is elsewhere both
+ * are seen. */
+static void test_range(void **state)
+{
+  (void)state;
+  enum { N = 93 };
+  double v[N], model[N];
+  for (int i = 0; i < N; i++) v[i] = model[i] = 8.0 + 0.02 * i; /* 8 to 9.84 */
+  struct um_plot_range r = range_of(v, N, model, N, NAN, UM_PLOT_STRETCH);
+  assert_false(r.cut);
+  assert_true(r.low < 8.0 && r.low > 7.8 && r.high > 9.84 && r.high < 10.0);
+  v[3] = 21.5;
+  v[40] = 19.0;
+  v[90] = 23.25;
+  for (int i = 0; i < 20; i++) model[i] = i % 2 == 0 ? 72.0 : INFINITY;
+  model[21] = 11.0; /* within the length of the rest */
+  r = range_of(v, N, model, N, NAN, UM_PLOT_STRETCH);
+  assert_true(r.cut && r.below == 0 && r.above == 3);
+  assert_close(r.highest, 23.25, 0.0);
+  assert_true(r.high > 11.0 && r.high < 11.5);
+  um_plot_picture(plot, "p", 100, 100);
+  um_plot_ordinate(plot, &r, 0.5, true);
+  /* a model 30 times the length of the measurements off is on the axis */
+  for (int i = 0; i < N; i++) model[i] = 60.0;
+  r = range_of(v, N, model, N, NAN, UM_PLOT_STRETCH);
+  assert_true(r.low < 8.0 && r.high > 60.0);
+  /* a peak of light is no outlier: below ten times the rest it is whole */
+  for (int i = 0; i < N; i++) v[i] = model[i] = 2.0 + 0.01 * i;
+  v[7] = 20.0;
+  r = range_of(v, N, model, N, 0.0, UM_PLOT_STRETCH_LIGHT);
+  assert_true(!r.cut && r.low < 0.0 && r.high > 20.0);
+  v[7] = 2e5; /* a cosmic ray is one */
+  r = range_of(v, N, model, N, 0.0, UM_PLOT_STRETCH_LIGHT);
+  assert_true(r.above == 1 && r.high < 3.2);
+  /* 4 values hold no outlier; constants and nothing have an axis */
+  static const double four[] = {1.0, 1.1, 50.0, 1.2}, same[] = {3.0, 3.0, 3.0}, none[] = {NAN};
+  r = range_of(four, 4, four, 4, NAN, UM_PLOT_STRETCH);
+  assert_true(!r.cut && r.high > 50.0);
+  r = range_of(same, 3, same, 3, NAN, UM_PLOT_STRETCH);
+  assert_true(r.low < 3.0 && r.high > 3.0);
+  r = range_of(none, 1, none, 1, NAN, UM_PLOT_STRETCH);
+  assert_true(r.low < r.high && !r.cut && r.below + r.above == 0);
+  char *text = script();
+  const char *axis = strstr(text, "set yrange [");
+  double from, to;
+  assert_int_equal(sscanf(axis, "set yrange [%lf:%lf]", &from, &to), 2); /* magnitudes fall */
+  assert_true(from > 22.0 && from < 23.0 && to < 16.0 && to > 15.0);
+  assert_non_null(strstr(text, "'3 beyond the axis, to 46.5'"));
+  free(text);
+}
+
+/* A curve stops where nothing is between two passes, and where there is no light. */
+static void test_gaps(void **state)
+{
+  (void)state;
+  static const double t[] = {0.0, 60.0, 120.0, 180.0, 5400.0, 5460.0, 9000.0, 9060.0, 9120.0};
+  static const double value[] = {5.0, 5.5, INFINITY, 6.0, 7.0, 7.5, 8.0, NAN, NAN};
+  struct um_plot_time time = um_plot_time(0.0, 9120.0, "2020-01-01T00:00:00.000Z");
+  double gap;
+  assert_int_equal(um_plot_gap(context, 9, t, &gap), UM_OK);
+  assert_close(gap, 480.0, 1e-9);
+  um_plot_curve(plot, &time, 7, 9, t, value, gap);
+  expect("$curve7 << EOD\n0.000000000,5\n1.000000000,5.5\n\n3.000000000,6\n\n90.000000000,7\n"
+         "91.000000000,7.5\n\n150.000000000,8\n\nEOD\n");
+}
+
 /* A full disk is an error of the run, a folder that is not there too. */
 static void test_folder(void **state)
 {
@@ -194,6 +270,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_file_names, enter, leave),
       cmocka_unit_test_setup_teardown(test_units, enter, leave),
       cmocka_unit_test_setup_teardown(test_shade, enter, leave),
+      cmocka_unit_test_setup_teardown(test_range, enter, leave),
+      cmocka_unit_test_setup_teardown(test_gaps, enter, leave),
       cmocka_unit_test_setup_teardown(test_folder, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
