@@ -9,11 +9,6 @@
 #include "core/file.h"
 #include "orbit/time.h"
 
-static bool is_named(const struct um_compare_period *p)
-{
-  return p->false_alarm < UM_COMPARE_PERIOD_LEVEL;
-}
-
 static void print_report(const struct um_compare_period_report *r, const char *folder)
 {
   printf("%-28s %14s %12s %8s %12s  %s\n", "light curve", "period [s]", "sigma [s]", "power",
@@ -24,7 +19,7 @@ static void print_report(const struct um_compare_period_report *r, const char *f
     char name[80], epoch[32];
     snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(of->quantity), of->of);
     um_orbit_time_format(p->epoch, epoch);
-    if (is_named(p))
+    if (um_compare_period_is_named(p))
       printf("%-28s %14.6g %12.2g %8.3f %12.2g  %s\n", name, p->period, p->period_sigma,
              p->best_power, p->false_alarm, epoch);
     else
@@ -55,8 +50,8 @@ static void print_json(const struct um_compare_period_report *r)
     printf("%s{\"quantity\": \"%s\", \"of\": ", i > 0 ? ", " : "",
            um_compare_quantity_name(of->quantity));
     um_core_json_string(stdout, of->of);
-    printf(", \"named\": %s, \"period_s\": ", is_named(p) ? "true" : "false");
-    um_core_json_number(stdout, is_named(p) ? p->period : (double)NAN);
+    printf(", \"named\": %s, \"period_s\": ", um_compare_period_is_named(p) ? "true" : "false");
+    um_core_json_number(stdout, um_compare_period_is_named(p) ? p->period : (double)NAN);
     printf(", \"highest_peak_s\": ");
     um_core_json_number(stdout, p->period);
     printf(", \"red_noise\": ");

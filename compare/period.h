@@ -3,6 +3,7 @@
 #define UMBRA_COMPARE_PERIOD_H
 
 #include "compare/series.h"
+#include <stdbool.h>
 
 /* Zero means the default. */
 struct um_compare_period_options {
@@ -57,5 +58,11 @@ enum um_status um_compare_period_search(struct um_context *context,
                                         const struct um_compare_period_options *options,
                                         struct um_compare_period **out);
 void um_compare_period_destroy(struct um_context *context, struct um_compare_period **period);
+
+/* Is the highest peak a period that is named? The rule of table, JSON and picture. */
+static inline bool um_compare_period_is_named(const struct um_compare_period *period)
+{
+  return period->false_alarm < UM_COMPARE_PERIOD_LEVEL;
+}
 
 #endif

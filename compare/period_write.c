@@ -119,8 +119,9 @@ static void folded(struct um_plot *plot, const struct um_compare_period_entry *e
   um_plot_ylabel(plot, "", words);
   um_plot_panel(plot, LEFT, TOP + PANEL + MIDDLE, RIGHT, TOP + 2 * PANEL + MIDDLE);
   um_plot_add(plot,
-              "set xrange [0:2]\nset yrange [*:*]\nset xlabel 'phase'\n"
+              "set xrange [0:2]\nset yrange [*:*]\nset xlabel %s\n"
               "y(i) = column(i) / %g\ns(i) = strcol(i) eq '' ? 0 : column(i) / %g\nplot ",
+              um_compare_period_is_named(entry->period) ? "phase" : "phase at the highest peak",
               power, power);
   for (int turn = 0; turn < 2; turn++)
     um_plot_add(plot,
@@ -128,6 +129,20 @@ static void folded(struct um_plot *plot, const struct um_compare_period_entry *e
                 "pointtype 7 pointsize 0.7 linecolor rgb %s notitle, ",
                 first, first + UM_COMPARE_FOLD_BINS - 1, turn, turn == 0 ? "#b3261e" : "#d99a95");
   um_plot_add(plot, "NaN notitle\n");
+}
+
+/* As the table says it. */
+static void found_words(const struct um_compare_period *p, char out[120])
+{
+  int decimals = p->period_sigma > 0.0 && p->period_sigma < 10.0
+                     ? (int)fmin(1.0 - floor(log10(p->period_sigma)), 9.0)
+                     : 0;
+  if (um_compare_period_is_named(p))
+    snprintf(out, 120, "period %.*f ± %.*f s, false alarm %.2g", decimals, p->period, decimals,
+             p->period_sigma, p->false_alarm);
+  else
+    snprintf(out, 120, "no period: noise peaks as high as at %.4g s, false alarm %.2g", p->period,
+             p->false_alarm);
 }
 
 static enum um_status draw(struct um_context *context, const struct um_compare_period_report *r,
@@ -145,11 +160,7 @@ static enum um_status draw(struct um_context *context, const struct um_compare_p
     UM_CHECK(um_core_asprintf(context, &file, "period_%s", name));
     um_plot_picture(plot, file, WIDTH, TOP + 2 * PANEL + MIDDLE + BELOW);
     um_compare_channel_words(of, words, sizeof words);
-    int decimals = p->period_sigma > 0.0 && p->period_sigma < 10.0
-                       ? (int)fmin(1.0 - floor(log10(p->period_sigma)), 9.0)
-                       : 0;
-    snprintf(found, sizeof found, "period %.*f ± %.*f s, false alarm %.2g", decimals, p->period,
-             decimals, p->period_sigma, p->false_alarm);
+    found_words(p, found);
     um_plot_title(plot, words, found);
     periodogram(plot, p, row);
     folded(plot, &r->entry[c], um_compare_residual_unit(of->quantity),

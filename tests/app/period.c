@@ -41,6 +41,10 @@ static void test_track_to_period(void **state)
   assert_true(command_exists("found/periodogram.csv"));
   assert_true(command_exists("found/folded.csv"));
   assert_true(command_exists("found/period_magnitude_vega_Clear.png"));
+  char *script = command_read("found/period.gp");
+  assert_non_null(strstr(script, "set label 902 'period 21.3"));
+  assert_null(strstr(script, "no period"));
+  free(script);
 }
 
 /* A track that brightens and fades as a pass does, with 0.03 mag of noise (three uniform numbers),
@@ -65,6 +69,10 @@ static void test_no_period(void **state)
   assert_true(json_is_valid(c.out, &where));
   assert_non_null(strstr(c.out, "\"named\": false, \"period_s\": null"));
   command_release(&c);
+  char *script = command_read("found/period.gp"); /* nor in the picture */
+  assert_non_null(strstr(script, "set label 902 'no period: noise peaks as high as at "));
+  assert_null(strstr(script, "set label 902 'period "));
+  free(script);
   c = command_run("period", "measured.csv", "--out", "found", "--no-plots", NULL);
   assert_int_equal(c.code, 0);
   assert_non_null(strstr(c.out, "no period: noise peaks as high"));
