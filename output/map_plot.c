@@ -9,10 +9,11 @@
 
 #define COLUMNS 3
 #define DECADES 1e-5 /* lower end of the scale, of the largest of a band */
+#define FLAT    0.2  /* smallest over largest of a band above which the scale is linear, from 0 */
 
 /* Pixels. */
 #define LEFT   96
-#define TOP    46
+#define TOP    88
 #define WIDE   400
 #define HIGH   200
 #define GAP    14
@@ -43,15 +44,27 @@ static void nearest(const struct um_model_map *map, size_t column, double out[2]
     out[1] = 0.5 * (own + map->phase_angle[shown_at(map, column + 1)] / UM_DEG);
 }
 
-/* Largest of a band over the phase angles that are drawn [m^2/sr]. */
-static double largest_of(const struct um_model_map *map, size_t band)
+/* Colours of a band over the phase angles that are drawn [m^2/sr]: from the smallest to the
+ * largest, at most five decades. */
+struct scale {
+  double low, high;
+  bool logarithmic;
+};
+
+static struct scale scale_of(const struct um_model_map *map, size_t band)
 {
-  double largest = 0.0;
+  struct scale s = {.low = INFINITY};
   for (size_t c = 0; c < shown_count(map); c++)
     for (size_t i = 0; i < map->nlatitude; i++)
-      for (size_t j = 0; j < map->nlongitude; j++)
-        largest = fmax(largest, um_model_map_node(map, shown_at(map, c), i, j, band).mean);
-  return largest;
+      for (size_t j = 0; j < map->nlongitude; j++) {
+        double mean = um_model_map_node(map, shown_at(map, c), i, j, band).mean;
+        s.low = fmin(s.low, mean);
+        s.high = fmax(s.high, mean);
+      }
+  if (!(s.high > 0.0)) s.high = 1.0;
+  s.logarithmic = !(s.low > FLAT * s.high);
+  s.low = s.logarithmic ? fmax(s.low, DECADES * s.high) : 0.0;
+  return s;
 }
 
 /* ---- the map ---- */
@@ -116,6 +129,15 @@ static void panel(struct um_plot *plot, const struct um_output_map *of, size_t b
   um_plot_add(plot, "\n");
 }
 
+/* What lies on the map. */
+static const char *words_of(const struct um_output_map *of)
+{
+  if (of->pass != NULL && of->measured)
+    return "light blue: the pass; discs in white: measured, in the map’s colours";
+  if (of->pass != NULL) return "light blue: the pass";
+  return of->measured ? "discs in white: measured, in the map’s colours" : "";
+}
+
 static void maps(struct um_plot *plot, const struct um_output_map *of)
 {
   const struct um_model_map *map = of->map;
@@ -123,18 +145,19 @@ static void maps(struct um_plot *plot, const struct um_output_map *of)
   double step = map->step / UM_DEG;
   um_plot_picture(plot, "map", LEFT + (int)columns * (WIDE + GAP) + RIGHT,
                   TOP + (int)map->nband * (HIGH + GAP) + BOTTOM);
+  um_plot_title(plot, of->model->scenario->name, words_of(of));
   um_plot_add(plot,
               "set xtics 60\nset ytics 30\nset xrange [%g:%g]\nset yrange [%g:%g]\n"
               "set grid xtics ytics front linetype 1 linewidth 0.4 linecolor '#60888888'\n"
-              "set logscale cb\nset format cb '10^{%%T}'\n"
               "set palette defined (0 '#000004', 0.15 '#2b0b57', 0.4 '#982766', 0.65 '#e65d2f', "
               "0.85 '#fcb519', 1 '#fcffa4')\n",
               -180.0 - 0.5 * step, 180.0 - 0.5 * step, -90.0 - 0.5 * step, 90.0 + 0.5 * step);
   for (size_t b = 0; b < map->nband; b++) {
-    double largest = largest_of(map, b);
-    if (!(largest > 0.0)) largest = 1.0;
+    struct scale scale = scale_of(map, b);
+    um_plot_add(plot, scale.logarithmic ? "set logscale cb\nset format cb '10^{%%T}'\n"
+                                        : "unset logscale cb\nset format cb '%%g'\n");
     um_plot_add(plot, "low = %.6g\nbound(v) = v > low ? v : low\nset cbrange [low:%.6g]\n",
-                DECADES * largest, largest);
+                scale.low, scale.high);
     for (size_t c = 0; c < columns; c++) panel(plot, of, b, c);
   }
 }

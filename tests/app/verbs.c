@@ -212,6 +212,14 @@ static void test_map_and_attitude(void **state)
                  NULL);
   for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
     if (access(files[i], R_OK) != 0) fail_msg("%s is missing", files[i]);
+  /* A grey box reflects the same to all sides at 0 deg (squares of three cosines add to one) and
+   * more than a fifth of that at 90: no decades of colour. What lies on the map is said. */
+  char *script = command_read("m/map.gp");
+  assert_non_null(strstr(script, "\nunset logscale cb\n"));
+  assert_non_null(strstr(script, "\nlow = 0\n"));
+  assert_null(strstr(script, "\nset logscale cb\n"));
+  assert_non_null(strstr(script, "'light blue: the pass; discs in white: measured"));
+  free(script);
   command_expect(1, "attitude", "box.yaml", "m.csv", "--out", "b", NULL);
 }
 
