@@ -56,7 +56,9 @@ static void range_of(const struct um_plot_values *set, size_t nset, const double
   of = v;
   for (size_t i = 0; i < nset; of += count[i++])
     for (size_t k = 0; k < count[i]; k++) {
-      bool below = of[k]<first, above = of[k]> last;
+      double value = of[k];
+      bool below = value < first;
+      bool above = value > last;
       out->cut = out->cut || below || above;
       if (!below && !above) out->low = fmin(out->low, of[k]);
       if (!below && !above) out->high = fmax(out->high, of[k]);
