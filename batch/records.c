@@ -11,6 +11,7 @@
 
 #include "batch/record_file_impl.h"
 #include "batch/records_impl.h"
+#include "core/file.h"
 
 #define MAGIC          "UMBATCH1"
 #define ORDER          0x0102030405060708u
@@ -107,9 +108,7 @@ static enum um_status add_file(struct um_context *context, struct um_batch_recor
   *file = (struct um_batch_file){.descriptor = -1};
   UM_TRY(um_core_asprintf(context, &file->path, "%s/%s", folder, name));
   r->nfile++;
-  file->descriptor = open(file->path, flags | O_CLOEXEC, 0666);
-  return file->descriptor >= 0 ? UM_OK
-                               : um_batch_file_fail(context, file->path, "cannot be opened");
+  return um_core_descriptor_open(context, file->path, flags, &file->descriptor);
 }
 
 /* This process's file: locked, its whole records kept, made where it is new. */

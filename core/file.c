@@ -1,7 +1,8 @@
-/* Whole files, and file names. */
+/* Plain files, whole, and file names. */
 #include "core/file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,16 +11,69 @@
 
 #define PIECE ((size_t)16 << 20) /* read between two looks at the stop [bytes] */
 
+static enum um_status fail_errno(struct um_context *context, const char *path)
+{
+  return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+}
+
+static enum um_status check_plain(struct um_context *context, const char *path, mode_t mode)
+{
+  if (S_ISREG(mode)) return UM_OK;
+  const char *kind = S_ISDIR(mode)    ? "folder"
+                     : S_ISFIFO(mode) ? "pipe"
+                     : S_ISSOCK(mode) ? "socket"
+                                      : "device";
+  return um_core_fail(context, UM_ERR_IO, "%s: is not a plain file but a %s", path, kind);
+}
+
+/* Looked at before, since opening may wait for a pipe's other end or wake a device; without waiting
+ * and looked at again, since the name may have changed hands in between. */
+enum um_status um_core_descriptor_open(struct um_context *context, const char *path, int flags,
+                                       int *out)
+{
+  struct stat st;
+  *out = -1;
+  if (stat(path, &st) == 0)
+    UM_TRY(check_plain(context, path, st.st_mode));
+  else if (errno != ENOENT || (flags & O_CREAT) == 0)
+    return fail_errno(context, path);
+  int descriptor = open(path, flags | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
+  if (descriptor < 0) return fail_errno(context, path);
+  enum um_status status = fstat(descriptor, &st) != 0 ? fail_errno(context, path)
+                                                      : check_plain(context, path, st.st_mode);
+  if (status == UM_OK)
+    *out = descriptor;
+  else
+    close(descriptor);
+  return status;
+}
+
+enum um_status um_core_file_open(struct um_context *context, const char *path, FILE **out)
+{
+  int descriptor;
+  *out = NULL;
+  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, &descriptor));
+  *out = fdopen(descriptor, "rb");
+  if (*out != NULL) return UM_OK;
+  close(descriptor);
+  return um_core_fail(context, UM_ERR_MEMORY, "%s: out of memory", path);
+}
+
+enum um_status um_core_file_check(struct um_context *context, const char *path)
+{
+  int descriptor;
+  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, &descriptor));
+  close(descriptor);
+  return UM_OK;
+}
+
 static enum um_status read_open_file(struct um_context *context, const char *path, FILE *file,
                                      size_t limit, char **out, size_t *length)
 {
   struct stat st;
-  if (fstat(fileno(file), &st) != 0)
-    return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  if (S_ISDIR(st.st_mode))
-    return um_core_fail(context, UM_ERR_IO, "%s: is a folder; accepted: a file", path);
-  /* pipes tell no size: start small and grow */
-  size_t capacity = S_ISREG(st.st_mode) && st.st_size > 0 ? (size_t)st.st_size + 1 : 4096;
+  if (fstat(fileno(file), &st) != 0) return fail_errno(context, path);
+  /* files of the kernel's tell no size: start small and grow */
+  size_t capacity = st.st_size > 0 ? (size_t)st.st_size + 1 : 4096;
   if (capacity > limit + 1) capacity = limit + 1;
   char *text;
   UM_TRY(um_core_allocate(context, capacity + 1, 1, &text));
@@ -41,7 +95,7 @@ static enum um_status read_open_file(struct um_context *context, const char *pat
     UM_CHECK(um_core_reallocate(context, capacity + 1, 1, &text));
   }
   if (ferror(file)) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+    status = fail_errno(context, path);
     goto done;
   }
   text[used] = '\0';
@@ -61,8 +115,8 @@ enum um_status um_core_file_read(struct um_context *context, const char *path, s
   bool found;
   UM_TRY(um_core_held_files_find(context, path, out, length, &found));
   if (found) return UM_OK; /* within the limit: the same reader asks again */
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  FILE *file;
+  UM_TRY(um_core_file_open(context, path, &file));
   enum um_status status = read_open_file(context, path, file, limit, out, length);
   fclose(file);
   if (status == UM_OK) status = um_core_held_files_add(context, path, *out, *length);

@@ -8,8 +8,17 @@
 
 #include "core/context.h"
 
-/* Whole file as bytes with a NUL behind them; the caller frees. Refuses folders and files over
- * `limit` bytes. UM_ERR_IO "path: reason". */
+/* Open a plain file, the only way in which Umbra opens what it did not make: a folder, a pipe, a
+ * device or a socket is refused, and none is waited for. UM_ERR_IO "path: reason", UM_ERR_MEMORY.
+ * For reading; the caller closes. */
+enum um_status um_core_file_open(struct um_context *context, const char *path, FILE **out);
+/* For a library that opens by name: can it be read, and is it plain? */
+enum um_status um_core_file_check(struct um_context *context, const char *path);
+/* With the flags of open(2); closed by an exec. *out: -1 on an error. */
+enum um_status um_core_descriptor_open(struct um_context *context, const char *path, int flags,
+                                       int *out);
+/* Whole plain file as bytes with a NUL behind them; the caller frees. Refuses files over `limit`
+ * bytes. Errors as um_core_file_open. */
 enum um_status um_core_file_read(struct um_context *context, const char *path, size_t limit,
                                  char **out, size_t *length);
 /* Between the two, which nest, every file is read from the disk once and served from memory again;

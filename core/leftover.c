@@ -82,7 +82,8 @@ static bool is_dead(const char *path, pid_t writer)
   char marker[4096];
   if (writer != getpid() && (kill(writer, 0) == 0 || errno != ESRCH)) return false;
   int n = snprintf(marker, sizeof marker, "%s/" UM_CORE_FOLDER_MARKER, path);
-  int fd = n < (int)sizeof marker ? open(marker, O_RDONLY | O_CLOEXEC | O_NOFOLLOW) : -1;
+  int fd =
+      n < (int)sizeof marker ? open(marker, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK) : -1;
   if (fd < 0) return true;
   bool unlocked = flock(fd, LOCK_EX | LOCK_NB) == 0;
   close(fd);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/file.h"
 #include "core/words.h"
 #include "effects/effects.h"
 
@@ -96,22 +97,11 @@ static bool is_whole(FILE *file)
   return true;
 }
 
-static enum um_status check_whole(struct um_context *context, const char *path)
-{
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s", strerror(errno));
-  bool whole = is_whole(file);
-  fclose(file);
-  if (whole) return UM_OK;
-  return um_core_fail(context, UM_ERR_IO, "cut short; accepted: a whole shared object");
-}
-
 /* absolute: without a slash the system would search its own folders. */
 static enum um_status load(struct um_context *context, struct um_effects_registry *r,
                            const char *absolute)
 {
   size_t nown = r->nown;
-  UM_TRY(check_whole(context, absolute));
   void *object = dlopen(absolute, RTLD_NOW | RTLD_LOCAL);
   if (object == NULL) return fail_open(context, absolute);
   enum um_status status =
@@ -132,9 +122,20 @@ static enum um_status load(struct um_context *context, struct um_effects_registr
   return status;
 }
 
+static enum um_status check_whole(struct um_context *context, const char *path)
+{
+  FILE *file;
+  UM_TRY(um_core_file_open(context, path, &file));
+  bool whole = is_whole(file);
+  fclose(file);
+  if (whole) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: cut short; accepted: a whole shared object", path);
+}
+
 enum um_status um_effects_registry_load(struct um_context *context,
                                         struct um_effects_registry *registry, const char *path)
 {
+  UM_TRY(check_whole(context, path));
   char *absolute = realpath(path, NULL);
   if (absolute == NULL && errno == ENOMEM)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory");

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/file.h"
 #include "core/interpolation.h"
 #include "environment/knocke.h"
 
@@ -184,9 +185,10 @@ enum um_status um_environment_map_read(struct um_context *context, const char *p
 {
   char head[8] = {0};
   *out = NULL;
-  FILE *file = fopen(path, "rb");
-  size_t n = file != NULL ? fread(head, 1, sizeof head, file) : 0;
-  if (file != NULL) fclose(file);
+  FILE *file;
+  UM_TRY(um_core_file_open(context, path, &file));
+  size_t n = fread(head, 1, sizeof head, file);
+  fclose(file);
   bool netcdf =
       (n >= 4 && memcmp(head, "CDF", 3) == 0 && (head[3] == 1 || head[3] == 2 || head[3] == 5)) ||
       (n == 8 && memcmp(head, "\211HDF\r\n\032\n", 8) == 0);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/child.h"
+#include "core/file.h"
 #include "output/cube.h"
 #include "output/cube_impl.h"
 
@@ -364,6 +365,7 @@ enum um_status um_output_read_cube(struct um_context *context, const char *path,
   struct um_optics_image *image = NULL;
   enum um_status status;
   *out = NULL;
+  UM_TRY(um_core_file_check(context, path));
   UM_CHECK(um_core_child_run(context, "netCDF", child_work, &work, &limits, &in));
   UM_CHECK(judge(context, &in, &h));
   struct stream s = {in.answer + sizeof h, in.count - sizeof h};

@@ -422,7 +422,7 @@ static void test_refusals(void **state)
   assert_refused(um_compare_measurements_read(context, "none.csv", &m), UM_ERR_IO,
                  "none.csv: No such file or directory");
   assert_refused(um_compare_measurements_read(context, ".", &m), UM_ERR_IO,
-                 ".: is a folder; accepted: a file");
+                 ".: is not a plain file but a folder");
 }
 
 /* A file with one byte changed, at every byte in turn: read or refused in one line, never a crash.

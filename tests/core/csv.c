@@ -214,7 +214,7 @@ static void test_files(void **state)
   assert_string_equal(um_core_message(context), "no-such-file.csv: No such file or directory");
   um_core_message_clear(context);
   assert_int_equal(um_core_csv_read(context, ".", &csv), UM_ERR_IO);
-  assert_string_equal(um_core_message(context), ".: is a folder; accepted: a file");
+  assert_string_equal(um_core_message(context), ".: is not a plain file but a folder");
 }
 
 static void check_numbers(void)

@@ -9,7 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -103,9 +105,64 @@ static void test_read(void **state)
   um_core_free(context, text);
   /* a file whose size is not known beforehand and which exceeds the limit */
   um_core_message_clear(context);
-  assert_int_equal(um_core_file_read(context, "/dev/zero", 100000, &text, &length), UM_ERR_IO);
-  assert_string_equal(um_core_message(context), "/dev/zero: larger than the 100000 bytes accepted");
+  assert_int_equal(um_core_file_read(context, "/proc/self/smaps", 5000, &text, &length), UM_ERR_IO);
+  assert_string_equal(um_core_message(context),
+                      "/proc/self/smaps: larger than the 5000 bytes accepted");
   remove("a.txt");
+}
+
+static void make_socket(const char *path)
+{
+  struct sockaddr_un address = {.sun_family = AF_UNIX};
+  int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
+  snprintf(address.sun_path, sizeof address.sun_path, "%s", path);
+  assert_int_equal(bind(descriptor, (void *)&address, sizeof address), 0);
+  close(descriptor);
+}
+
+/* What is no plain file is refused, and not waited for: the alarm would end this program. */
+static void test_plain_only(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *path, *says;
+  } cases[] = {{"pipe", "pipe: is not a plain file but a pipe"},
+               {"link", "link: is not a plain file but a pipe"},
+               {"socket", "socket: is not a plain file but a socket"},
+               {"/dev/zero", "/dev/zero: is not a plain file but a device"},
+               {".", ".: is not a plain file but a folder"},
+               {"none", "none: No such file or directory"}};
+  assert_int_equal(mkfifo("pipe", 0666), 0);
+  assert_int_equal(symlink("pipe", "link"), 0);
+  make_socket("socket");
+  alarm(10);
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char *text;
+    size_t length;
+    FILE *file;
+    int descriptor;
+    um_core_message_clear(context);
+    assert_int_equal(um_core_file_read(context, cases[i].path, 100, &text, &length), UM_ERR_IO);
+    assert_null(text);
+    assert_string_equal(um_core_message(context), cases[i].says);
+    assert_int_equal(um_core_file_open(context, cases[i].path, &file), UM_ERR_IO);
+    assert_null(file);
+    assert_int_equal(um_core_file_check(context, cases[i].path), UM_ERR_IO);
+    assert_int_equal(um_core_descriptor_open(context, cases[i].path, O_RDWR, &descriptor),
+                     UM_ERR_IO);
+    assert_int_equal(descriptor, -1);
+  }
+  /* what a dead process left, its marker a pipe */
+  assert_int_equal(mkdir(".out.partial-2147483647", 0777), 0);
+  assert_int_equal(rename("pipe", ".out.partial-2147483647/.umbra"), 0);
+  make_folder("out", false, "a", "b");
+  assert_false(exists(".out.partial-2147483647"));
+  alarm(0);
+  remove("link");
+  remove("socket");
+  remove("out/a");
+  remove("out/.umbra");
+  remove("out");
 }
 
 static void test_names(void **state)
@@ -357,6 +414,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_read),
+      cmocka_unit_test(test_plain_only),
       cmocka_unit_test(test_names),
       cmocka_unit_test(test_commit_and_replace),
       cmocka_unit_test(test_nothing_before_commit),

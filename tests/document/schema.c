@@ -336,7 +336,7 @@ static void test_files(void **state)
   um_core_message_clear(context);
   assert_int_equal(um_document_read(context, ".", &sample_schema, NULL, 0, &document, &root),
                    UM_ERR_IO);
-  assert_string_equal(um_core_message(context), ".: is a folder; accepted: a file");
+  assert_string_equal(um_core_message(context), ".: is not a plain file but a folder");
 }
 
 /* A block of text stands on the line of its key. */
