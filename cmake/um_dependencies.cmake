@@ -34,11 +34,18 @@ foreach(library klu cholmod)
   string(TOUPPER ${library} name)
   find_path(${name}_INCLUDE_DIR ${library}.h PATH_SUFFIXES suitesparse REQUIRED)
   find_library(${name}_LIBRARY NAMES ${library} REQUIRED)
-  add_library(SuiteSparse::${library} UNKNOWN IMPORTED)
+  add_library(SuiteSparse::${library} INTERFACE IMPORTED)
   set_target_properties(SuiteSparse::${library} PROPERTIES
-    IMPORTED_LOCATION "${${name}_LIBRARY}"
     INTERFACE_INCLUDE_DIRECTORIES "${${name}_INCLUDE_DIR}")
 endforeach()
+set_target_properties(SuiteSparse::klu PROPERTIES INTERFACE_LINK_LIBRARIES "${KLU_LIBRARY}")
+# CHOLMOD is opened when a solid wants it, by the name that programs linked with it ask for.
+get_filename_component(soname "${CHOLMOD_LIBRARY}" REALPATH)
+execute_process(COMMAND ${CMAKE_READELF} -d "${CHOLMOD_LIBRARY}" OUTPUT_VARIABLE dynamic)
+if(dynamic MATCHES "SONAME[^[]*\\[([^]]+)\\]")
+  set(soname "${CMAKE_MATCH_1}")
+endif()
+set_target_properties(SuiteSparse::cholmod PROPERTIES INTERFACE_COMPILE_DEFINITIONS "UMBRA_CHOLMOD=\"${soname}\"")
 
 if(UMBRA_TETGEN)
   find_path(TETGEN_INCLUDE_DIR tetgen.h REQUIRED)

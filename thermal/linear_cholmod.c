@@ -3,37 +3,22 @@
  * factors fill. It orders by AMD and, where that fills much, by METIS's nested dissection, and
  * keeps what fills less.
  *
- * The dense kernels are those of the BLAS that CHOLMOD is linked with. OpenBLAS splits its work
- * among as many threads as there are cores, which may change the last digits; here it is held to
- * one. */
-#include <cholmod.h>
-#include <dlfcn.h>
+ * The dense kernels are those of the BLAS that CHOLMOD is linked with, held to one thread
+ * (cholmod_library.c): more would split the work, which may change the last digits. */
 #include <omp.h>
 #include <string.h>
 
+#include "thermal/cholmod_library_impl.h"
 #include "thermal/linear_impl.h"
 
 struct um_thermal_cholmod {
+  const struct um_thermal_cholmod_library *library;
   cholmod_common common;
   cholmod_sparse matrix; /* lower triangle; arrays are owned */
   cholmod_factor *factor;
   cholmod_dense *answer, *work1, *work2;
   bool started;
 };
-
-/* One thread in OpenBLAS, where that is the BLAS. */
-static void kernels_hold(void)
-{
-  void *program = dlopen(NULL, RTLD_LAZY);
-  if (program == NULL) return;
-  void *address = dlsym(program, "openblas_set_num_threads");
-  if (address != NULL) {
-    void (*set)(int) = NULL;
-    memcpy(&set, &address, sizeof set);
-    set(1);
-  }
-  dlclose(program);
-}
 
 static enum um_status pattern_copy(struct um_context *context, size_t n, const int64_t *column,
                                    const int64_t *row, struct um_thermal_cholmod *cholmod)
@@ -64,13 +49,14 @@ enum um_status um_thermal_cholmod_create(struct um_context *context, size_t n,
   enum um_status status;
   struct um_thermal_cholmod *cholmod = NULL;
   *out = NULL;
-  kernels_hold();
   UM_CHECK(um_core_allocate(context, 1, sizeof *cholmod, &cholmod));
+  UM_CHECK(um_thermal_cholmod_open(context, &cholmod->library));
   UM_CHECK(pattern_copy(context, n, column, row, cholmod));
-  cholmod->started = cholmod_l_start(&cholmod->common) != 0;
+  cholmod->started = cholmod->library->start(&cholmod->common) != 0;
   cholmod->common.print = 0;
   cholmod->common.final_ll = 1; /* L D Lt would not see what is not positive */
-  if (cholmod->started) cholmod->factor = cholmod_l_analyze(&cholmod->matrix, &cholmod->common);
+  if (cholmod->started)
+    cholmod->factor = cholmod->library->analyze(&cholmod->matrix, &cholmod->common);
   if (cholmod->factor == NULL)
     UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat balance"));
   *out = cholmod;
@@ -85,11 +71,11 @@ void um_thermal_cholmod_destroy(struct um_context *context, struct um_thermal_ch
   struct um_thermal_cholmod *c = *cholmod;
   if (c == NULL) return;
   if (c->started) {
-    cholmod_l_free_factor(&c->factor, &c->common);
-    cholmod_l_free_dense(&c->answer, &c->common);
-    cholmod_l_free_dense(&c->work1, &c->common);
-    cholmod_l_free_dense(&c->work2, &c->common);
-    cholmod_l_finish(&c->common);
+    c->library->free_factor(&c->factor, &c->common);
+    c->library->free_dense(&c->answer, &c->common);
+    c->library->free_dense(&c->work1, &c->common);
+    c->library->free_dense(&c->work2, &c->common);
+    c->library->finish(&c->common);
   }
   um_core_free(context, c->matrix.p);
   um_core_free(context, c->matrix.i);
@@ -105,7 +91,7 @@ bool um_thermal_cholmod_factor(struct um_thermal_cholmod *cholmod)
 {
   int levels = omp_get_max_active_levels();
   omp_set_max_active_levels(0);
-  int made = cholmod_l_factorize(&cholmod->matrix, cholmod->factor, &cholmod->common);
+  int made = cholmod->library->factorize(&cholmod->matrix, cholmod->factor, &cholmod->common);
   omp_set_max_active_levels(levels);
   return made != 0 && cholmod->common.status == CHOLMOD_OK;
 }
@@ -120,8 +106,8 @@ bool um_thermal_cholmod_solve(struct um_thermal_cholmod *cholmod, size_t count, 
                          .x = x,
                          .xtype = CHOLMOD_REAL,
                          .dtype = CHOLMOD_DOUBLE};
-  if (!cholmod_l_solve2(CHOLMOD_A, cholmod->factor, &right, NULL, &cholmod->answer, NULL,
-                        &cholmod->work1, &cholmod->work2, &cholmod->common))
+  if (!cholmod->library->solve2(CHOLMOD_A, cholmod->factor, &right, NULL, &cholmod->answer, NULL,
+                                &cholmod->work1, &cholmod->work2, &cholmod->common))
     return false;
   memcpy(x, cholmod->answer->x, n * count * sizeof *x);
   return true;

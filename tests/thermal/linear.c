@@ -4,8 +4,10 @@
  *
  * Asked of a residual |A x - b| / (|A| |x| + |b|): 1e-13 of direct solutions (a few hundred
  * roundings), 1e-9 where GMRES is told 1e-11. */
+#include <dirent.h>
 #include <stdlib.h>
 
+#include "core/child.h"
 #include "tests/thermal/box_help.h"
 #include "thermal/linear_impl.h"
 #include "thermal/solve.h"
@@ -76,6 +78,63 @@ static double solve_once(const struct um_thermal_network *network, enum um_therm
   free(y);
   free(b);
   return worst;
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/* In a child: what a Cholesky solution ends with. */
+static int create(void *self, int pipe_end)
+{
+  struct um_thermal_solve_options options;
+  struct um_thermal_system *system = NULL;
+  struct um_thermal_linear *linear = NULL;
+  (void)pipe_end;
+  um_thermal_solve_defaults(&options);
+  options.factors = UM_THERMAL_CHOLESKY;
+  if (um_thermal_system_create(help_context, self, NULL, &options, 0.0, UM_SYSTEM_RUN, &system) !=
+      UM_OK)
+    return 100;
+  return (int)um_thermal_linear_create(system, &linear);
+}
+
+/* OpenBLAS asks for its 128 MiB again and again, for ever, where it gets none: 150 MiB are room for
+ * the libraries or for that, not for both. Before any other test, which leaves it open. */
+static void test_short_of_memory(void **state)
+{
+  (void)state;
+  struct um_thermal_network *network = grid_network(20);
+  const struct um_core_child_limits little = {20.0, 150}, enough = {20.0, 1000};
+  struct um_core_child_result result;
+  OK(um_core_child_run(help_context, "a solver", create, network, &enough, &result));
+  assert_int_equal(result.end, UM_CHILD_EXITED);
+  assert_int_equal(result.code, UM_OK);
+  OK(um_core_child_run(help_context, "a solver", create, network, &little, &result));
+  assert_int_equal(result.end, UM_CHILD_EXITED);
+  if (result.code != UM_ERR_MEMORY && result.code != UM_ERR_LIBRARY)
+    assert_int_equal(result.code, UM_OK); /* a BLAS that needs less */
+  um_thermal_network_destroy(&network);
+}
+#endif
+
+static size_t count_threads(void)
+{
+  size_t n = 0;
+  DIR *all = opendir("/proc/self/task");
+  assert_non_null(all);
+  while (readdir(all) != NULL) n++;
+  closedir(all);
+  return n;
+}
+
+/* The BLAS behind CHOLMOD starts none: one that it had begun is waited for at the end. */
+static void test_no_threads(void **state)
+{
+  (void)state;
+  struct um_thermal_network *network = grid_network(20);
+  (void)solve_once(network, UM_THERMAL_LU, 1.0, 0.0);
+  size_t before = count_threads();
+  (void)solve_once(network, UM_THERMAL_CHOLESKY, 1.0, 0.0);
+  assert_int_equal(count_threads(), before);
+  um_thermal_network_destroy(&network);
 }
 
 static void test_residuals(void **state)
@@ -206,10 +265,14 @@ static void test_runs(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_residuals),
-      cmocka_unit_test(test_choice),
-      cmocka_unit_test(test_indefinite_and_singular),
-      cmocka_unit_test(test_runs),
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    cmocka_unit_test(test_short_of_memory),
+#endif
+    cmocka_unit_test(test_no_threads),
+    cmocka_unit_test(test_residuals),
+    cmocka_unit_test(test_choice),
+    cmocka_unit_test(test_indefinite_and_singular),
+    cmocka_unit_test(test_runs),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
