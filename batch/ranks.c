@@ -70,16 +70,45 @@ static long number_of(const char *const *name)
   return -1;
 }
 
-enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank)
+/* What the launcher has told, -1: nothing; read once, since MPI_Init writes there, too. */
+static void look(long *rank, long *size)
 {
   static const char *const ranks[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", NULL};
   static const char *const sizes[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS",
                                       NULL};
+  static bool looked;
+  static long r, n;
+  if (!looked) {
+    r = number_of(ranks);
+    n = number_of(sizes);
+  }
+  looked = true;
+  *rank = r;
+  *size = n;
+}
+
+enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank)
+{
+  long r, n;
   (void)context;
-  long r = number_of(ranks), n = number_of(sizes);
+  look(&r, &n);
   *several = r >= 0 && n != 1;
   *rank = *several ? (size_t)r : 0;
   return UM_OK;
+}
+
+/* Variables that a shell has kept, or that a launcher set which this MPI does not understand, make
+ * a rank that nobody leads. */
+static enum um_status check_place(struct um_context *context, const struct um_batch_ranks *ranks)
+{
+  long r, n;
+  look(&r, &n);
+  if (r == ranks->rank && (ranks->size > 1 || n <= 1)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "the environment says that this is rank %ld of several, MPI says rank %d of "
+                      "%d; accepted: a start by mpirun or srun of the MPI that Umbra was built "
+                      "with, or no OMPI_COMM_WORLD_RANK, PMIX_RANK and PMI_RANK",
+                      r, ranks->rank, ranks->size);
 }
 
 enum um_status um_batch_ranks_join(struct um_context *context, const struct um_batch_task *task,
@@ -101,6 +130,7 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   }
   MPI_Comm_rank(MPI_COMM_WORLD, &ranks->rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks->size);
+  UM_CHECK(check_place(context, ranks));
   size_t values = task->nvalue * sizeof(double), point = (task->ncoordinate + 1) * sizeof(double);
   ranks->room = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
   UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->buffer));
@@ -109,7 +139,7 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   *out = ranks;
   return UM_OK;
 done:
-  broken = true;
+  broken = ranks->size > 1;
   um_batch_ranks_leave(context, &ranks);
   return status;
 }

@@ -14,7 +14,8 @@ struct um_batch_ranks;
 enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank);
 
 /* Meet the others, after the crew was forked: a process with MPI is better not forked. The task is
- * borrowed. UM_ERR_LIBRARY, UM_ERR_MEMORY. */
+ * borrowed. UM_ERR_INPUT: MPI places this process elsewhere than the environment does;
+ * UM_ERR_LIBRARY, UM_ERR_MEMORY. */
 enum um_status um_batch_ranks_join(struct um_context *context, const struct um_batch_task *task,
                                    struct um_batch_ranks **out);
 

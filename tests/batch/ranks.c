@@ -103,6 +103,9 @@ static int work(char **argument)
   return status == UM_OK ? 0 : 1;
 }
 
+/* Variables of a launcher that is not there, for the next process without mpirun. */
+static const char *stray[2][2];
+
 /* Run this program on `ranks` processes (0: without mpirun); the exit code; what it says is in
  * "FOLDER/said". */
 static int start(int ranks, int workers, const char *out, int mode)
@@ -143,7 +146,9 @@ static int start(int ranks, int workers, const char *out, int mode)
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
     /* MPI leaks from plugins that are unloaded before the sanitizer looks: no name to suppress them
      * by. Leaks of ours are seen without mpirun. */
-    if (ranks > 0) setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
+    if (ranks > 0 || stray[0][0] != NULL) setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
+    for (size_t i = 0; i < 2 && stray[i][0] != NULL; i++) setenv(stray[i][0], stray[i][1], 1);
+    alarm(30); /* outlives the exec: nothing here waits for ever */
     execv(ranks == 0 ? self : UMBRA_MPIEXEC, ranks == 0 ? arguments + 6 : arguments);
     _exit(127);
   }
@@ -244,11 +249,37 @@ static void test_other_task(void **state)
   expect_said("rank 1 would compute something else");
 }
 
+/* Variables that a shell has kept: nobody leads this rank, and it does not wait for one. */
+static void test_stray(void **state)
+{
+  (void)state;
+  static const char *const cases[][2][2] = {
+      {{"OMPI_COMM_WORLD_RANK", "1"}, {"OMPI_COMM_WORLD_SIZE", "2"}},
+      {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "2"}},
+      {{"PMIX_RANK", "3"}, {"PMIX_NAMESPACE", "1234"}},
+      {{"PMI_RANK", "1"}, {"SLURM_STEP_NUM_TASKS", "2"}}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    memcpy(stray, cases[i], sizeof stray);
+    char says[96];
+    snprintf(says, sizeof says, "this is rank %s of several, MPI says rank 0 of 1", stray[0][1]);
+    int code = start(0, 1, "ranks", PLAIN);
+    memset(stray, 0, sizeof stray);
+    if (code != 1) fail_msg("%s=%s: exit %d", cases[i][0][0], cases[i][0][1], code);
+    expect_said(says);
+    um_batch_records_remove(context, records);
+  }
+  static const char *const first[2][2] = {{"PMIX_RANK", "0"}};
+  memcpy(stray, first, sizeof stray);
+  run_alone(PLAIN); /* the first of one, as a launcher that starts one says it */
+  memset(stray, 0, sizeof stray);
+}
+
 int main(int argc, char **argv)
 {
   if (argc == 6 && strcmp(argv[1], "work") == 0) return work(argv + 2);
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
   static const struct CMUnitTest tests[] = {TEST(test_same), TEST(test_refused),
-                                            TEST(test_dead_rank), TEST(test_other_task)};
+                                            TEST(test_dead_rank), TEST(test_other_task),
+                                            TEST(test_stray)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
