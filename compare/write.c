@@ -3,6 +3,7 @@
 #include "compare/write.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <locale.h>
 #include <math.h>
 #include <stdint.h>
@@ -121,6 +122,18 @@ static enum um_status check_rows(struct um_context *context,
   return UM_OK;
 }
 
+/* A pipe or a device that the user names is written to where it stands; a pipe that nobody reads is
+ * not waited for. */
+static FILE *open_in_place(const char *path)
+{
+  int descriptor = open(path, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) return NULL;
+  (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  FILE *file = fdopen(descriptor, "w");
+  if (file == NULL) close(descriptor);
+  return file;
+}
+
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path)
@@ -136,9 +149,10 @@ enum um_status um_compare_measurements_write(struct um_context *context,
   else
     UM_TRY(um_core_file_partial(context, path, &partial));
   if (!in_place) um_core_file_leftovers_remove(context, path);
-  file = fopen(partial, "w");
+  file = in_place ? open_in_place(path) : fopen(partial, "w");
   if (file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path,
+                          errno == ENXIO ? "nobody reads this pipe" : strerror(errno));
     goto done;
   }
   put_file(file, measurements);
