@@ -26,6 +26,8 @@
   CODE(UM_APP_DONE, 0, "done")                                                                     \
   CODE(UM_APP_FAILED, 1, "failed: one line on standard error says why")                            \
   CODE(UM_APP_MISUSE, 2, "misuse of the command line")                                             \
+  CODE(UM_APP_LOST, 3,                                                                             \
+       "study, forecast: points are missing, since their processes died: --resume computes them")  \
   CODE(UM_APP_EXCEEDED, 4, "done, but a limit is exceeded or a case misses its tolerance")
 #define UM_APP_EXIT_NAME(name, number, text) name = number,
 enum um_app_exit {

@@ -1,6 +1,7 @@
 /* Many points: how many processes, which share of them, and whether work is resumed. */
 #include "app/batch.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -39,6 +40,17 @@ enum um_status um_app_batch_options(struct um_context *context,
   task->resume = options->resume;
   um_app_terminal_progress_in_pipes();
   return options->share == NULL ? UM_OK : parse_share(context, options->share, task);
+}
+
+int um_app_batch_end(size_t lost, const char *records)
+{
+  if (lost == 0) return UM_APP_DONE;
+  um_app_terminal_clear();
+  fprintf(stderr,
+          "umbra: %zu point%s missing; the others stay on record in %s: the same command with "
+          "--resume computes what is missing\n",
+          lost, lost == 1 ? " is" : "s are", records);
+  return UM_APP_LOST;
 }
 
 uint64_t um_app_batch_hash(uint64_t hash, const char *text)

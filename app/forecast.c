@@ -238,6 +238,7 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   struct um_batch *batch = NULL;
   char *out = NULL, *name = NULL, *records = NULL;
   bool whole = false;
+  int code = UM_APP_DONE;
   ask.options = &changes;
   UM_CHECK(um_core_allocate(context, options->nstation, sizeof *station, &station));
   UM_CHECK(parse(context, options, station, &ask));
@@ -253,7 +254,8 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
     UM_CHECK(lead(context, options, forecast, batch, out));
   else
     UM_CHECK(um_batch_serve(context, batch));
-  whole = um_batch_leads(batch) && options->share == NULL;
+  code = um_app_batch_end(um_batch_lost(batch), records);
+  whole = um_batch_leads(batch) && options->share == NULL && code == UM_APP_DONE;
 done:
   um_batch_close(context, &batch);
   if (whole) um_batch_records_remove(context, records);
@@ -264,5 +266,5 @@ done:
   um_core_free(context, records);
   um_core_free(context, out);
   um_core_free(context, name);
-  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+  return status == UM_OK ? code : um_app_fail(context);
 }

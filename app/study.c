@@ -83,6 +83,7 @@ static enum um_status try_folder(struct um_context *context, const char *path, b
 int um_app_study(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
+  int code = UM_APP_DONE;
   struct um_study *study = NULL;
   struct um_study_result *result = NULL;
   char *folder = NULL, *records = NULL;
@@ -105,6 +106,7 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
     goto done;
   }
   UM_CHECK(um_study_run(context, study, &result));
+  code = um_app_batch_end(um_study_lost(study), records);
   if (result == NULL) goto done;
   status = write_folder(context, result, um_study_measurements(study), folder, options->force);
   if (status != UM_OK) {
@@ -112,12 +114,12 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
                 records);
     goto done;
   }
-  um_batch_records_remove(context, records);
+  if (code == UM_APP_DONE) um_batch_records_remove(context, records);
   print_result(result, folder);
 done:
   um_study_result_destroy(context, &result);
   um_study_destroy(context, &study);
   um_core_free(context, folder);
   um_core_free(context, records);
-  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+  return status == UM_OK ? code : um_app_fail(context);
 }

@@ -3,8 +3,11 @@
 #include "batch/batch.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "batch/team_impl.h"
+
+#define NAMED_MOST 10 /* points by their numbers in one message */
 
 static enum um_status note_record(struct um_context *context, void *self, const double *coordinate,
                                   struct um_batch_place place)
@@ -124,6 +127,29 @@ done:
     reason[i] = NULL;
   }
   return status;
+}
+
+size_t um_batch_lost(const struct um_batch *batch) { return batch->lost; }
+
+void um_batch_tell_lost(struct um_context *context, struct um_batch *batch,
+                        const double *coordinate, size_t n, const char *what, size_t first)
+{
+  char list[16 * NAMED_MOST + 32] = "", *reason = NULL;
+  size_t count = 0, used = 0;
+  for (size_t i = 0; i < n; i++) {
+    size_t number = um_batch_known_find(batch->known, coordinate + i * batch->task.ncoordinate);
+    const struct um_batch_known_point *point =
+        number == SIZE_MAX ? NULL : um_batch_known_point(batch->known, number);
+    if (point == NULL || point->state != UM_BATCH_LOST) continue;
+    if (count == 0) reason = point->reason;
+    if (count++ < NAMED_MOST && used < sizeof list)
+      used += (size_t)snprintf(list + used, sizeof list - used, "%s%zu", count > 1 ? ", " : "",
+                               first + i);
+  }
+  if (count == 0) return;
+  if (count > NAMED_MOST)
+    snprintf(list + used, sizeof list - used, " and %zu more", count - NAMED_MOST);
+  um_core_log(context, UM_LOG_WARNING, "%s %s: not on record: %s", what, list, reason);
 }
 
 void um_batch_close(struct um_context *context, struct um_batch **batch)

@@ -83,6 +83,11 @@ enum um_status um_batch_known_number(struct um_context *context, struct um_batch
   return UM_OK;
 }
 
+size_t um_batch_known_find(const struct um_batch_known *known, const double *coordinate)
+{
+  return known->nslot == 0 ? FREE : known->slot[find_slot(known, coordinate)];
+}
+
 struct um_batch_known_point *um_batch_known_point(struct um_batch_known *known, size_t number)
 {
   return &known->point[number];

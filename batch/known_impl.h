@@ -26,6 +26,8 @@ void um_batch_known_destroy(struct um_context *context, struct um_batch_known **
 /* Number of the point with these coordinates, a new one where there is none. UM_ERR_MEMORY. */
 enum um_status um_batch_known_number(struct um_context *context, struct um_batch_known *known,
                                      const double *coordinate, size_t *number);
+/* The number of one that is there, else SIZE_MAX. */
+size_t um_batch_known_find(const struct um_batch_known *known, const double *coordinate);
 /* Borrowed until the next um_batch_known_number. */
 struct um_batch_known_point *um_batch_known_point(struct um_batch_known *known, size_t number);
 const double *um_batch_known_coordinate(const struct um_batch_known *known, size_t number);

@@ -18,6 +18,7 @@ enum um_status um_batch_keep(struct um_context *context, struct um_batch *batch,
   if (lost) {
     UM_TRY(um_core_strdup(context, reason, &point->reason));
     point->state = UM_BATCH_LOST;
+    batch->lost++;
     return UM_OK;
   }
   UM_TRY(um_batch_records_append(context, batch->records,

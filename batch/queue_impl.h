@@ -11,8 +11,8 @@ struct um_batch {
   char *folder;
   struct um_batch_records *records; /* NULL where this process does not lead */
   struct um_batch_known *known;
-  size_t recorded;
-  size_t *queue; /* [nqueue] numbers of points to be computed, in the order asked */
+  size_t recorded, lost; /* points on record, and those that were to be and are not */
+  size_t *queue;         /* [nqueue] numbers of points to be computed, in the order asked */
   size_t nqueue;
   struct um_batch_crew *crew; /* NULL: not needed yet */
   bool several;               /* this process is one of several ranks */

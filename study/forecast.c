@@ -295,6 +295,7 @@ enum um_status um_study_forecast_run(struct um_context *context, struct um_study
   }
   UM_CHECK(um_batch_run(context, batch, h->coordinate, f->npass, f->value, reason));
   for (size_t i = 0; i < f->npass; i++) f->pass[i].reason = reason[i];
+  um_batch_tell_lost(context, batch, h->coordinate, f->npass, "passes.csv: row", 1);
   take_values(h, nvalue);
 done:
   um_core_free(context, reason);

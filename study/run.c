@@ -298,6 +298,8 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
   UM_CHECK(um_core_allocate(context, 1, sizeof *result, &result));
   UM_CHECK(describe(context, study, result));
   UM_CHECK(lead(context, study, batch, result));
+  study->lost = um_batch_lost(batch);
+  um_batch_tell_lost(context, batch, result->parameter, result->npoint, "points.csv: point", 0);
   if (task.nshare <= 1) {
     *out = result;
     result = NULL;
@@ -307,3 +309,5 @@ done:
   um_study_result_destroy(context, &result);
   return status;
 }
+
+size_t um_study_lost(const struct um_study *study) { return study->lost; }

@@ -41,6 +41,10 @@ enum um_status um_study_print_check(struct um_context *context, struct um_study 
 enum um_status um_study_run(struct um_context *context, struct um_study *study,
                             struct um_study_result **out);
 
+/* Points of the last um_study_run that are neither computed nor refused: a warning has named them,
+ * and records are to stay. */
+size_t um_study_lost(const struct um_study *study);
+
 /* study.nc: netCDF-4 with coordinates (docs/files.md). points.csv: a row for every point, with its
  * parameters, the extremes of its curves, and metrics against measurements. UM_ERR_IO,
  * UM_ERR_MEMORY. */

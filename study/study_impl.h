@@ -53,6 +53,7 @@ struct um_study {
   double tolerance_factor, periodic_tolerance; /* of a point's heat [1], [K] (tolerance.c) */
   struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
   size_t npoint;                                      /* computed by this process */
+  size_t lost;                                        /* by the batch */
   double seconds_geometry, seconds_heat, seconds_run; /* wall time of the nominal's [s] */
 };
 

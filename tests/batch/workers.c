@@ -158,11 +158,18 @@ static void test_death(void **state)
       um_core_free(context, reason[11]);
     }
     assert_int_equal(um_batch_recorded(batch), deaths == 1 ? NPOINT : NPOINT - 1);
+    assert_int_equal(um_batch_lost(batch), deaths - 1);
+    um_batch_tell_lost(context, batch, x, NPOINT, "row", 1);
+    assert_int_equal(strstr(um_core_log_text(context),
+                            "row 12: not on record: the process that computed it died, twice") !=
+                         NULL,
+                     deaths == 2);
     um_batch_close(context, &batch);
     if (deaths == 2) {
       batch = opened(2, true);
       assert_int_equal(um_batch_run(context, batch, x, NPOINT, value, reason), UM_OK);
       assert_null(reason[11]);
+      assert_int_equal(um_batch_lost(batch), 0);
       expect_waves(x + 2 * 11, value + 11 * NVALUE);
       um_batch_close(context, &batch);
     }
