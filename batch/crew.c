@@ -3,25 +3,30 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "batch/worker_impl.h"
 
 #define STILLBORN_MOST 20
+#define LOOKS          30  /* at the processor clock of a worker before it counts as silent */
+#define DYING          5.0 /* longest wait for a process that was killed [s] */
 
 struct worker {
-  pid_t process; /* 0: none */
-  int end;       /* socket to it; -1: none */
-  bool busy;     /* has a point */
-  size_t number; /* that point's */
-  size_t got;    /* bytes of its answer so far */
-  char *answer;  /* [room] */
+  pid_t process;            /* 0: none */
+  int end;                  /* socket to it; -1: none */
+  bool busy;                /* has a point */
+  double processor, silent; /* its processor clock when last looked at, and how long it stood [s] */
+  size_t number;            /* that point's */
+  size_t got;               /* bytes of its answer so far */
+  char *answer;             /* [room] */
 };
 
 struct um_batch_crew {
@@ -31,8 +36,29 @@ struct um_batch_crew {
   size_t n, room,
       stillborn; /* stillborn: workers that died without a point since the last answer */
   struct worker *worker;
-  struct pollfd *wait; /* [n] */
+  struct pollfd *wait;    /* [n] */
+  double silence, looked; /* longest, and when it was last looked for [s] */
 };
+
+static double read_clock(clockid_t clock)
+{
+  struct timespec t;
+  return clock_gettime(clock, &t) != 0 ? NAN : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* End a process, whatever it does. One that the system cannot end (its disk does not answer) is
+ * left behind after a while. *state: of waitpid. */
+static void end_process(pid_t process, int *state)
+{
+  double until = read_clock(CLOCK_MONOTONIC) + DYING;
+  kill(process, SIGKILL);
+  for (;;) {
+    pid_t done = waitpid(process, state, WNOHANG);
+    if (done == process || (done < 0 && errno != EINTR)) return;
+    if (!(read_clock(CLOCK_MONOTONIC) < until)) return;
+    nanosleep(&(struct timespec){0, 500000}, NULL);
+  }
+}
 
 /* In the child: only its own end stays open. */
 static void leave_others(struct um_batch_crew *crew)
@@ -67,6 +93,7 @@ static enum um_status hire(struct um_context *context, struct um_batch_crew *cre
   w->process = child;
   w->end = ends[0];
   w->busy = false;
+  w->silent = 0.0;
   w->got = 0;
   return UM_OK;
 }
@@ -82,6 +109,8 @@ enum um_status um_batch_crew_create(struct um_context *context, const struct um_
   crew->task = task;
   crew->before = before;
   crew->before_self = before_self;
+  crew->silence = task->silence > 0.0 ? task->silence : UM_BATCH_SILENCE;
+  crew->looked = read_clock(CLOCK_MONOTONIC);
   size_t n = task->workers < 1 ? 1 : (size_t)task->workers, values = task->nvalue * sizeof(double);
   crew->room = sizeof(struct um_batch_worker_head) +
                (values > UM_BATCH_REASON_LONGEST ? values : UM_BATCH_REASON_LONGEST) + 1;
@@ -130,13 +159,14 @@ void um_batch_crew_give(struct um_batch_crew *crew, size_t number, const double 
   while (w->busy) w++;
   uint64_t told = number;
   w->busy = true;
+  w->silent = 0.0;
   w->number = number;
   w->got = 0;
   send_all(w->end, &told, sizeof told);
   send_all(w->end, coordinate, crew->task->ncoordinate * sizeof *coordinate);
 }
 
-/* A worker that is gone is buried and replaced; a point that it had is answered for. */
+/* A worker that is gone, or silent, is buried and replaced; a point that it had is answered for. */
 static enum um_status bury(struct um_context *context, struct um_batch_crew *crew, struct worker *w,
                            um_batch_answered *answered, void *self)
 {
@@ -144,10 +174,11 @@ static enum um_status bury(struct um_context *context, struct um_batch_crew *cre
   char reason[96];
   close(w->end);
   w->end = -1;
-  kill(w->process, SIGKILL); /* where it has only closed its end */
-  while (waitpid(w->process, &state, 0) < 0 && errno == EINTR) continue;
+  end_process(w->process, &state); /* it may have closed its end only */
   w->process = 0;
-  if (WIFSIGNALED(state))
+  if (!(w->silent < crew->silence))
+    snprintf(reason, sizeof reason, "stopped or stuck: it did nothing for %g s", crew->silence);
+  else if (WIFSIGNALED(state))
     snprintf(reason, sizeof reason, "signal %d, %s", WTERMSIG(state), strsignal(WTERMSIG(state)));
   else
     snprintf(reason, sizeof reason, "exit code %d", WEXITSTATUS(state));
@@ -206,15 +237,34 @@ static enum um_status hear(struct um_context *context, struct um_batch_crew *cre
   return answered(context, self, &answer);
 }
 
+/* Time counts by looks: that in which this process was stopped itself is no silence of others. */
+static enum um_status look_for_silence(struct um_context *context, struct um_batch_crew *crew,
+                                       um_batch_answered *answered, void *self)
+{
+  double t = read_clock(CLOCK_MONOTONIC), gap = crew->silence / LOOKS;
+  double passed = fmin(t - crew->looked, 2.0 * gap);
+  if (passed < gap) return UM_OK;
+  crew->looked = t;
+  for (size_t i = 0; i < crew->n; i++) {
+    struct worker *w = &crew->worker[i];
+    clockid_t clock;
+    double processor = clock_getcpuclockid(w->process, &clock) == 0 ? read_clock(clock) : NAN;
+    w->silent = w->busy && processor == w->processor ? w->silent + passed : 0.0;
+    w->processor = processor;
+    if (!(w->silent < crew->silence)) UM_TRY(bury(context, crew, w, answered, self));
+  }
+  return UM_OK;
+}
+
 enum um_status um_batch_crew_wait(struct um_context *context, struct um_batch_crew *crew,
                                   double seconds, um_batch_answered *answered, void *self)
 {
   for (size_t i = 0; i < crew->n; i++)
     crew->wait[i] = (struct pollfd){.fd = crew->worker[i].end, .events = POLLIN};
-  if (poll(crew->wait, (nfds_t)crew->n, (int)(1e3 * seconds)) <= 0) return UM_OK;
-  for (size_t i = 0; i < crew->n; i++)
+  int ready = poll(crew->wait, (nfds_t)crew->n, (int)(1e3 * seconds));
+  for (size_t i = 0; ready > 0 && i < crew->n; i++)
     if (crew->wait[i].revents != 0) UM_TRY(hear(context, crew, &crew->worker[i], answered, self));
-  return UM_OK;
+  return look_for_silence(context, crew, answered, self);
 }
 
 void um_batch_crew_destroy(struct um_context *context, struct um_batch_crew **crew)
@@ -226,8 +276,8 @@ void um_batch_crew_destroy(struct um_context *context, struct um_batch_crew **cr
     if (c->worker[i].end >= 0) close(c->worker[i].end);
   }
   for (size_t i = 0; i < c->n; i++) {
-    while (c->worker[i].process > 0 && waitpid(c->worker[i].process, NULL, 0) < 0 && errno == EINTR)
-      continue;
+    int state;
+    if (c->worker[i].process > 0) end_process(c->worker[i].process, &state);
     um_core_free(context, c->worker[i].answer);
   }
   um_core_free(context, c->worker);

@@ -8,8 +8,7 @@
 
 #include "batch/worker_impl.h"
 
-#define SILENCE  60.0 /* after which a rank counts as lost [s] */
-#define PULSE    5.0  /* between two signs of life of a rank [s] */
+#define PULSES   12   /* signs of life of a rank in the time after which it counts as lost */
 #define LOOK     2e-3 /* between two looks at the messages of a rank that serves [s] */
 #define FAREWELL 2.0  /* longest wait for the others at the end [s] */
 #define NOBODY   UINT64_MAX
@@ -39,9 +38,11 @@ struct um_batch_ranks {
   int rank, size;
   struct peer *peer; /* [size] on rank 0 */
   size_t room;
-  char *buffer; /* [room] one message */
-  double pulse; /* when last sent [s] */
-  bool stopped; /* rank 0 has said so */
+  char *buffer;   /* [room] one message */
+  double silence; /* after which a rank counts as lost [s] */
+  double pulse;   /* when last sent [s] */
+  double looked;  /* when rank 0 last heard the others [s] */
+  bool stopped;   /* rank 0 has said so */
 };
 
 /* One process joins once, however many batches it opens; it leaves at its end, unless some of the
@@ -120,6 +121,8 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *ranks, &ranks));
   ranks->task = task;
+  ranks->silence = task->silence > 0.0 ? task->silence : UM_BATCH_SILENCE;
+  ranks->looked = now();
   if (!joined) {
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS) {
       um_core_free(context, ranks);
@@ -232,8 +235,8 @@ static enum um_status lose(struct um_context *context, struct um_batch_ranks *ra
   struct peer *peer = &ranks->peer[r];
   peer->lost = true;
   broken = true;
-  um_core_log(context, UM_LOG_WARNING, "rank %d has not been heard of for %.0f s: it is left out",
-              r, SILENCE);
+  um_core_log(context, UM_LOG_WARNING, "rank %d has not been heard of for %g s: it is left out", r,
+              ranks->silence);
   for (size_t i = 0; i < peer->workers; i++) {
     struct um_batch_answer answer = {
         .number = (size_t)peer->given[i], .died = true, .reason = "its rank is silent"};
@@ -246,6 +249,10 @@ enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_r
                                    um_batch_answered *answered, void *self)
 {
   int from, tag, bytes;
+  /* time in which this process was stopped, or did something else, is no silence of others */
+  double away = now() - ranks->looked - ranks->silence / PULSES;
+  for (int r = 1; away > 0.0 && r < ranks->size; r++) ranks->peer[r].heard += away;
+  ranks->looked = now();
   while (receive(ranks, &from, &tag, &bytes)) {
     ranks->peer[from].heard = now();
     if (ranks->peer[from].lost) continue;
@@ -253,7 +260,7 @@ enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_r
     if (tag == TAG_ANSWER) UM_TRY(hand_on(context, ranks, from, (size_t)bytes, answered, self));
   }
   for (int r = 1; r < ranks->size; r++)
-    if (!ranks->peer[r].lost && now() - ranks->peer[r].heard > SILENCE)
+    if (!ranks->peer[r].lost && now() - ranks->peer[r].heard > ranks->silence)
       UM_TRY(lose(context, ranks, r, answered, self));
   return UM_OK;
 }
@@ -293,7 +300,7 @@ static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
     const void *coordinate = ranks->buffer + sizeof number;
     um_batch_crew_give(crew, (size_t)number, coordinate);
   }
-  if (now() - ranks->pulse < PULSE) return;
+  if (now() - ranks->pulse < ranks->silence / PULSES) return;
   ranks->pulse = now();
   MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_PULSE, MPI_COMM_WORLD);
 }

@@ -44,7 +44,7 @@ static int teardown(void **state)
 }
 
 /* Modes of work. */
-enum { PLAIN, RESUME, DEAD_RANK, REFUSED, OTHER_TASK };
+enum { PLAIN, RESUME, DEAD_RANK, REFUSED, OTHER_TASK, SILENT_RANK };
 
 static int my_rank(void)
 {
@@ -57,6 +57,7 @@ static enum um_status waves(struct um_context *c, void *user, const double *x, d
   int mode = *(const int *)user;
   nanosleep(&(struct timespec){0, 3000000}, NULL);
   if (mode == DEAD_RANK && my_rank() == 1 && x[0] > 20.0) kill(getppid(), SIGKILL);
+  if (mode == SILENT_RANK && my_rank() == 1 && x[0] > 20.0) kill(getppid(), SIGSTOP);
   if (mode == REFUSED && x[0] == 40.0) return um_core_fail(c, UM_ERR_REFUSED, "not 40");
   for (size_t k = 0; k < NVALUE; k++) value[k] = cos((double)k * x[0]);
   return UM_OK;
@@ -77,6 +78,7 @@ static int work(char **argument)
                                .user = &mode,
                                .folder = argument[0],
                                .resume = mode == RESUME,
+                               .silence = mode == SILENT_RANK ? 1.0 : 0.0,
                                .workers = (int)strtol(argument[1], NULL, 10)};
   enum um_status status = um_batch_open(context, &task, &batch);
   if (status == UM_OK && !um_batch_leads(batch)) {
@@ -96,6 +98,7 @@ static int work(char **argument)
       fclose(out);
     }
   }
+  fputs(um_core_log_text(context), stderr);
   if (status != UM_OK) fprintf(stderr, "rank %d: %s\n", my_rank(), um_core_message(context));
   um_batch_close(context, &batch);
   um_core_context_destroy(&context);
@@ -242,6 +245,16 @@ static void test_dead_rank(void **state)
   expect_said("points are on record there");
 }
 
+/* A rank that is stopped is left out; mpirun ends it with the others. */
+static void test_silent_rank(void **state)
+{
+  (void)state;
+  run_alone(PLAIN);
+  (void)start(3, 1, "ranks", SILENT_RANK);
+  expect_said("rank 1 has not been heard of for 1 s: it is left out");
+  expect_same();
+}
+
 static void test_other_task(void **state)
 {
   (void)state;
@@ -278,8 +291,8 @@ int main(int argc, char **argv)
 {
   if (argc == 6 && strcmp(argv[1], "work") == 0) return work(argv + 2);
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
-  static const struct CMUnitTest tests[] = {TEST(test_same), TEST(test_refused),
-                                            TEST(test_dead_rank), TEST(test_other_task),
-                                            TEST(test_stray)};
+  static const struct CMUnitTest tests[] = {TEST(test_same),       TEST(test_refused),
+                                            TEST(test_dead_rank),  TEST(test_silent_rank),
+                                            TEST(test_other_task), TEST(test_stray)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,6 +21,7 @@
 #define NVALUE 300
 
 static struct um_context *context;
+static double silence; /* of the next batch that is opened [s], 0: as it comes */
 static char folder[UM_TEST_PATH], file[UM_TEST_PATH + 32];
 
 /* Seen by every process of a test. */
@@ -64,7 +65,16 @@ static void nap(double seconds)
             NULL);
 }
 
-enum { DIES = 1000, REFUSED = 2000, NO_MEMORY = 3000, SLEEPS = 4000 }; /* added to a coordinate */
+/* added to a coordinate */
+enum {
+  DIES = 1000,
+  REFUSED = 2000,
+  NO_MEMORY = 3000,
+  SLEEPS = 4000,
+  STOPS = 5000,
+  WORKS = 6000,
+  NAPS = 7000
+};
 
 /* v_k = cos(k x + y); and what may go wrong. */
 static enum um_status waves(struct um_context *c, void *user, const double *x, double *value)
@@ -78,6 +88,9 @@ static enum um_status waves(struct um_context *c, void *user, const double *x, d
   if (kind == REFUSED) return um_core_fail(c, UM_ERR_NUMERIC, "no answer at %d", i);
   if (kind == NO_MEMORY) return um_core_fail(c, UM_ERR_MEMORY, "no memory at %d", i);
   if (kind == SLEEPS) nap(100.0);
+  if (kind == STOPS && shared->deaths-- > 0) raise(SIGSTOP);
+  if (kind == NAPS) nap(2.3 * silence);
+  for (double until = now() + 2.5 * silence; kind == WORKS && now() < until;) continue;
   for (size_t k = 0; k < NVALUE; k++) value[k] = cos((double)k * x[0] + x[1]);
   return UM_OK;
 }
@@ -98,7 +111,8 @@ static struct um_batch *opened(int workers, bool resume)
                             .compute = waves,
                             .folder = folder,
                             .resume = resume,
-                            .workers = workers};
+                            .workers = workers,
+                            .silence = silence};
   struct um_batch *batch;
   if (um_batch_open(context, &t, &batch) != UM_OK) fail_msg("%s", um_core_message(context));
   return batch;
@@ -176,6 +190,65 @@ static void test_death(void **state)
     assert_int_equal(unlink(file), 0);
   }
   free(value);
+}
+
+/* A worker that is stopped is replaced, its point handed out again; one that is stopped over the
+ * same point again costs it; a point that is worked at for longer than that is left alone. */
+static void test_silent(void **state)
+{
+  (void)state;
+  double x[8] = {STOPS, 0, WORKS + 1, 0, 2, 0, 3, 0}, value[4 * NVALUE];
+  char *reason[4];
+  silence = 0.8;
+  for (int stops = 1; stops <= 2; stops++) {
+    struct um_batch *batch = opened(2, false);
+    double begin = now();
+    memset((void *)shared->started, 0, sizeof shared->started);
+    shared->deaths = stops;
+    assert_int_equal(um_batch_run(context, batch, x, 4, value, reason), UM_OK);
+    assert_true(now() - begin < 10.0);
+    assert_int_equal(shared->started[0], 2);
+    assert_int_equal(shared->started[1], 1);
+    for (size_t i = stops == 1 ? 0 : 1; i < 4; i++) {
+      assert_null(reason[i]);
+      expect_waves(x + 2 * i, value + i * NVALUE);
+    }
+    assert_non_null(strstr(um_core_log_text(context),
+                           "died (stopped or stuck: it did nothing for 0.8 s); the point is handed "
+                           "out again"));
+    if (stops == 2) assert_non_null(strstr(reason[0], "died, twice (stopped or stuck"));
+    um_core_free(context, reason[0]);
+    um_batch_close(context, &batch);
+    assert_int_equal(unlink(file), 0);
+  }
+  silence = 0.0;
+}
+
+/* All processes are stopped, as a shell or a scheduler does, and go on: nobody was silent. The
+ * workers use no processor before and behind it either, for 0.7 of what counts as silence. */
+static void test_all_stopped(void **state)
+{
+  (void)state;
+  double x[4] = {NAPS, 0, NAPS + 1, 0}, value[2 * NVALUE];
+  char *reason[2];
+  int code;
+  silence = 0.8;
+  pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    struct um_batch *batch = opened(2, false);
+    enum um_status status = um_batch_run(context, batch, x, 2, value, reason);
+    _exit(status == UM_OK && strstr(um_core_log_text(context), "died") == NULL ? 0 : 1);
+  }
+  while (shared->started[0] == 0 || shared->started[1] == 0) nap(1e-3);
+  nap(0.3 * silence); /* workers have been looked at */
+  kill(-child, SIGSTOP);
+  nap(1.6 * silence);
+  kill(-child, SIGCONT);
+  assert_int_equal(waitpid(child, &code, 0), child);
+  assert_true(WIFEXITED(code) && WEXITSTATUS(code) == 0);
+  assert_int_equal(shared->started[0] + shared->started[1], 2);
+  silence = 0.0;
 }
 
 static void test_refused(void **state)
@@ -415,8 +488,9 @@ static void test_orphan(void **state)
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
-  static const struct CMUnitTest tests[] = {TEST(test_same), TEST(test_death), TEST(test_refused),
-                                            TEST(test_end),  TEST(test_stop),  TEST(test_full),
-                                            TEST(test_kill), TEST(test_told),  TEST(test_orphan)};
+  static const struct CMUnitTest tests[] = {
+      TEST(test_same),    TEST(test_death), TEST(test_silent), TEST(test_all_stopped),
+      TEST(test_refused), TEST(test_end),   TEST(test_stop),   TEST(test_full),
+      TEST(test_kill),    TEST(test_told),  TEST(test_orphan)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
