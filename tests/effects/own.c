@@ -212,7 +212,7 @@ static const struct {
     {OBJECTS "/bad_7.so", "effect 'bad': there is already an effect of that name"},
     {OBJECTS "/bad_8.so", "compiled against other sizes of what its hooks change"},
     {UMBRA_SOURCE_DIR "/README.md", "accepted: a shared object"},
-    {OBJECTS, "accepted: a shared object"},
+    {OBJECTS, "is not a plain file but a folder"},
     {OBJECTS "/none.so", "No such file"},
 };
 
