@@ -14,10 +14,10 @@
 #include <unistd.h>
 
 #include "batch/worker_impl.h"
+#include "core/child.h"
 
 #define STILLBORN_MOST 20
-#define LOOKS          30  /* at the processor clock of a worker before it counts as silent */
-#define DYING          5.0 /* longest wait for a process that was killed [s] */
+#define LOOKS          30 /* at the processor clock of a worker before it counts as silent */
 
 struct worker {
   pid_t process;            /* 0: none */
@@ -44,20 +44,6 @@ static double read_clock(clockid_t clock)
 {
   struct timespec t;
   return clock_gettime(clock, &t) != 0 ? NAN : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* End a process, whatever it does. One that the system cannot end (its disk does not answer) is
- * left behind after a while. *state: of waitpid. */
-static void end_process(pid_t process, int *state)
-{
-  double until = read_clock(CLOCK_MONOTONIC) + DYING;
-  kill(process, SIGKILL);
-  for (;;) {
-    pid_t done = waitpid(process, state, WNOHANG);
-    if (done == process || (done < 0 && errno != EINTR)) return;
-    if (!(read_clock(CLOCK_MONOTONIC) < until)) return;
-    nanosleep(&(struct timespec){0, 500000}, NULL);
-  }
 }
 
 /* In the child: only its own end stays open. */
@@ -174,7 +160,7 @@ static enum um_status bury(struct um_context *context, struct um_batch_crew *cre
   char reason[96];
   close(w->end);
   w->end = -1;
-  end_process(w->process, &state); /* it may have closed its end only */
+  um_core_child_end(w->process, &state); /* it may have closed its end only */
   w->process = 0;
   if (!(w->silent < crew->silence))
     snprintf(reason, sizeof reason, "stopped or stuck: it did nothing for %g s", crew->silence);
@@ -277,7 +263,7 @@ void um_batch_crew_destroy(struct um_context *context, struct um_batch_crew **cr
   }
   for (size_t i = 0; i < c->n; i++) {
     int state;
-    if (c->worker[i].process > 0) end_process(c->worker[i].process, &state);
+    if (c->worker[i].process > 0) um_core_child_end(c->worker[i].process, &state);
     um_core_free(context, c->worker[i].answer);
   }
   um_core_free(context, c->worker);

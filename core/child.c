@@ -22,7 +22,8 @@
 #define ADDRESS_LIMIT 1
 #endif
 
-#define LOOK 0.05 /* between two looks at time and stop [s] */
+#define DYING 5.0  /* longest wait for a child that was killed [s] */
+#define LOOK  0.05 /* between two looks at time and stop [s] */
 
 static double now(void)
 {
@@ -110,6 +111,17 @@ static enum um_status take(struct um_context *context, int pipe_end, size_t *roo
   return UM_OK;
 }
 
+void um_core_child_end(pid_t child, int *state)
+{
+  double until = now() + DYING;
+  kill(child, SIGKILL);
+  while (now() < until) {
+    pid_t done = waitpid(child, state, WNOHANG);
+    if (done == child || (done < 0 && errno != EINTR)) return;
+    nanosleep(&(struct timespec){0, 500000}, NULL);
+  }
+}
+
 /* Until the child has ended, is out of time, or is not wanted any more. *state: of waitpid. */
 static enum um_status watch(struct um_context *context, pid_t child, int pipe_end, double deadline,
                             const char *doing, struct um_core_child_result *out, int *state)
@@ -127,10 +139,7 @@ static enum um_status watch(struct um_context *context, pid_t child, int pipe_en
     ended = done == child || (done < 0 && errno != EINTR);
     if (!ended) nanosleep(&(struct timespec){0, (long)(1e9 * nap)}, NULL);
   }
-  if (!ended) {
-    kill(child, SIGKILL);
-    while (waitpid(child, state, 0) < 0 && errno == EINTR) continue; /* it is dead */
-  }
+  if (!ended) um_core_child_end(child, state);
   bool processor = WIFSIGNALED(*state) && WTERMSIG(*state) == SIGXCPU;
   out->end = (!ended && late) || processor ? UM_CHILD_TIMED_OUT
              : WIFSIGNALED(*state)         ? UM_CHILD_SIGNALLED

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <sys/types.h>
 
 #include "core/context.h"
 
@@ -33,6 +34,10 @@ enum um_status um_core_child_run(struct um_context *context, const char *name,
                                  um_core_child_work work, void *self,
                                  const struct um_core_child_limits *limits,
                                  struct um_core_child_result *out);
+
+/* End a child by SIGKILL, whatever it does; *state: of waitpid. One that the system cannot end, as
+ * while its disk does not answer, is left behind after 5 s, and *state is left as it was. */
+void um_core_child_end(pid_t child, int *state);
 
 /* write() of all bytes for use in a child; false when the reader is gone or the disk is full. */
 bool um_core_child_write(int pipe_end, const void *data, size_t bytes);
