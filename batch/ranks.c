@@ -30,7 +30,11 @@ struct peer {
   size_t workers, idle; /* of its processes */
   uint64_t *given;      /* [workers] its points, NOBODY where there is none */
   double heard;         /* when last [s] */
-  bool lost, gone;
+  bool lost;
+  char *buffer;     /* [room] of the message that is received from it */
+  bool receiving;   /* not whole yet, by `request` */
+  MPI_Status about; /* of it */
+  MPI_Request request;
 };
 
 struct um_batch_ranks {
@@ -54,6 +58,13 @@ static double now(void)
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Rank 0 speaks with all others, they with it alone. */
+static int first_peer(const struct um_batch_ranks *ranks) { return ranks->rank == 0 ? 1 : 0; }
+static int end_of_peers(const struct um_batch_ranks *ranks)
+{
+  return ranks->rank == 0 ? ranks->size : 1;
 }
 
 static void finalize(void)
@@ -136,9 +147,13 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   UM_CHECK(check_place(context, ranks));
   size_t values = task->nvalue * sizeof(double), point = (task->ncoordinate + 1) * sizeof(double);
   ranks->room = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
-  UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->buffer));
   UM_CHECK(um_core_allocate(context, (size_t)ranks->size, sizeof *ranks->peer, &ranks->peer));
-  for (int r = 0; r < ranks->size; r++) ranks->peer[r].heard = now();
+  for (int r = first_peer(ranks); r < end_of_peers(ranks); r++) {
+    ranks->peer[r].heard = now();
+    UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->peer[r].buffer));
+  }
+  /* last: whoever has it can hear */
+  UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->buffer));
   *out = ranks;
   return UM_OK;
 done:
@@ -180,7 +195,7 @@ static enum um_status welcome(struct um_context *context, const struct um_batch_
 {
   struct hello h;
   struct peer *peer = &ranks->peer[r];
-  memcpy(&h, ranks->buffer, sizeof h);
+  memcpy(&h, peer->buffer, sizeof h);
   if (h.identity != ranks->task->identity || h.ncoordinate != ranks->task->ncoordinate ||
       h.nvalue != ranks->task->nvalue)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -196,9 +211,10 @@ static enum um_status hand_on(struct um_context *context, const struct um_batch_
                               size_t bytes, um_batch_answered *answered, void *self)
 {
   struct answer_head head;
-  memcpy(&head, ranks->buffer, sizeof head);
-  ranks->buffer[bytes] = '\0';
-  const void *behind = ranks->buffer + sizeof head; /* aligned: the head is 24 bytes */
+  char *buffer = ranks->peer[r].buffer;
+  memcpy(&head, buffer, sizeof head);
+  buffer[bytes] = '\0';
+  const void *behind = buffer + sizeof head; /* aligned: the head is 24 bytes */
   if (head.number == NOBODY)
     return um_core_fail(context, (enum um_status)head.status, "rank %d: %s", r,
                         (const char *)behind);
@@ -213,19 +229,29 @@ static enum um_status hand_on(struct um_context *context, const struct um_batch_
   return answered(context, self, &answer);
 }
 
-/* The next message that has arrived, into the buffer; false: none. */
+/* The next message that has arrived whole, into its sender's buffer; false: none. A long one comes
+ * in pieces, and its sender may be stopped in the midst of it: others are heard meanwhile. */
 static bool receive(struct um_batch_ranks *ranks, int *from, int *tag, int *bytes)
 {
-  MPI_Status about;
-  int there = 0;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &about);
-  if (!there) return false;
-  *from = about.MPI_SOURCE;
-  *tag = about.MPI_TAG;
-  MPI_Get_count(&about, MPI_BYTE, bytes);
-  MPI_Recv(ranks->buffer, (int)ranks->room - 1, MPI_BYTE, *from, *tag, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  return true;
+  for (int r = first_peer(ranks); r < end_of_peers(ranks); r++) {
+    struct peer *peer = &ranks->peer[r];
+    MPI_Message message;
+    int there = 0, whole = 0;
+    if (!peer->receiving) {
+      MPI_Improbe(r, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &message, &peer->about);
+      if (!there) continue;
+      MPI_Imrecv(peer->buffer, (int)ranks->room - 1, MPI_BYTE, &message, &peer->request);
+      peer->receiving = true;
+    }
+    MPI_Test(&peer->request, &whole, MPI_STATUS_IGNORE);
+    if (!whole) continue;
+    peer->receiving = false;
+    *from = r;
+    *tag = peer->about.MPI_TAG;
+    MPI_Get_count(&peer->about, MPI_BYTE, bytes);
+    return true;
+  }
+  return false;
 }
 
 /* A rank that is silent has lost its points; what it says later is not heard. */
@@ -295,9 +321,9 @@ static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
     ranks->stopped = tag == TAG_STOP;
     if (tag != TAG_POINT) continue;
     uint64_t number;
-    memcpy(&number, ranks->buffer, sizeof number);
+    memcpy(&number, ranks->peer[from].buffer, sizeof number);
     /* the number is as long as a coordinate: what stands behind it is aligned */
-    const void *coordinate = ranks->buffer + sizeof number;
+    const void *coordinate = ranks->peer[from].buffer + sizeof number;
     um_batch_crew_give(crew, (size_t)number, coordinate);
   }
   if (now() - ranks->pulse < ranks->silence / PULSES) return;
@@ -344,7 +370,8 @@ static void dismiss(struct um_context *context, struct um_batch_ranks *ranks)
       continue;
     }
     struct answer_head head = {0};
-    if (tag == TAG_ANSWER) memcpy(&head, ranks->buffer, sizeof head);
+    if (tag == TAG_ANSWER) memcpy(&head, ranks->peer[from].buffer, sizeof head);
+    if (ranks->peer[from].lost) continue;
     if (tag == TAG_BYE || (tag == TAG_ANSWER && head.number == NOBODY)) left--;
   }
   broken = broken || left > 0;
@@ -355,7 +382,11 @@ void um_batch_ranks_leave(struct um_context *context, struct um_batch_ranks **ra
   if (ranks == NULL || *ranks == NULL) return;
   struct um_batch_ranks *r = *ranks;
   if (r->rank == 0 && r->peer != NULL && r->buffer != NULL) dismiss(context, r);
-  for (int i = 0; r->peer != NULL && i < r->size; i++) um_core_free(context, r->peer[i].given);
+  for (int i = 0; r->peer != NULL && i < r->size; i++) {
+    um_core_free(context, r->peer[i].given);
+    /* MPI may still write into the buffer of what has not arrived whole */
+    if (!r->peer[i].receiving) um_core_free(context, r->peer[i].buffer);
+  }
   um_core_free(context, r->peer);
   um_core_free(context, r->buffer);
   um_core_free(context, r);

@@ -1,4 +1,4 @@
-/* Effects of a user's own: shared objects by dlopen, which appears in this file alone. An object is
+/* Effects of a user's own: shared objects by dlopen. An object is
  * closed with its registry; the system counts how often one is open, so that many models share it.
  */
 #include <dlfcn.h>
