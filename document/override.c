@@ -214,6 +214,45 @@ enum um_status um_document_set(struct um_document *document, const char *overrid
   return UM_OK;
 }
 
+/* Position of a child, as text. */
+static void append_position(const struct um_node *list, const struct um_node *child, char *out,
+                            size_t size)
+{
+  size_t index = 0, used = strlen(out);
+  for (const struct um_node *n = list->first; n != child && n != NULL; n = n->next) index++;
+  snprintf(out + used, size - used, ".%zu", index);
+}
+
+/* One step of a walk that makes nothing, and the name of it that has one spelling. */
+static enum um_status name_step(struct walk *w, struct um_node **node, char *out, size_t size)
+{
+  struct um_node *from = *node;
+  if (from->kind == UM_NODE_MAP) {
+    UM_TRY(step_map(w, from, node));
+    size_t used = strlen(out);
+    if (*node != NULL) snprintf(out + used, size - used, ".%s", (*node)->key);
+    return UM_OK;
+  }
+  UM_TRY(step_list(w, from, node));
+  if (*node != NULL) append_position(from, *node, out, size);
+  return UM_OK;
+}
+
+void um_document_place(struct um_document *document, const char *key, char *out, size_t size)
+{
+  struct walk w = {document, key, key, true};
+  struct um_node *node = document->root;
+  out[0] = '\0';
+  while (node != NULL && w.rest[0] != '\0' &&
+         (node->kind == UM_NODE_MAP || node->kind == UM_NODE_LIST)) {
+    if (name_step(&w, &node, out, size) == UM_OK) continue;
+    um_core_message_clear(document->context); /* what is wrong with it is said where it is set */
+    node = NULL;
+  }
+  size_t used = strlen(out);
+  if (w.rest[0] != '\0') snprintf(out + used, size - used, ".%s", w.rest);
+}
+
 double um_document_number(struct um_document *document, const char *key)
 {
   struct walk w = {document, key, key, true};

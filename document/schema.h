@@ -135,6 +135,9 @@ enum um_status um_document_move(struct um_context *context, struct um_document *
 /* The number at a key path (that of an override), after overrides; NaN where the document has none
  * there. */
 double um_document_number(struct um_document *document, const char *key);
+/* Where a key path (that of an override) leads, in one spelling: an element of a list by its
+ * position, ".parts.0.shell". out: [size], cut where it is full. */
+void um_document_place(struct um_document *document, const char *key, char *out, size_t size);
 /* Memory owned by the document, zeroed; for things derived while binding. */
 enum um_status um_document_allocate(struct um_context *context, struct um_document *document,
                                     size_t count, size_t size, void *out);

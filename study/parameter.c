@@ -113,6 +113,12 @@ enum um_status um_study_way_find(struct um_context *context, const struct um_mod
   return UM_OK;
 }
 
+bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
+                       const struct um_model *b)
+{
+  return way->effect == NULL || value_in(a, way) == value_in(b, way);
+}
+
 /* --- options of a point ---------------------------------------------------------------------- */
 
 /* Has the scenario this effect on this target? Its other parameters then stay as they are. */

@@ -24,6 +24,20 @@ struct um_study_way {
 enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
                                  const struct um_study_file_parameter *parameter,
                                  struct um_study_way *out);
+/* Have two models the same value of the effect's parameter? True of an override. */
+bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
+                       const struct um_model *b);
+
+/* --- twice.c --- */
+/* UM_ERR_INPUT with both names and lines: two ways to one place of the scenario, or to one
+ * parameter of an effect; a key that contains another. */
+enum um_status um_study_ways_check(struct um_context *context, const struct um_model *model,
+                                   const struct um_study_way *way, size_t nway);
+/* The same of what only shows in `moved`, the model with way `at` alone away from the scenario: it
+ * moves what another way states. */
+enum um_status um_study_ways_check_moved(struct um_context *context, const struct um_model *model,
+                                         const struct um_model *moved,
+                                         const struct um_study_way *way, size_t nway, size_t at);
 
 /* Options of a model at parameter values; texts owned. */
 struct um_study_options {

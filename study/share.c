@@ -23,6 +23,7 @@ static enum um_status try_end(struct um_context *context, const struct um_study 
     return UM_ERR_INPUT;
   }
   UM_TRY(status);
+  UM_TRY(um_study_ways_check_moved(context, study->model, end->model, study->way, study->nway, i));
   UM_TRY(um_model_precomputed_serves(context, study->model, study->precomputed, end->model,
                                      &end->serves));
   if (!end->serves) return UM_OK;

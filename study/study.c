@@ -20,7 +20,7 @@ static enum um_status find_ways(struct um_context *context, struct um_study *stu
   UM_TRY(um_core_allocate(context, study->nway, sizeof *study->way, &study->way));
   for (size_t i = 0; i < study->nway; i++)
     UM_TRY(um_study_way_find(context, study->model, &p[i], &study->way[i]));
-  return UM_OK;
+  return um_study_ways_check(context, study->model, study->way, study->nway);
 }
 
 /* The scenario as it stands, with the time that each part of it takes. */

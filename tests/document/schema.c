@@ -168,6 +168,14 @@ static void test_numbers(void **state)
                                      "altitude_km.of",
                                      "parts.+.name",
                                      ""};
+  static const char *const place[][2] = {
+      {"altitude_km", ".altitude_km"},
+      {"parts.bus.size_m.1", ".parts.0.size_m.1"},
+      {"parts.00.size_m.01", ".parts.0.size_m.1"},
+      {"parts.1.shell.thickness_m", ".parts.1.shell.thickness_m"},
+      {"materials.mli.no.such", ".materials.mli.no.such"},
+      {"altitude_km.of", ".altitude_km.of"},
+      {"parts.nobody.size_m", ".parts.nobody.size_m"}};
   parse(&document, "altitude_km=700", "parts.bus.size_m=[4, 5, 6]", NULL);
   assert_int_equal(um_document_text(context, document, &before), UM_OK);
   assert_true(um_document_number(document, "altitude_km") == 700.0);
@@ -176,6 +184,11 @@ static void test_numbers(void **state)
   assert_true(um_document_number(document, "materials.mli.emittance") == 0.5);
   for (size_t i = 0; i < sizeof none / sizeof *none; i++)
     if (!isnan(um_document_number(document, none[i]))) fail_msg("'%s' is a number", none[i]);
+  for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
+    char one[80];
+    um_document_place(document, place[i][0], one, sizeof one);
+    assert_string_equal(one, place[i][1]);
+  }
   assert_string_equal(um_core_message(context), "");
   assert_int_equal(um_document_text(context, document, &after), UM_OK);
   assert_string_equal(before, after);

@@ -32,14 +32,37 @@ static const struct {
      "no band 'visual'"},
     {"parameters: [{key: parts.box.interior.power_W, from: 0, to: 9}]\noutputs: {places: [bos]}\n",
      "no place 'bos'"},
+    /* one number under two names: what is said names both */
+    {"parameters: [{key: parts.box.interior.power_W, from: 0, to: 100},\n"
+     "  {key: parts.box.interior.power_W, name: q, from: 0, to: 50}]\n",
+     "'q' moves what 'parts.box.interior.power_W' of line 4 moves"},
+    {"parameters: [{key: parts.wing.shell.areal_heat_capacity_J_m2_K, from: 1000, to: 2000},\n"
+     "  {key: parts.01.shell.areal_heat_capacity_J_m2_K, from: 1000, to: 2000}]\n",
+     "'parts.01.shell.areal_heat_capacity_J_m2_K' moves what"},
+    {"parameters: [{key: bands.vis.bins, from: 4, to: 8},\n"
+     "  {key: bands.vis, from: 1, to: 2}]\n",
+     "'bands.vis' moves what 'bands.vis.bins' of line 4 moves"},
+    {"parameters: [{key: parts.1, from: 1, to: 2},\n"
+     "  {key: parts.wing.shell.areal_heat_capacity_J_m2_K, from: 4, to: 8}]\n",
+     "'parts.wing.shell.areal_heat_capacity_J_m2_K' moves what 'parts.1' of line 4 moves"},
+    {"parameters: [{material: grey_panel, property: emittance, from: 0.6, to: 0.9},\n"
+     "  {effect: emittance, target: grey_panel, from: 0.9, to: 1.1}]\n",
+     "'emittance:grey_panel' moves what 'grey_panel.emittance' of line 4 moves"},
+    {"parameters: [{effect: zero_point, target: vis, from: 0.9, to: 1},\n"
+     "  {effect: zero_point, target: vis, parameter: factor, from: 0.9, to: 1}]\n",
+     "'zero_point:vis.factor' moves what 'zero_point:vis' of line 4 moves"},
+    {"parameters: [{effect: zero_point, target: lwir, from: 0.9, to: 1},\n"
+     "  {key: \"effects.zero_point:lwir.factor\", from: 0.9, to: 1}]\n",
+     "'effects.zero_point:lwir.factor' moves what 'zero_point:lwir' of line 4 moves"},
 };
 
 static void test_refused(void **state)
 {
   (void)state;
-  static const char *const quick[] = {"thermal.start=isothermal", "thermal.orbits_before=0.05"};
+  static const char *const quick[] = {"thermal.start=isothermal", "thermal.orbits_before=0.05",
+                                      "effects=[{effect: zero_point, target: lwir, factor: 0.95}]"};
   struct um_study_run_options options = world_options(1, false);
-  options.model = (struct um_model_options){.overrides = quick, .noverride = 2};
+  options.model = (struct um_model_options){.overrides = quick, .noverride = 3};
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
     struct um_study *study = NULL;
     world_put(refused[i].study);
