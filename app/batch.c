@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "app/terminal.h"
-#include "core/digest.h"
 
 /* One process a rank where a launcher has placed the ranks. */
 static int workers_by_machine(void)
@@ -51,10 +50,4 @@ int um_app_batch_end(size_t lost, const char *records)
           "--resume computes what is missing\n",
           lost, lost == 1 ? " is" : "s are", records);
   return UM_APP_LOST;
-}
-
-uint64_t um_app_batch_hash(uint64_t hash, const char *text)
-{
-  if (hash == 0) hash = um_app_batch_hash(UM_CORE_DIGEST_BEGIN, UM_APP_VERSION);
-  return um_core_digest_texts(hash, &text, 1);
 }

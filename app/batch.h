@@ -15,8 +15,4 @@ enum um_status um_app_batch_options(struct um_context *context,
  * points are lost. records: their folder. */
 int um_app_batch_end(size_t lost, const char *records);
 
-/* Hash of texts, in this order, and of the program's version; for the identity of a task. Begin
- * with 0. */
-uint64_t um_app_batch_hash(uint64_t hash, const char *text);
-
 #endif

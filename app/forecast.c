@@ -8,12 +8,12 @@
 #include "app/batch.h"
 #include "app/terminal.h"
 #include "batch/batch.h"
-#include "batch/records.h"
 #include "core/constants.h"
 #include "core/file.h"
 #include "core/words.h"
 #include "orbit/time.h"
 #include "study/forecast_write.h"
+#include "study/identity.h"
 
 #define DAYS_MOST 400.0
 
@@ -234,12 +234,13 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   struct um_study_forecast *forecast = NULL;
   struct um_study_forecast_ask ask = {.nstation = 0};
   struct um_model_options changes = um_app_model_options(options);
-  struct um_batch_task task = {.identity = um_app_batch_hash(0, "forecast")};
+  struct um_batch_task task = {.nshare = 0};
   struct um_batch *batch = NULL;
   char *out = NULL, *name = NULL, *records = NULL;
   bool whole = false;
   int code = UM_APP_DONE;
   ask.options = &changes;
+  ask.version = UM_APP_VERSION;
   UM_CHECK(um_core_allocate(context, options->nstation, sizeof *station, &station));
   UM_CHECK(parse(context, options, station, &ask));
   UM_CHECK(um_app_batch_options(context, options, &task));
@@ -249,7 +250,7 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   for (size_t n = strlen(out); n > 1 && out[n - 1] == '/'; n--) out[n - 1] = '\0';
   UM_CHECK(um_core_asprintf(context, &records, "%s.records", out));
   task.folder = records;
-  UM_CHECK(um_batch_open(context, &task, &batch));
+  UM_CHECK(um_study_forecast_open(context, forecast, &task, &batch));
   if (um_batch_leads(batch))
     UM_CHECK(lead(context, options, forecast, batch, out));
   else
@@ -258,7 +259,7 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   whole = um_batch_leads(batch) && options->share == NULL && code == UM_APP_DONE;
 done:
   um_batch_close(context, &batch);
-  if (whole) um_batch_records_remove(context, records);
+  if (whole) um_study_records_remove(context, records);
   um_study_forecast_destroy(context, &forecast);
   for (size_t i = 0; station != NULL && i < options->nstation; i++)
     um_core_free(context, (void *)station[i].name);

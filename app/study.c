@@ -3,8 +3,8 @@
 
 #include "app/app.h"
 #include "app/batch.h"
-#include "batch/records.h"
 #include "core/file.h"
+#include "study/identity.h"
 #include "study/measured.h"
 #include "study/plot.h"
 #include "study/report.h"
@@ -114,7 +114,7 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
                 records);
     goto done;
   }
-  if (code == UM_APP_DONE) um_batch_records_remove(context, records);
+  if (code == UM_APP_DONE) um_study_records_remove(context, records);
   print_result(result, folder);
 done:
   um_study_result_destroy(context, &result);

@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/records.h"
 #include "bench/bench.h"
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
+#include "study/identity.h"
 #include "study/result.h"
 #include "study/study_impl.h"
 
@@ -106,7 +106,7 @@ int main(int argc, char **argv)
   double all = bench_cpu() - begin, surrogate_factor = study->tolerance_factor;
   study->file->mode = UM_STUDY_EXACT;
   bench_must(&bench, um_study_tolerance(bench.context, study));
-  um_batch_records_remove(bench.context, records);
+  um_study_records_remove(bench.context, records);
   remove(folder);
   compare(&bench, study, result, &run, &point, &d);
   double own = bench_median(&run), of_all = (double)result->npoint * own;

@@ -3,33 +3,14 @@
 #define UMBRA_CORE_FILE_H
 
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 
-#include "core/context.h"
+#include "core/plain_file.h"
 
-/* Open a plain file, the only way in which Umbra opens what it did not make: a folder, a pipe, a
- * device or a socket is refused, and none is waited for. UM_ERR_IO "path: reason", UM_ERR_MEMORY.
- * For reading; the caller closes. */
-enum um_status um_core_file_open(struct um_context *context, const char *path, FILE **out);
-/* For a library that opens by name: can it be read, and is it plain? */
-enum um_status um_core_file_check(struct um_context *context, const char *path);
-/* With the flags of open(2); closed by an exec. *out: -1 on an error. */
-enum um_status um_core_descriptor_open(struct um_context *context, const char *path, int flags,
-                                       int *out);
 /* Whole plain file as bytes with a NUL behind them; the caller frees. Refuses files over `limit`
  * bytes. Errors as um_core_file_open. */
 enum um_status um_core_file_read(struct um_context *context, const char *path, size_t limit,
                                  char **out, size_t *length);
-/* Between the two, which nest, every file is read from the disk once and served from memory again;
- * a file that could not be read is tried again. Hold: UM_ERR_MEMORY. Letting go does not fail. */
-enum um_status um_core_files_hold(struct um_context *context);
-void um_core_files_let_go(struct um_context *context);
-/* One of them is held no longer: it is read from the disk the next time. Does not fail. */
-void um_core_file_forget(struct um_context *context, const char *path);
-/* A number that the bytes of all files held so far make (Fowler, Noll and Vo, 64 bits, summed), in
- * whatever order they were read, whoever read them; 0 where none are. */
-uint64_t um_core_files_digest(struct um_context *context);
 /* "dir of base_file / relative", or a copy when `relative` is absolute; the caller frees. */
 enum um_status um_core_path_resolve(struct um_context *context, const char *base_file,
                                     const char *relative, char **out);

@@ -1,20 +1,36 @@
 /* While files are held, every one is read once and served from memory again, so that what is built
- * many times is built from the same bytes though somebody edits them meanwhile. */
-#include "core/digest.h"
-#include "core/held_files_impl.h"
-
+ * many times is built from the same bytes though somebody edits them meanwhile. What others read, a
+ * library or the loader, is not in memory: it must stay what it was. */
+#include <errno.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+
+#include "core/digest.h"
+#include "core/held_files.h"
+#include "core/held_files_impl.h"
+#include "core/plain_file.h"
+
+#define PIECE ((size_t)1 << 20) /* read between two looks at the stop [bytes] */
 
 struct held {
-  char *path, *text; /* text with a NUL behind it */
+  char *path, *text; /* text with a NUL behind it; NULL: what others read */
   size_t length;
+  uint64_t digest;
+  struct stat state; /* of what others read */
+  size_t use; /* the how many-th file that was used since the last um_core_files_hold; 0: not yet */
 };
 
 struct um_core_held_files {
-  size_t holders, count;
+  size_t holders, count, used;
   struct held *file; /* [count] */
 };
+
+static void note_use(struct um_core_held_files *h, struct held *file)
+{
+  if (file->use == 0) file->use = ++h->used;
+}
 
 static enum um_status copy(struct um_context *context, const char *text, size_t length, char **out)
 {
@@ -28,6 +44,8 @@ enum um_status um_core_files_hold(struct um_context *context)
   struct um_core_held_files **held = um_core_context_held_files(context);
   if (*held == NULL) UM_TRY(um_core_allocate(context, 1, sizeof **held, held));
   (*held)->holders++;
+  for (size_t i = 0; i < (*held)->count; i++) (*held)->file[i].use = 0;
+  (*held)->used = 0;
   return UM_OK;
 }
 
@@ -44,15 +62,13 @@ void um_core_files_let_go(struct um_context *context)
   *held = NULL;
 }
 
-uint64_t um_core_files_digest(struct um_context *context)
+void um_core_files_each(struct um_context *context,
+                        void (*each)(void *self, const char *path, uint64_t digest), void *self)
 {
   const struct um_core_held_files *h = *um_core_context_held_files(context);
-  uint64_t sum = 0;
-  for (size_t i = 0; h != NULL && i < h->count; i++) {
-    /* its NUL too: an empty file counts */
-    sum += um_core_digest(UM_CORE_DIGEST_BEGIN, h->file[i].text, h->file[i].length + 1);
-  }
-  return sum;
+  for (size_t use = 1; h != NULL && use <= h->used; use++)
+    for (size_t i = 0; i < h->count; i++)
+      if (h->file[i].use == use) each(self, h->file[i].path, h->file[i].digest);
 }
 
 void um_core_file_forget(struct um_context *context, const char *path)
@@ -67,14 +83,89 @@ void um_core_file_forget(struct um_context *context, const char *path)
   }
 }
 
+/* --- what others read ------------------------------------------------------------------------ */
+
+static enum um_status digest_open_file(struct um_context *context, const char *path, FILE *file,
+                                       uint64_t *out)
+{
+  enum um_status status;
+  char *piece;
+  size_t got;
+  UM_TRY(um_core_allocate(context, PIECE, 1, &piece));
+  do {
+    got = fread(piece, 1, PIECE, file);
+    *out = um_core_digest(*out, piece, got);
+    UM_CHECK(um_core_stop_check(context, "a file was read"));
+  } while (got == PIECE);
+  if (ferror(file)) status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+done:
+  um_core_free(context, piece);
+  return status;
+}
+
+enum um_status um_core_file_digest(struct um_context *context, const char *path, uint64_t *out)
+{
+  FILE *file;
+  UM_TRY(um_core_file_open(context, path, &file));
+  *out = UM_CORE_DIGEST_BEGIN;
+  enum um_status status = digest_open_file(context, path, file, out);
+  fclose(file);
+  return status;
+}
+
+/* Is it the file that it was? Times tell, so that it need not be read again. */
+static bool same_state(const struct stat *a, const struct stat *b)
+{
+  return a->st_dev == b->st_dev && a->st_ino == b->st_ino && a->st_size == b->st_size &&
+         a->st_mtim.tv_sec == b->st_mtim.tv_sec && a->st_mtim.tv_nsec == b->st_mtim.tv_nsec;
+}
+
+static enum um_status append(struct um_context *context, const char *path, struct held file)
+{
+  struct um_core_held_files *h = *um_core_context_held_files(context);
+  enum um_status status;
+  UM_CHECK(um_core_strdup(context, path, &file.path));
+  UM_CHECK(um_core_reallocate(context, h->count + 1, sizeof *h->file, &h->file));
+  h->file[h->count++] = file;
+  note_use(h, &h->file[h->count - 1]);
+  return UM_OK;
+done:
+  um_core_free(context, file.path);
+  um_core_free(context, file.text);
+  return status;
+}
+
+enum um_status um_core_file_note(struct um_context *context, const char *path)
+{
+  struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct held file = {.length = 0};
+  if (h == NULL) return UM_OK;
+  if (stat(path, &file.state) != 0)
+    return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  for (size_t i = 0; i < h->count; i++) {
+    if (h->file[i].text != NULL || strcmp(h->file[i].path, path) != 0) continue;
+    note_use(h, &h->file[i]);
+    if (same_state(&h->file[i].state, &file.state)) return UM_OK;
+    return um_core_fail(context, UM_ERR_IO,
+                        "%s: has changed since it was read first; accepted: a file that stays as "
+                        "it is while it is in use",
+                        path);
+  }
+  UM_TRY(um_core_file_digest(context, path, &file.digest));
+  return append(context, path, file);
+}
+
+/* --- what is read here ----------------------------------------------------------------------- */
+
 enum um_status um_core_held_files_find(struct um_context *context, const char *path, char **out,
                                        size_t *length, bool *found)
 {
-  const struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct um_core_held_files *h = *um_core_context_held_files(context);
   *found = false;
   for (size_t i = 0; h != NULL && i < h->count; i++) {
-    if (strcmp(h->file[i].path, path) != 0) continue;
+    if (h->file[i].text == NULL || strcmp(h->file[i].path, path) != 0) continue;
     UM_TRY(copy(context, h->file[i].text, h->file[i].length, out));
+    note_use(h, &h->file[i]);
     *length = h->file[i].length;
     *found = true;
   }
@@ -84,17 +175,9 @@ enum um_status um_core_held_files_find(struct um_context *context, const char *p
 enum um_status um_core_held_files_add(struct um_context *context, const char *path,
                                       const char *text, size_t length)
 {
-  enum um_status status;
-  struct um_core_held_files *h = *um_core_context_held_files(context);
-  struct held file = {.length = length};
-  if (h == NULL) return UM_OK;
-  UM_CHECK(um_core_strdup(context, path, &file.path));
-  UM_CHECK(copy(context, text, length, &file.text));
-  UM_CHECK(um_core_reallocate(context, h->count + 1, sizeof *h->file, &h->file));
-  h->file[h->count++] = file;
-  return UM_OK;
-done:
-  um_core_free(context, file.path);
-  um_core_free(context, file.text);
-  return status;
+  struct held file = {.length = length, .digest = UM_CORE_DIGEST_BEGIN};
+  if (*um_core_context_held_files(context) == NULL) return UM_OK;
+  file.digest = um_core_digest(file.digest, text, length);
+  UM_TRY(copy(context, text, length, &file.text));
+  return append(context, path, file);
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/file.h"
+#include "core/held_files.h"
 #include "core/words.h"
 #include "effects/effects.h"
 
@@ -102,6 +103,7 @@ static enum um_status load(struct um_context *context, struct um_effects_registr
                            const char *absolute)
 {
   size_t nown = r->nown;
+  UM_TRY(um_core_file_note(context, absolute));
   void *object = dlopen(absolute, RTLD_NOW | RTLD_LOCAL);
   if (object == NULL) return fail_open(context, absolute);
   enum um_status status =

@@ -10,6 +10,7 @@
 
 #include "core/constants.h"
 #include "core/file.h"
+#include "core/held_files.h"
 #include "core/interpolation.h"
 #include "environment/knocke.h"
 
@@ -192,10 +193,12 @@ enum um_status um_environment_map_read(struct um_context *context, const char *p
   bool netcdf =
       (n >= 4 && memcmp(head, "CDF", 3) == 0 && (head[3] == 1 || head[3] == 2 || head[3] == 5)) ||
       (n == 8 && memcmp(head, "\211HDF\r\n\032\n", 8) == 0);
-  if (netcdf)
+  if (netcdf) {
+    UM_TRY(um_core_file_note(context, path));
     UM_TRY(um_environment_map_read_netcdf(context, path, t_tai, out));
-  else
+  } else {
     UM_TRY(um_environment_map_read_csv(context, path, out));
+  }
   um_environment_map_finish(context, path, *out);
   return UM_OK;
 }

@@ -10,6 +10,7 @@
 
 #include "core/digest.h"
 #include "core/file.h"
+#include "core/held_files.h"
 #include "core/sampling.h"
 #include "geometry/view_factor_file.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "compare/refine.h"
-#include "core/file.h"
+#include "core/held_files.h"
 #include "core/words.h"
 #include "model/build.h"
 #include "model/precompute.h"

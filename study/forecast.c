@@ -6,12 +6,13 @@
 
 #include "core/constants.h"
 #include "core/digest.h"
-#include "core/file.h"
+#include "core/held_files.h"
 #include "core/sort.h"
 #include "model/bands.h"
 #include "model/build.h"
 #include "model/timeline.h"
 #include "study/forecast_impl.h"
+#include "study/identity.h"
 
 #define DAY 86400.0
 #define BEYOND                                                                                     \
@@ -26,6 +27,7 @@ struct held {
   double *coordinate;                     /* [npass][UM_STUDY_FORECAST_COORDINATES] */
   struct um_study_forecast_band *band;    /* [npass][nband] */
   struct um_study_forecast_place *places; /* [npass][nplace] */
+  struct um_study_identity *identity;
   bool holds_files;
 };
 
@@ -181,27 +183,29 @@ static enum um_status name_stations(struct um_context *context, struct held *h,
   return UM_OK;
 }
 
-/* The scenario and all files that it names, its changes and the stations: a pass of these has its
- * values. */
-static uint64_t identify(struct um_context *context, const struct held *h, uint64_t identity)
+/* The scenario with all that it is made of, and the stations: a pass of these has its values. */
+static enum um_status identify(struct um_context *context, struct held *h,
+                               const struct um_model *model)
 {
-  const struct um_model_options *o = h->ask.options;
-  const uint64_t files = um_core_files_digest(context);
-  uint64_t id = um_core_digest(identity, &files, sizeof files);
-  id = um_core_digest_texts(id, o->overrides, o->noverride);
-  id = um_core_digest_texts(id, o->with, o->nwith);
-  id = um_core_digest_texts(id, o->without, o->nwithout);
-  id = um_core_digest_texts(id, o->effect_files, o->neffect_file);
+  uint64_t stations = UM_CORE_DIGEST_BEGIN;
+  UM_TRY(um_study_identity_create(context, h->ask.version, model, h->ask.options, &h->identity));
   for (size_t i = 0; i < h->forecast.nstation; i++) {
     const struct um_study_station *s = &h->forecast.station[i];
     const double place[3] = {s->latitude, s->longitude, s->height};
-    id = um_core_digest(id, place, sizeof place);
+    stations = um_core_digest(stations, place, sizeof place);
   }
-  return id;
+  return um_study_identity_add(context, h->identity, "the stations", stations);
 }
 
-static enum um_status prepare(struct um_context *context, struct held *h,
-                              struct um_batch_task *task)
+enum um_status um_study_forecast_open(struct um_context *context,
+                                      const struct um_study_forecast *forecast,
+                                      const struct um_batch_task *task, struct um_batch **out)
+{
+  const struct held *h = (const struct held *)(const void *)forecast; /* its first member */
+  return um_study_identity_open(context, h->identity, task, out);
+}
+
+static enum um_status prepare(struct um_context *context, struct held *h)
 {
   enum um_status status;
   struct um_study_forecast *f = &h->forecast;
@@ -218,7 +222,7 @@ static enum um_status prepare(struct um_context *context, struct held *h,
                              : h->ask.minimum_elevation;
   UM_CHECK(name_outputs(context, h, model));
   UM_CHECK(um_study_forecast_pin(context, model, &h->work));
-  task->identity = identify(context, h, task->identity);
+  status = identify(context, h, model);
 done:
   um_model_destroy(context, &model);
   return status;
@@ -235,7 +239,7 @@ enum um_status um_study_forecast_create(struct um_context *context,
   struct um_study_forecast *f = &h->forecast;
   h->ask = *ask;
   h->work.ask = &h->ask;
-  UM_CHECK(prepare(context, h, task));
+  UM_CHECK(prepare(context, h));
   for (size_t s = 0; s < f->nstation; s++) UM_CHECK(find_passes(context, h, s));
   UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
   h->work.nband = f->nband;
@@ -312,6 +316,7 @@ void um_study_forecast_destroy(struct um_context *context, struct um_study_forec
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
   for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);
   for (size_t i = 0; i < h->work.npin; i++) um_core_free(context, h->work.pin[i]);
+  um_study_identity_destroy(context, &h->identity);
   if (h->holds_files) um_core_files_let_go(context);
   void *const block[] = {h->work.pin, f->pass,   f->band, f->thermal, f->place,
                          f->station,  f->value,  f->name, h->place,   h->coordinate,

@@ -25,6 +25,7 @@ struct um_study_forecast_ask {
   double minimum_elevation;               /* [rad]; NaN: the scenario's */
   const struct um_study_station *station; /* [nstation] */
   size_t nstation;                        /* 0: the scenario's station */
+  const char *version;                    /* of the program, NULL: none */
 };
 
 /* Band of a pass. Magnitudes are AB, exo-atmospheric, NaN where nothing is seen. */
@@ -77,12 +78,16 @@ struct um_study_forecast {
 const char *um_study_sky(double sun_elevation);
 
 /* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
- * the runs, whose `identity`, `ncoordinate`, `nvalue`, `compute` and `user` are set. The forecast
+ * the runs, whose `ncoordinate`, `nvalue`, `compute` and `user` are set. The forecast
  * outlives the task's batch; `ask` too, with what it points to. UM_ERR_INPUT: no station, no orbit,
  * more than UM_STUDY_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
 enum um_status um_study_forecast_create(struct um_context *context,
                                         const struct um_study_forecast_ask *ask,
                                         struct um_batch_task *task, struct um_study_forecast **out);
+/* Open the records of the task; errors of um_study_identity_open. */
+enum um_status um_study_forecast_open(struct um_context *context,
+                                      const struct um_study_forecast *forecast,
+                                      const struct um_batch_task *task, struct um_batch **out);
 /* Compute the passes; a pass that cannot be computed has its reason. Errors of um_batch_run. */
 enum um_status um_study_forecast_run(struct um_context *context, struct um_study_forecast *forecast,
                                      struct um_batch *batch);

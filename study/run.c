@@ -13,36 +13,30 @@
 
 /* --- identity -------------------------------------------------------------------------------- */
 
-/* Of what a point is: which number means what, scenario, changes, version and tolerances. Curves of
- * the scenario as it stands speak for the files that it names. */
-static enum um_status identify(struct um_context *context, const struct um_study *study,
-                               uint64_t *out)
+/* What of a study decides a point's values, beside the scenario: which number means what, what is
+ * kept, and tolerances. How many points there are and where they lie does not: more of them may be
+ * added to those on record. */
+static enum um_status identify(struct um_context *context, struct um_study *study)
 {
-  const struct um_model_options *o = &study->options.model;
-  char *text = NULL;
-  uint64_t hash = UM_CORE_DIGEST_BEGIN;
-  UM_TRY(um_document_text(context, study->model->document, &text));
-  hash = um_core_digest(hash, text, strlen(text));
-  um_core_free(context, text);
-  hash = um_core_digest_texts(hash, o->overrides, o->noverride);
-  hash = um_core_digest_texts(hash, o->with, o->nwith);
-  hash = um_core_digest_texts(hash, o->without, o->nwithout);
-  if (study->options.version != NULL) hash = um_core_digest_texts(hash, &study->options.version, 1);
+  uint64_t ways = UM_CORE_DIGEST_BEGIN, outputs = UM_CORE_DIGEST_BEGIN;
+  const double tolerance[] = {study->tolerance_factor, study->periodic_tolerance};
   for (size_t i = 0; i < study->nway; i++) {
     const struct um_study_way *w = &study->way[i];
     const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
                               w->target != NULL ? w->target : ""};
-    hash = um_core_digest_texts(hash, is, 2);
-    hash = um_core_digest(hash, &w->which, sizeof w->which);
-    hash = um_core_digest(hash, &w->of_record, sizeof w->of_record);
+    ways = um_core_digest_texts(ways, is, 2);
+    ways = um_core_digest(ways, &w->which, sizeof w->which);
+    ways = um_core_digest(ways, &w->of_record, sizeof w->of_record);
   }
   for (size_t q = 0; q < study->noutput; q++) {
-    hash = um_core_digest(hash, &study->output[q].kind, sizeof study->output[q].kind);
-    hash = um_core_digest_texts(hash, &study->output[q].of, 1);
+    outputs = um_core_digest(outputs, &study->output[q].kind, sizeof study->output[q].kind);
+    outputs = um_core_digest_texts(outputs, &study->output[q].of, 1);
   }
-  hash = um_core_digest(hash, study->nominal, study->nvalue * sizeof(double));
-  *out = um_core_digest(hash, &study->tolerance_factor, sizeof study->tolerance_factor);
-  return UM_OK;
+  UM_TRY(um_study_identity_add(context, study->identity, "the study's parameters", ways));
+  UM_TRY(um_study_identity_add(context, study->identity, "the study's outputs", outputs));
+  return um_study_identity_add(context, study->identity,
+                               "the tolerances of points (error of the study)",
+                               um_core_digest(UM_CORE_DIGEST_BEGIN, tolerance, sizeof tolerance));
 }
 
 /* --- points by geometry ---------------------------------------------------------------------- */
@@ -289,8 +283,8 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
   task.user = study;
   *out = NULL;
   UM_CHECK(um_study_tolerance(context, study));
-  UM_CHECK(identify(context, study, &task.identity));
-  UM_CHECK(um_batch_open(context, &task, &batch));
+  UM_CHECK(identify(context, study));
+  UM_CHECK(um_study_identity_open(context, study->identity, &task, &batch));
   if (!um_batch_leads(batch)) {
     status = um_batch_serve(context, batch);
     goto done;

@@ -8,6 +8,7 @@
 
 #include "compare/measurements.h"
 #include "core/file.h"
+#include "core/held_files.h"
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
@@ -106,6 +107,10 @@ static enum um_status prepare(struct um_context *context, const char *path, stru
   if (study->model->points)
     return um_document_mark_fail(context, um_document_mark_key(&study->file->at, "scenario"),
                                  "its observations stand alone (orbit.points); accepted: an orbit");
+  UM_TRY(um_study_identity_create(context, study->options.version, study->model,
+                                  &study->options.model, &study->identity));
+  if (study->options.batch.resume)
+    UM_TRY(um_study_identity_check(context, study->identity, study->options.batch.folder));
   UM_TRY(find_ways(context, study));
   UM_TRY(make_nominal(context, study));
   return um_study_share(context, study);
@@ -137,6 +142,7 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_model_thermal_solution_destroy(context, &s->heat);
   um_model_precomputed_destroy(context, &s->precomputed);
   um_model_destroy(context, &s->model);
+  um_study_identity_destroy(context, &s->identity);
   if (s->holds_files) um_core_files_let_go(context);
   um_core_free(context, s->way);
   um_core_free(context, s->moves_geometry);

@@ -13,7 +13,7 @@ struct um_study;
 /* How a study is run. Texts are borrowed while the study lives. */
 struct um_study_run_options {
   struct um_model_options model; /* of the command line: --set, --with, --without */
-  const char *version;           /* of the program: records of another are refused */
+  const char *version;           /* of the program; part of what points are of (identity.h) */
   const char *measured;          /* measurements in place of the file's, or NULL */
   /* folder of the records, resume, workers, share; the rest is filled in */
   struct um_batch_task batch;
@@ -35,9 +35,9 @@ const char *um_study_measurements(const struct um_study *study);
  * computed anew, how long and how much disk. One point is computed for that. */
 enum um_status um_study_print_check(struct um_context *context, struct um_study *study, FILE *file);
 
-/* All points. *out NULL: this process served another (um_batch_serve), or had a share of a job
- * array, which writes no results. UM_ERR_REFUSED: a surrogate that is not accurate enough at its
- * limit of points. Errors of um_batch_run. The caller destroys the result before the study. */
+/* All points, once. *out NULL: this process served another (um_batch_serve), or had a share of a
+ * job array, which writes no results. UM_ERR_REFUSED: a surrogate that is not accurate enough at
+ * its limit of points. Errors of um_batch_run. The caller destroys the result before the study. */
 enum um_status um_study_run(struct um_context *context, struct um_study *study,
                             struct um_study_result **out);
 

@@ -6,6 +6,7 @@
 #include "model/precomputed.h"
 #include "model/result.h"
 #include "model/thermal_solution.h"
+#include "study/identity.h"
 #include "study/parameter_impl.h"
 #include "study/study.h"
 
@@ -39,7 +40,8 @@ struct um_study {
   struct um_model_precomputed *precomputed;
   struct um_model_thermal_solution *heat;
   bool holds_files;
-  struct um_study_way *way; /* [nway] */
+  struct um_study_identity *identity; /* of the scenario; of the points once they are run */
+  struct um_study_way *way;           /* [nway] */
   size_t nway;
   bool *moves_geometry, *moves_heat; /* [nway] */
   struct um_study_output *output;    /* [noutput] */

@@ -120,7 +120,8 @@ static void test_other(void **state)
   struct command c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", "--resume",
                                  "--set", "time.step_s=9", NULL);
   assert_int_equal(c.code, 1);
-  assert_non_null(strstr(c.err, "f.records/points.records: holds points of other work"));
+  assert_non_null(
+      strstr(c.err, "f.records: the changes by --set are others than when these points"));
   command_release(&c);
   c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", NULL);
   assert_int_equal(c.code, 1);
@@ -128,31 +129,6 @@ static void test_other(void **state)
   command_release(&c);
   command_expect(0, "forecast", "box.yaml", "--days", "0.1", "-o", "f", "--resume", "--no-plots",
                  NULL);
-}
-
-/* Nor are those of another mesh under the same name. */
-static void test_other_mesh(void **state)
-{
-  (void)state;
-  static const char corner[] = "v 0 0 0\nv %s 0 0\nv 0 1 0\nv 0 0 1\n"
-                               "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  char text[200];
-  char *scenario =
-      command_edit(command_data("box.yaml"), "box: {size_m: [1, 1, 1]}", "mesh: corner.obj");
-  command_write("mesh.yaml", scenario);
-  free(scenario);
-  snprintf(text, sizeof text, corner, "1");
-  command_write("corner.obj", text);
-  command_expect(0, "forecast", "mesh.yaml", "--days", "0.1", "-o", "f", "--share", "1/2", NULL);
-  command_expect(0, "forecast", "mesh.yaml", "--days", "0.1", "-o", "f", "--share", "1/2",
-                 "--resume", NULL);
-  snprintf(text, sizeof text, corner, "2");
-  command_write("corner.obj", text);
-  struct command c = command_run("forecast", "mesh.yaml", "--days", "0.1", "-o", "f", "--share",
-                                 "1/2", "--resume", NULL);
-  assert_int_equal(c.code, 1);
-  assert_non_null(strstr(c.err, "holds points of other work"));
-  command_release(&c);
 }
 
 /* Lines end in CRLF, hold at most 75 bytes, and unfold to what was meant. */
@@ -290,7 +266,7 @@ int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
   static const struct CMUnitTest tests[] = {
-      TEST(test_alone),    TEST(test_same),    TEST(test_other),  TEST(test_other_mesh),
-      TEST(test_calendar), TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
+      TEST(test_alone),   TEST(test_same),   TEST(test_other), TEST(test_calendar),
+      TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

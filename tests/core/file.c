@@ -2,6 +2,7 @@
  * fresh folder below the working folder of the test. */
 #define _GNU_SOURCE /* flock */
 #include "core/file.h"
+#include "core/held_files.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -163,6 +164,78 @@ static void test_plain_only(void **state)
   remove("out/a");
   remove("out/.umbra");
   remove("out");
+}
+
+struct listed {
+  size_t n;
+  const char *path[4];
+  uint64_t digest[4];
+};
+
+static void list(void *self, const char *path, uint64_t digest)
+{
+  struct listed *l = self;
+  assert_in_range(l->n, 0, 3);
+  l->path[l->n] = path;
+  l->digest[l->n++] = digest;
+}
+
+/* Held files: what was read stays as it was, what others read must; digests are those of the
+ * published table of FNV-1a, 64 bits (Noll, test vectors: "", "foobar", "a"). */
+static void test_held(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *path, *text;
+    uint64_t digest;
+  } file[] = {{"a.txt", "foobar", 0x85944171f73967e8u},
+              {"b.so", "a", 0xaf63dc4c8601ec8cu},
+              {"c.txt", "", 0xcbf29ce484222325u}};
+  struct listed listed = {0};
+  char *text;
+  size_t length;
+  for (size_t i = 0; i < 3; i++) write_file(file[i].path, file[i].text);
+  assert_int_equal(um_core_file_note(context, "b.so"), UM_OK); /* nothing is held */
+  assert_int_equal(um_core_files_hold(context), UM_OK);
+  for (int again = 0; again < 2; again++) {
+    for (size_t i = 0; i < 3; i++) {
+      if (i == 1) {
+        assert_int_equal(um_core_file_note(context, "b.so"), UM_OK);
+        continue;
+      }
+      assert_int_equal(um_core_file_read(context, file[i].path, 9, &text, &length), UM_OK);
+      assert_string_equal(text, file[i].text);
+      um_core_free(context, text);
+    }
+    write_file("a.txt", "others");
+  }
+  um_core_files_each(context, list, &listed);
+  assert_int_equal(listed.n, 3);
+  for (size_t i = 0; i < 3; i++) {
+    assert_string_equal(listed.path[i], file[i].path);
+    assert_true(listed.digest[i] == file[i].digest);
+  }
+  /* a second holder lists what it uses itself */
+  assert_int_equal(um_core_files_hold(context), UM_OK);
+  assert_int_equal(um_core_file_note(context, "b.so"), UM_OK);
+  assert_int_equal(um_core_file_read(context, "a.txt", 9, &text, &length), UM_OK);
+  um_core_free(context, text);
+  listed.n = 0;
+  um_core_files_each(context, list, &listed);
+  assert_int_equal(listed.n, 2);
+  assert_string_equal(listed.path[0], "b.so");
+  assert_string_equal(listed.path[1], "a.txt");
+  um_core_files_let_go(context);
+  write_file("b.so", "ab");
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_note(context, "b.so"), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), "b.so: has changed since it was read first"));
+  um_core_message_clear(context);
+  um_core_files_let_go(context);
+  assert_int_equal(um_core_file_read(context, "a.txt", 9, &text, &length), UM_OK);
+  assert_string_equal(text, "others");
+  um_core_free(context, text);
+  for (size_t i = 0; i < 3; i++) remove(file[i].path);
 }
 
 static void test_names(void **state)
@@ -415,6 +488,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_read),
       cmocka_unit_test(test_plain_only),
+      cmocka_unit_test(test_held),
       cmocka_unit_test(test_names),
       cmocka_unit_test(test_commit_and_replace),
       cmocka_unit_test(test_nothing_before_commit),

@@ -11,6 +11,7 @@
 #include "check.h"
 
 #include "core/constants.h"
+#include "core/held_files.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
 
@@ -250,6 +251,31 @@ static void ceres(void **state)
   um_environment_map_destroy(context, &map);
 }
 
+static void count(void *n, const char *file, uint64_t digest)
+{
+  (void)digest;
+  *(int *)n += strcmp(file, path) == 0;
+}
+
+/* A library reads the file: it is among the held all the same, and may not change meanwhile. */
+static void ceres_held(void **state)
+{
+  (void)state;
+  struct um_environment_map *map;
+  int n = 0;
+  assert_int_equal(um_core_files_hold(context), UM_OK);
+  write_ceres("");
+  map = read_map();
+  um_environment_map_destroy(context, &map);
+  um_core_files_each(context, count, &n);
+  assert_int_equal(n, 1);
+  write_ceres("nothing");
+  assert_int_equal(um_environment_map_read(context, path, EQUINOX, &map), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), "has changed since it was read first"));
+  um_core_message_clear(context);
+  um_core_files_let_go(context);
+}
+
 static void refused(const char *what)
 {
   struct um_environment_map *map = NULL;
@@ -349,6 +375,7 @@ int main(void)
       cmocka_unit_test(interpolation),
       cmocka_unit_test(missing_is_knocke),
       cmocka_unit_test(ceres),
+      cmocka_unit_test(ceres_held),
       cmocka_unit_test(hostile_tables),
       cmocka_unit_test(hostile_netcdf),
       cmocka_unit_test(cut_short),

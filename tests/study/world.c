@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "batch/records.h"
+#include "study/identity.h"
 
 static const char *const scenario =
     "schema: 1\n"
@@ -42,7 +42,7 @@ void world_put(const char *study)
   put(WORLD_STUDY, "schema: 1\nname: test\nscenario: " WORLD_SCENARIO "\n", study);
 }
 
-void world_clear(struct um_context *context) { um_batch_records_remove(context, WORLD_RECORDS); }
+void world_clear(struct um_context *context) { um_study_records_remove(context, WORLD_RECORDS); }
 
 struct um_study_run_options world_options(int workers, bool resume)
 {
