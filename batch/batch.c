@@ -53,14 +53,50 @@ enum um_status um_batch_serve(struct um_context *context, struct um_batch *batch
   return um_core_fail(context, UM_ERR_INPUT, "this process leads its batch, and serves none");
 }
 
+/* A record that holds what is no point's values is none, and is said to be. */
+static enum um_status check_record(struct um_context *context, struct um_batch *batch,
+                                   size_t number, double *value, size_t *refused)
+{
+  struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
+  if (batch->task.accepts == NULL || point->state != UM_BATCH_RECORD || point->place.reason > 0)
+    return UM_OK;
+  UM_TRY(um_batch_records_value(context, batch->records, point->place, value));
+  if (batch->task.accepts(batch->task.user, um_batch_known_coordinate(batch->known, number), value))
+    return UM_OK;
+  point->state = UM_BATCH_NEW;
+  batch->recorded--;
+  (*refused)++;
+  return UM_OK;
+}
+
+static enum um_status check_records(struct um_context *context, struct um_batch *batch,
+                                    const size_t *number, size_t n)
+{
+  enum um_status status = UM_OK;
+  size_t refused = 0;
+  double *value;
+  UM_TRY(um_core_allocate(context, batch->task.nvalue, sizeof *value, &value));
+  for (size_t i = 0; i < n; i++) UM_CHECK(check_record(context, batch, number[i], value, &refused));
+  if (refused > 0)
+    um_core_log(context, UM_LOG_WARNING,
+                "%s: %zu points on record hold values that no computation gives, and are computed "
+                "anew",
+                batch->folder, refused);
+done:
+  um_core_free(context, value);
+  return status;
+}
+
 /* number [n]: which point is asked in each place; the queue: those that are to be computed. */
 static enum um_status look_up(struct um_context *context, struct um_batch *batch,
                               const double *coordinate, size_t n, size_t *number)
 {
   batch->nqueue = 0;
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n; i++)
     UM_TRY(um_batch_known_number(context, batch->known, coordinate + i * batch->task.ncoordinate,
                                  &number[i]));
+  UM_TRY(check_records(context, batch, number, n));
+  for (size_t i = 0; i < n; i++) {
     struct um_batch_known_point *point = um_batch_known_point(batch->known, number[i]);
     if (point->state != UM_BATCH_NEW) continue;
     if (batch->task.nshare > 1 && i % batch->task.nshare != batch->task.share) continue;

@@ -222,6 +222,7 @@ static enum um_status prepare(struct um_context *context, struct held *h)
                              : h->ask.minimum_elevation;
   UM_CHECK(name_outputs(context, h, model));
   UM_CHECK(um_study_forecast_pin(context, model, &h->work));
+  h->work.light_has_sign = um_study_light_has_sign(model);
   status = identify(context, h, model);
 done:
   um_model_destroy(context, &model);
@@ -248,6 +249,7 @@ enum um_status um_study_forecast_create(struct um_context *context,
   task->ncoordinate = UM_STUDY_FORECAST_COORDINATES;
   task->nvalue = um_study_forecast_values(f->nband, f->nplace);
   task->compute = um_study_forecast_compute;
+  task->accepts = um_study_forecast_accepts;
   task->user = &h->work;
   *out = f;
   h = NULL;

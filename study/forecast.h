@@ -78,7 +78,7 @@ struct um_study_forecast {
 const char *um_study_sky(double sun_elevation);
 
 /* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
- * the runs, whose `ncoordinate`, `nvalue`, `compute` and `user` are set. The forecast
+ * the runs, whose `ncoordinate`, `nvalue`, `compute`, `accepts` and `user` are set. The forecast
  * outlives the task's batch; `ask` too, with what it points to. UM_ERR_INPUT: no station, no orbit,
  * more than UM_STUDY_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
 enum um_status um_study_forecast_create(struct um_context *context,

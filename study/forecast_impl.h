@@ -15,6 +15,7 @@ struct um_study_forecast_work {
                * and not at the start of each pass */
   size_t npin, nband, nplace;
   const size_t *place; /* [nplace] of the body's places */
+  bool light_has_sign; /* effects change readings, to below 0 perhaps */
 };
 
 /* Numbers in a pass: its delay, bands, places, times of the curves, curves. */
@@ -28,6 +29,13 @@ static inline size_t um_study_forecast_values(size_t nband, size_t nplace)
 /* A run of a pass; user: the work. */
 enum um_status um_study_forecast_compute(struct um_context *context, void *user,
                                          const double *coordinate, double *value);
+
+/* --- accepts.c --- */
+/* um_batch_accepts of a pass; user: the work. The same rules as um_study_accepts, and times lie
+ * within the curves'. */
+bool um_study_forecast_accepts(void *user, const double *coordinate, const double *value);
+/* Do effects of the model change readings? Then light may be below 0. */
+bool um_study_light_has_sign(const struct um_model *model);
 
 /* Changes of the scenario: those of the ask, those that pin it, then times, then a station. */
 struct um_study_forecast_changes {

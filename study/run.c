@@ -280,6 +280,7 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
   task.ncoordinate = study->nway;
   task.nvalue = study->nvalue;
   task.compute = um_study_point;
+  task.accepts = um_study_accepts;
   task.user = study;
   *out = NULL;
   UM_CHECK(um_study_tolerance(context, study));

@@ -97,6 +97,12 @@ enum um_status um_study_values(struct um_context *context, const struct um_study
  * taken_off. */
 enum um_status um_study_looseness(struct um_context *context, struct um_study *study);
 
+/* --- accepts.c --- */
+/* um_batch_accepts, whose user is the study: temperatures are above 0 K, light is finite and not
+ * below 0 unless effects change readings, and is seen where the scenario's is if nothing moves the
+ * geometry. */
+bool um_study_accepts(void *user, const double *parameter, const double *value);
+
 /* --- points.c --- */
 /* Points of the design: u, parameter [*n][nway], which the caller frees. */
 enum um_status um_study_points(struct um_context *context, const struct um_study *study, double **u,

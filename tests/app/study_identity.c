@@ -1,5 +1,8 @@
 /* Points on record are of one program, one set of files, one set of questions: with other bytes in
- * any of them neither a study nor a forecast goes on, and says which; with the same it does. */
+ * any of them neither a study nor a forecast goes on, and says which; with the same it does. And
+ * what a record holds is looked at, though its checksum is right. */
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -191,9 +194,93 @@ static void test_program(void **state)
   assert_true(command_exists("o/points.csv"));
 }
 
+/* CRC-32 of ISO 3309, bit by bit. */
+static uint32_t checksum(const unsigned char *byte, size_t n)
+{
+  uint32_t crc = 0xffffffffu;
+  for (size_t i = 0; i < n; i++) {
+    crc ^= byte[i];
+    for (int k = 0; k < 8; k++) crc = crc & 1u ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+  }
+  return ~crc;
+}
+
+/* In the i-th record of a file one value is another, and the checksum that of the new bytes. */
+struct forgery {
+  size_t at;
+  double value;
+};
+static void forge(const char *path, const struct forgery *f, size_t n)
+{
+  size_t length;
+  char *bytes = command_read_bytes(path, &length);
+  uint64_t count[2]; /* coordinates, values: behind magic, order and identity */
+  memcpy(count, bytes + 24, sizeof count);
+  size_t begin = 48, size = 8 + 8 * (size_t)(count[0] + count[1]) + 4;
+  assert_true(length >= begin + n * size);
+  for (size_t i = 0; i < n; i++) {
+    char *record = bytes + begin + i * size;
+    uint32_t crc = checksum((unsigned char *)record, size - 4), kept;
+    memcpy(&kept, record + size - 4, 4);
+    assert_int_equal(crc, kept);
+    assert_true(f[i].at < count[1]);
+    memcpy(record + 8 + 8 * (count[0] + f[i].at), &f[i].value, 8);
+    crc = checksum((unsigned char *)record, size - 4);
+    memcpy(record + size - 4, &crc, 4);
+  }
+  command_write_bytes(path, bytes, length);
+  free(bytes);
+}
+
+static void expect_made_anew(const char *const *arguments, const char *says)
+{
+  struct command c = command_run_list(arguments);
+  assert_int_equal(c.code, 0);
+  if (strstr(c.err, says) == NULL) fail_msg("'%s' is not in: %s", says, c.err);
+  command_release(&c);
+}
+
+static void test_forged_study(void **state)
+{
+  (void)state;
+  /* three instants of light in two bands, then of a temperature */
+  static const struct forgery bad[] = {{6, (double)NAN}, {7, -5.0},
+                                       {8, 0.0},         {6, (double)INFINITY},
+                                       {0, (double)NAN}, {2, (double)INFINITY},
+                                       {3, -1e-12},      {4, (double)-INFINITY}};
+  static const char *const files[] = {"study.nc", "points.csv", NULL};
+  command_write("st.yaml",
+                "schema: 1\nname: st\nscenario: two.yaml\nparameters:\n"
+                "  - {key: parts.a.shell.areal_heat_capacity_J_m2_K, from: 2000, to: 4000}\n"
+                "outputs: {bands: [vis, lwir], places: [a]}\ndesign: {kind: sobol, points: 16}\n");
+  const char *const whole[] = {"study", "st.yaml", "--allow-effects", "-o", "whole", NULL};
+  run_and_release(whole);
+  run_and_release(verb[0]);
+  forge("o.points/points-1-of-2.records", bad, 8);
+  expect_made_anew(resume[0], "o.points: 8 points on record hold values that no computation gives");
+  command_expect_same("whole", "o", files);
+}
+
+static void test_forged_forecast(void **state)
+{
+  (void)state;
+  /* the delay, two bands of eight numbers, two places of three, then curves of sixty: times,
+   * magnitude, irradiance */
+  static const struct forgery bad[] = {{1 + 16 + 3, -5.0}, {1 + 16 + 6 + 2 * 60 + 59, -1e-9}};
+  static const char *const files[] = {"passes.csv", "curves.csv", NULL};
+  const char *const whole[] = {FORECAST, "-o", "whole", NULL};
+  run_and_release(whole);
+  run_and_release(verb[1]);
+  forge("o.records/points-1-of-2.records", bad, 2);
+  expect_made_anew(resume[1],
+                   "o.records: 2 points on record hold values that no computation gives");
+  command_expect_same("whole", "o", files);
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
-  const struct CMUnitTest tests[] = {TEST(test_files), TEST(test_asked), TEST(test_program)};
+  const struct CMUnitTest tests[] = {TEST(test_files), TEST(test_asked), TEST(test_program),
+                                     TEST(test_forged_study), TEST(test_forged_forecast)};
   return cmocka_run_group_tests_name("study_identity", tests, NULL, NULL);
 }
