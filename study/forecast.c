@@ -14,7 +14,8 @@
 #include "study/forecast_impl.h"
 #include "study/identity.h"
 
-#define DAY 86400.0
+#define DAY  86400.0
+#define HOUR 3600.0 /* between observations where none are made [s] */
 #define BEYOND                                                                                     \
   7200.0 /* passes are looked for this far outside the days, so that theirs are whole [s] */
 
@@ -116,7 +117,7 @@ static enum um_status find_passes(struct um_context *context, struct held *h, si
   struct um_model *orbit = NULL;
   struct um_orbit_pass *pass = NULL;
   size_t n = 0;
-  UM_CHECK(um_study_forecast_changes(context, &h->work, station, f->from, f->to, &changes));
+  UM_CHECK(um_study_forecast_changes(context, &h->work, station, f->from, f->to, HOUR, &changes));
   um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
   status = um_model_create_orbit(context, h->ask.path, &changes.options, &orbit);
   um_core_quiet_end(context);

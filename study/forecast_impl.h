@@ -37,15 +37,16 @@ bool um_study_forecast_accepts(void *user, const double *coordinate, const doubl
 /* Do effects of the model change readings? Then light may be below 0. */
 bool um_study_light_has_sign(const struct um_model *model);
 
-/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. */
+/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. step:
+ * between observations [s]; NaN: the scenario's. */
 struct um_study_forecast_changes {
   struct um_model_options options;
   const char **text; /* [noverride of options]; freed by the caller */
-  char own[5][64];
+  char own[6][64];
 };
 enum um_status um_study_forecast_changes(struct um_context *context,
                                          const struct um_study_forecast_work *work, size_t station,
-                                         double start, double stop,
+                                         double start, double stop, double step,
                                          struct um_study_forecast_changes *out);
 
 /* Find what is to be pinned. The caller frees pin and its texts. UM_ERR_MEMORY. */

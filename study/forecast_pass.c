@@ -44,26 +44,28 @@ enum um_status um_study_forecast_pin(struct um_context *context, const struct um
 
 enum um_status um_study_forecast_changes(struct um_context *context,
                                          const struct um_study_forecast_work *work, size_t station,
-                                         double start, double stop,
+                                         double start, double stop, double step,
                                          struct um_study_forecast_changes *out)
 {
   char from[32], to[32];
   const struct um_model_options *asked = work->ask->options;
-  size_t at = 0, own = work->station == NULL ? 2 : 5;
+  size_t at = 0, own = 2;
   out->options = *asked;
-  UM_TRY(um_core_allocate(context, asked->noverride + work->npin + own, sizeof *out->text,
-                          &out->text));
+  UM_TRY(um_core_allocate(context,
+                          asked->noverride + work->npin + sizeof out->own / sizeof *out->own,
+                          sizeof *out->text, &out->text));
   um_orbit_time_format(start, from);
   um_orbit_time_format(stop, to);
   snprintf(out->own[0], sizeof out->own[0], "time.start_utc=%s", from);
   snprintf(out->own[1], sizeof out->own[1], "time.stop_utc=%s", to);
+  if (!isnan(step)) snprintf(out->own[own++], sizeof *out->own, "time.step_s=%.17g", step);
   if (work->station != NULL) {
     const struct um_study_station *s = &work->station[station];
-    snprintf(out->own[2], sizeof out->own[2], "observer.station.latitude_deg=%.17g",
+    snprintf(out->own[own++], sizeof *out->own, "observer.station.latitude_deg=%.17g",
              s->latitude / UM_DEG);
-    snprintf(out->own[3], sizeof out->own[3], "observer.station.longitude_deg=%.17g",
+    snprintf(out->own[own++], sizeof *out->own, "observer.station.longitude_deg=%.17g",
              s->longitude / UM_DEG);
-    snprintf(out->own[4], sizeof out->own[4], "observer.station.height_m=%.17g", s->height);
+    snprintf(out->own[own++], sizeof *out->own, "observer.station.height_m=%.17g", s->height);
   }
   for (size_t i = 0; i < asked->noverride; i++) out->text[at++] = asked->overrides[i];
   for (size_t i = 0; i < work->npin; i++) out->text[at++] = work->pin[i];
@@ -160,7 +162,7 @@ enum um_status um_study_forecast_compute(struct um_context *context, void *user,
   struct um_model_result *result = NULL;
   struct um_study_forecast_changes changes = {.text = NULL};
   UM_CHECK(um_study_forecast_changes(context, work, (size_t)coordinate[0], coordinate[1],
-                                     coordinate[2], &changes));
+                                     coordinate[2], NAN, &changes));
   UM_CHECK(um_model_create(context, work->ask->path, &changes.options, &model));
   UM_CHECK(um_model_precompute(context, model, &precomputed));
   UM_CHECK(um_model_run(context, model, precomputed, &result));

@@ -79,6 +79,26 @@ static void test_alone(void **state)
   table_release(&f);
 }
 
+/* Days of more seconds than a run may have observations: what is computed is the passes, and one
+ * has the numbers that it has in a forecast of its day. */
+static void test_long(void **state)
+{
+  (void)state;
+#define ASKED "forecast", "box.yaml", "--no-plots", "--minimum-elevation", "86", "--set",
+  command_expect(0, ASKED "time.step_s=1", "--days", "12", "-o", "long", NULL);
+  command_expect(0, ASKED "time.step_s=1", "--days", "1", "--from", "2016-09-15T12:00:00Z", "-o",
+                 "day", NULL);
+#undef ASKED
+  char *all = command_read("long/passes.csv"), *one = command_read("day/passes.csv");
+  assert_int_equal(command_count_lines(one), 2);
+  assert_non_null(strstr(one, "2016-09-15T19:20:"));
+  /* rise and set are roots, found to microseconds; what is computed at whole seconds is the same */
+  assert_non_null(strstr(one, ",night,"));
+  assert_string_equal(strstr(all, ",night,"), strstr(one, ",night,"));
+  free(all);
+  free(one);
+}
+
 static void expect_same(const char *a, const char *b)
 {
   static const char *const files[] = {"passes.csv", "curves.csv", "passes.ics", NULL};
@@ -266,7 +286,7 @@ int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
   static const struct CMUnitTest tests[] = {
-      TEST(test_alone),   TEST(test_same),   TEST(test_other), TEST(test_calendar),
-      TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
+      TEST(test_alone),    TEST(test_long),    TEST(test_same),   TEST(test_other),
+      TEST(test_calendar), TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
