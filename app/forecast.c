@@ -16,6 +16,7 @@
 #include "study/identity.h"
 
 #define DAYS_MOST 400.0
+#define SYSTEMS   512 /* longest list of bands with their systems [byte] */
 
 /* A number and what is behind it; false: none, or not finite. */
 static bool number(const char *text, double *out, const char **behind)
@@ -147,14 +148,28 @@ static void print_head(const struct um_study_forecast *f)
   printf("\n");
 }
 
+/* " (V: Vega, vis: AB)"; empty: no band has magnitudes here. */
+static void name_systems(const struct um_study_forecast *f, char out[SYSTEMS])
+{
+  size_t used = 0;
+  out[0] = '\0';
+  for (size_t b = 0; b < f->nband && used < SYSTEMS; b++)
+    if (!f->thermal[b])
+      used += (size_t)snprintf(out + used, SYSTEMS - used, "%s%.40s: %s", used == 0 ? " (" : ", ",
+                               f->band[b], um_study_forecast_system(f, b));
+  if (used > 0 && used < SYSTEMS) snprintf(out + used, SYSTEMS - used, ")");
+}
+
 static void print(const struct um_study_forecast *f, const char *folder)
 {
+  char systems[SYSTEMS];
+  name_systems(f, systems);
   for (size_t s = 0; s < f->nstation; s++) {
     size_t n = 0;
     for (size_t i = 0; i < f->npass; i++) n += f->pass[i].station == s ? 1 : 0;
-    printf("%s over %s: %zu passes above %g deg, UTC; bands: brightest AB magnitude and that at "
-           "culmination, or largest irradiance [W/m^2]; mean temperatures [K]\n",
-           f->name, f->station[s].name, n, f->minimum_elevation / UM_DEG);
+    printf("%s over %s: %zu passes above %g deg, UTC; bands: brightest magnitude and that at "
+           "culmination%s, or largest irradiance [W/m^2]; mean temperatures [K]\n",
+           f->name, f->station[s].name, n, f->minimum_elevation / UM_DEG, systems);
     if (n > 0) print_head(f);
     for (size_t i = 0; i < f->npass; i++)
       if (f->pass[i].station == s) print_pass(f, &f->pass[i]);
@@ -174,7 +189,13 @@ static void json(const struct um_study_forecast *f, const char *folder)
   um_core_json_string(stdout, f->name);
   printf(", \"folder\": ");
   um_core_json_string(stdout, folder);
-  printf(", \"passes\": %zu, \"not_computed\": %zu}\n", f->npass, failed);
+  printf(", \"passes\": %zu, \"not_computed\": %zu, \"magnitudes\": {", f->npass, failed);
+  for (size_t b = 0; b < f->nband; b++) {
+    if (b > 0) printf(", ");
+    um_core_json_string(stdout, f->band[b]);
+    printf(": \"%s\"", um_study_forecast_system(f, b));
+  }
+  printf("}}\n");
 }
 
 static enum um_status write_file(struct um_context *context, struct um_core_folder *folder,

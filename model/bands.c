@@ -1,10 +1,12 @@
 /* Bands and sensors by name, and the bins of a band. */
 #include "model/bands.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/words.h"
 #include "instrument/grey_body.h"
+#include "model/scenario.h"
 
 size_t um_model_band_find(const struct um_model *model, const char *name)
 {
@@ -51,6 +53,17 @@ enum um_status um_model_sensor_require(struct um_context *context, const struct 
 bool um_model_band_is_thermal(const struct um_optics_band *band)
 {
   return band->from >= UM_INSTRUMENT_THERMAL_FROM && band->to <= UM_INSTRUMENT_THERMAL_TO;
+}
+
+bool um_model_band_is_vega(const struct um_model *model, size_t band)
+{
+  static const char *const systems[] = {"johnson_", "cousins_", "gaia_", "wise_"};
+  const struct um_scenario_band *from = model->scenario->bands.items;
+  if (model->scenario->bands.count == 0 || !isfinite(model->vega_ab[band])) return false;
+  bool vega = um_document_mark_key(&from[band].at, "vega_magnitude") != &from[band].at;
+  for (size_t i = 0; from[band].filter != NULL && i < sizeof systems / sizeof *systems; i++)
+    vega = vega || strncmp(from[band].filter, systems[i], strlen(systems[i])) == 0;
+  return vega;
 }
 
 size_t um_model_thermal_bands(const struct um_model *model)

@@ -19,6 +19,10 @@ enum um_status um_model_sensor_require(struct um_context *context, const struct 
 bool um_model_band_is_thermal(const struct um_optics_band *band);
 size_t um_model_thermal_bands(const struct um_model *model); /* their number */
 
+/* Are magnitudes of the band by custom relative to Vega? Its scenario states vega_magnitude, or a
+ * filter of a system that is (Johnson, Cousins, Gaia, WISE), and Vega is known there. */
+bool um_model_band_is_vega(const struct um_model *model, size_t band);
+
 /* Bins of a band as photometry wants them, with what its filter lets through, which stays the
  * band's. UM_ERR_MEMORY; _clear frees. */
 enum um_status um_model_band_bins(struct um_context *context, const struct um_optics_band *band,

@@ -43,6 +43,11 @@ const char *um_study_sky(double sun_elevation)
   return "night";
 }
 
+const char *um_study_forecast_system(const struct um_study_forecast *forecast, size_t band)
+{
+  return isnan(forecast->vega_ab[band]) ? "AB" : "Vega";
+}
+
 /* Shadow, Sun and times of a pass that need no run and no attitude. */
 static enum um_status describe(struct um_context *context, const struct um_model *orbit,
                                struct um_study_forecast_pass *pass)
@@ -148,7 +153,10 @@ static enum um_status name_outputs(struct um_context *context, struct held *h,
   const struct um_thermal_body *body = model->body;
   UM_TRY(um_core_allocate(context, model->nband, sizeof *f->band, &f->band));
   UM_TRY(um_core_allocate(context, model->nband, sizeof *f->thermal, &f->thermal));
+  UM_TRY(um_core_allocate(context, model->nband, sizeof *f->vega_ab, &f->vega_ab));
   for (; f->nband < model->nband; f->nband++) {
+    bool vega = um_model_band_is_vega(model, f->nband);
+    f->vega_ab[f->nband] = vega ? model->vega_ab[f->nband] : (double)NAN;
     f->thermal[f->nband] = um_model_band_is_thermal(&model->band[f->nband]);
     UM_TRY(um_core_strdup(context, model->band[f->nband].name, &f->band[f->nband]));
   }
@@ -262,12 +270,25 @@ done:
   return status;
 }
 
+/* From AB, which is on record, to the systems of the bands. */
+static void take_system(const struct um_study_forecast *f, struct um_study_forecast_band *band,
+                        double *curve)
+{
+  const size_t n = UM_STUDY_FORECAST_CURVE;
+  for (size_t b = 0; b < f->nband; b++) {
+    if (isnan(f->vega_ab[b])) continue;
+    band[b].brightest -= f->vega_ab[b];
+    band[b].culmination -= f->vega_ab[b];
+    for (size_t k = 0; k < n; k++) curve[2 * b * n + k] -= f->vega_ab[b];
+  }
+}
+
 /* Give every pass its part of the values. */
 static void take_values(struct held *h, size_t nvalue)
 {
   struct um_study_forecast *f = &h->forecast;
   for (size_t i = 0; i < f->npass; i++) {
-    const double *value = f->value + i * nvalue;
+    double *value = f->value + i * nvalue;
     struct um_study_forecast_pass *pass = &f->pass[i];
     pass->delay = *value++;
     memcpy(h->band + i * f->nband, value, f->nband * sizeof *h->band);
@@ -278,6 +299,7 @@ static void take_values(struct held *h, size_t nvalue)
     pass->place = h->places + i * f->nplace;
     pass->curve_at = value;
     pass->curve = value + UM_STUDY_FORECAST_CURVE;
+    take_system(f, h->band + i * f->nband, value + UM_STUDY_FORECAST_CURVE);
   }
 }
 
@@ -321,9 +343,9 @@ void um_study_forecast_destroy(struct um_context *context, struct um_study_forec
   for (size_t i = 0; i < h->work.npin; i++) um_core_free(context, h->work.pin[i]);
   um_study_identity_destroy(context, &h->identity);
   if (h->holds_files) um_core_files_let_go(context);
-  void *const block[] = {h->work.pin, f->pass,   f->band, f->thermal, f->place,
-                         f->station,  f->value,  f->name, h->place,   h->coordinate,
-                         h->band,     h->places, h};
+  void *const block[] = {h->work.pin,   f->pass,    f->band,   f->thermal, f->vega_ab,
+                         f->place,      f->station, f->value,  f->name,    h->place,
+                         h->coordinate, h->band,    h->places, h};
   for (size_t i = 0; i < sizeof block / sizeof *block; i++) um_core_free(context, block[i]);
   *forecast = NULL;
 }

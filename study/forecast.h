@@ -28,7 +28,8 @@ struct um_study_forecast_ask {
   const char *version;                    /* of the program, NULL: none */
 };
 
-/* Band of a pass. Magnitudes are AB, exo-atmospheric, NaN where nothing is seen. */
+/* Band of a pass. Magnitudes are of the band's system, exo-atmospheric, NaN where nothing is seen.
+ */
 struct um_study_forecast_band {
   double brightest;              /* [mag] */
   double brightest_at;           /* t_tai [s]; NaN: never seen */
@@ -66,9 +67,11 @@ struct um_study_forecast {
   double from, to;          /* t_tai [s] */
   double minimum_elevation; /* [rad] */
   size_t nstation, npass, nband, nplace;
-  struct um_study_station *station;    /* [nstation]; names owned */
-  char **band, **place;                /* names */
-  bool *thermal;                       /* [nband] shines by its own heat there */
+  struct um_study_station *station; /* [nstation]; names owned */
+  char **band, **place;             /* names */
+  bool *thermal;                    /* [nband] shines by its own heat there */
+  double *vega_ab; /* [nband] AB magnitude of magnitude 0 relative to Vega; NaN: the band's
+                    * magnitudes are AB */
   struct um_study_forecast_pass *pass; /* [npass] by rise */
   double *value;                       /* what passes point into */
 };
@@ -76,6 +79,9 @@ struct um_study_forecast {
 /* Words for the Sun's elevation: "day" above -0.833 deg (the upper limb with refraction), "civil",
  * "nautical", "astronomical" twilight down to -6, -12, -18 deg, "night". Borrowed. */
 const char *um_study_sky(double sun_elevation);
+
+/* System of a band's magnitudes: "Vega" or "AB". Borrowed. */
+const char *um_study_forecast_system(const struct um_study_forecast *forecast, size_t band);
 
 /* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
  * the runs, whose `ncoordinate`, `nvalue`, `compute`, `accepts` and `user` are set. The forecast

@@ -123,7 +123,8 @@ static void describe(const struct um_study_forecast *f, const struct um_study_fo
     if (f->thermal[b]) {
       append(text, "\n%s: up to %.3g W/m^2", f->band[b], band->largest);
     } else if (isfinite(band->brightest)) {
-      append(text, "\n%s: brightest %.1f mag", f->band[b], band->brightest);
+      append(text, "\n%s: brightest %.1f mag (%s)", f->band[b], band->brightest,
+             um_study_forecast_system(f, b));
       append_time(text, "at", band->brightest_at);
       if (isfinite(band->culmination)) append(text, "\n%.1f mag at culmination", band->culmination);
     } else {
@@ -134,13 +135,12 @@ static void describe(const struct um_study_forecast *f, const struct um_study_fo
     append(text, "\n%s %.0f K", f->place[i], pass->place[i].mean);
 }
 
-/* Brightest magnitude of the first band of reflected light; NaN: none. */
-static double brightest(const struct um_study_forecast *f,
-                        const struct um_study_forecast_pass *pass)
+/* The first band of reflected light; nband: none. */
+static size_t first_reflected(const struct um_study_forecast *f)
 {
-  for (size_t b = 0; b < f->nband; b++)
-    if (!f->thermal[b]) return pass->band[b].brightest;
-  return NAN;
+  size_t b = 0;
+  while (b < f->nband && f->thermal[b]) b++;
+  return b;
 }
 
 static void event(const struct um_study_forecast *f, const struct um_study_forecast_pass *pass,
@@ -148,7 +148,7 @@ static void event(const struct um_study_forecast *f, const struct um_study_forec
 {
   const struct um_study_station *station = &f->station[pass->station];
   char text[LINE], when[32];
-  double m = brightest(f, pass);
+  size_t b = first_reflected(f);
   um_study_ics_line(file, "BEGIN:VEVENT");
   stamp(pass->pass.culmination, when);
   snprintf(text, sizeof text, "%s-%.4f-%.4f-%s@umbra", when, station->latitude / UM_DEG,
@@ -160,7 +160,8 @@ static void event(const struct um_study_forecast *f, const struct um_study_forec
   text[0] = '\0';
   append(text, "%s over %s, %.0f deg", f->name, station->name,
          pass->pass.culmination_elevation / UM_DEG);
-  if (isfinite(m)) append(text, ", %.1f mag", m);
+  if (b < f->nband && isfinite(pass->band[b].brightest))
+    append(text, ", %s %.1f mag", f->band[b], pass->band[b].brightest);
   append(text, " (%s)", um_study_sky(pass->sun_elevation));
   put_text(file, "SUMMARY", text);
   put_text(file, "LOCATION", station->name);

@@ -1,4 +1,5 @@
-/* Picture of a forecast: what is seen of each pass against the time of night, a colour a night. */
+/* Picture of a forecast: what is seen of each pass against the time of night in UTC, a colour a
+ * night. Nights part at noon of the station's mean solar time. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,14 +20,22 @@
 #define HOUR    3600.0
 #define DAY     86400.0
 
-/* Days and hours since a noon of mean solar time at a station. */
+/* UTC of a time, and the noon of mean solar time at a station before it, as modified Julian dates.
+ */
+static void clock_of(const struct um_study_station *station, double t, double *utc, double *noon)
+{
+  double mjd, seconds, turn = station->longitude / (2.0 * UM_PI);
+  um_orbit_time_utc_clock(t, &mjd, &seconds);
+  *utc = mjd + seconds / DAY;
+  *noon = floor(*utc + turn - 0.5) + 0.5 - turn;
+}
+
+/* The night's noon as a modified Julian date, and hours since 0 h UTC of its date. */
 static void night_of(const struct um_study_station *station, double t, double *night, double *hours)
 {
-  double mjd, seconds;
-  um_orbit_time_utc_clock(t, &mjd, &seconds);
-  double local = mjd + seconds / DAY + station->longitude / (2.0 * UM_PI) - 0.5;
-  *night = floor(local);
-  *hours = (local - *night) * DAY / HOUR;
+  double utc;
+  clock_of(station, t, &utc, night);
+  *hours = (utc - floor(*night)) * DAY / HOUR;
 }
 
 static bool is_shown(const struct um_study_forecast_pass *pass, size_t station)
@@ -51,20 +60,24 @@ static void data(struct um_plot *plot, const struct um_study_forecast *f, size_t
   um_plot_add(plot, "EOD\n");
 }
 
-/* The evening's date of a pass, "2016-09-21". */
+/* UTC dates of a pass's night, six hours before and after midnight of mean solar time:
+ * "2016-09-21/22", or one date where they are the same. */
 static void date(const struct um_study_station *station, double t, char out[32])
 {
-  double night, hours;
-  night_of(station, t, &night, &hours);
-  um_orbit_time_format(t - hours * HOUR, out);
+  double utc, noon;
+  char morning[32];
+  clock_of(station, t, &utc, &noon);
+  um_orbit_time_format(t + (noon + 0.25 - utc) * DAY, out);
+  um_orbit_time_format(t + (noon + 0.75 - utc) * DAY, morning);
   out[10] = '\0';
+  if (strncmp(out, morning, 10) != 0) snprintf(out + 10, 22, "/%.2s", morning + 8);
 }
 
-/* Where curves lie [h], and the largest irradiance of a band [W/m^2]. */
+/* Where curves lie [h]. */
 static void extent(const struct um_study_forecast *f, size_t station, double *from, double *to)
 {
-  *from = 24.0;
-  *to = 0.0;
+  *from = INFINITY;
+  *to = -INFINITY;
   for (size_t i = 0; i < f->npass; i++) {
     double night, hours;
     const struct um_study_forecast_pass *pass = &f->pass[i];
@@ -108,8 +121,24 @@ static void curves(struct um_plot *plot, const struct um_study_forecast *f, size
   um_plot_add(plot, "\n");
 }
 
+/* The clock of UTC, "22:30", over what the curves span [h]. */
+static void hours_axis(struct um_plot *plot, double from, double to, bool named)
+{
+  double step = to - from > 12.0 ? 2.0 : to - from > 5.0 ? 1.0 : to - from > 1.5 ? 0.5 : 0.25;
+  um_plot_xnumbers(plot, named);
+  um_plot_add(plot, "set xtics (");
+  for (double first = ceil(from / step) * step, h = first; h <= to; h += step) {
+    char label[16] = "";
+    int minutes = (int)lround(fmod(h, 24.0) * 60.0);
+    if (named) snprintf(label, sizeof label, "%02d:%02d", minutes / 60, minutes % 60);
+    um_plot_add(plot, h > first ? ", %s %.4f" : "%s %.4f", label, h);
+  }
+  um_plot_add(plot, ")\n");
+  if (named) um_plot_add(plot, "set xlabel %s noenhanced\n", "UTC");
+}
+
 static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_t station,
-                  size_t band)
+                  size_t band, double from, double to)
 {
   double largest = 0.0;
   char unit[80], words[160];
@@ -127,7 +156,7 @@ static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_
   if (f->thermal[band])
     snprintf(words, sizeof words, "irradiance [%s]", unit);
   else
-    snprintf(words, sizeof words, "AB magnitude");
+    snprintf(words, sizeof words, "magnitude (%s)", um_study_forecast_system(f, band));
   um_plot_ylabel(plot, f->band[band], words);
   if (!seen)
     um_plot_add(plot, "set yrange [0:1] noreverse\nset format y ''\n");
@@ -138,9 +167,7 @@ static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_
                 faint + FAINTER);
   int top = TOP + (int)band * (PANEL + GAP);
   um_plot_panel(plot, LEFT, top, RIGHT, top + PANEL);
-  um_plot_xnumbers(plot, band + 1 == f->nband);
-  if (band + 1 == f->nband)
-    um_plot_add(plot, "set xlabel %s noenhanced\n", "hours after noon (mean solar time)");
+  hours_axis(plot, from, to, band + 1 == f->nband);
   if (seen)
     curves(plot, f, station, band, power);
   else
@@ -157,12 +184,12 @@ static void picture(struct um_plot *plot, const struct um_study_forecast *f, siz
   snprintf(title, sizeof title, "%.120s over %.120s", f->name, f->station[station].name);
   um_plot_picture(plot, f->nstation == 1 ? "passes" : name, WIDTH,
                   TOP + (int)f->nband * (PANEL + GAP) + 30);
-  um_plot_title(plot, title, "a colour a night, named by its evening");
+  um_plot_title(plot, title, "a colour a night, named by its dates in UTC");
   for (size_t i = 0; i < f->npass; i++)
     if (is_shown(&f->pass[i], station)) data(plot, f, i);
   double margin = fmax(0.02 * (to - from), 0.05);
   um_plot_add(plot, "set xrange [%.4f:%.4f]\n", from - margin, to + margin);
-  for (size_t b = 0; b < f->nband; b++) panel(plot, f, station, b);
+  for (size_t b = 0; b < f->nband; b++) panel(plot, f, station, b, from - margin, to + margin);
 }
 
 enum um_status um_study_forecast_plot(struct um_context *context,

@@ -32,9 +32,11 @@ static void put_column(FILE *file, const char *name, const char *behind)
 
 static void head(const struct um_study_forecast *f, FILE *file)
 {
-  static const char *const of_band[] = {
-      "_brightest_mag_ab", "_brightest_utc", "_culmination_mag_ab", "_brightest_error_mag",
-      "_largest_W_m2",     "_largest_utc",   "_culmination_W_m2",   "_largest_W_sr"};
+  static const char *const of_band[2][8] = {
+      {"_brightest_mag_ab", "_brightest_utc", "_culmination_mag_ab", "_brightest_error_mag",
+       "_largest_W_m2", "_largest_utc", "_culmination_W_m2", "_largest_W_sr"},
+      {"_brightest_mag_vega", "_brightest_utc", "_culmination_mag_vega", "_brightest_error_mag",
+       "_largest_W_m2", "_largest_utc", "_culmination_W_m2", "_largest_W_sr"}};
   static const char *const of_place[] = {".mean_K", ".lowest_K", ".highest_K"};
   fputs("pass,station,rise_utc,rise_azimuth_deg,culmination_utc,culmination_azimuth_deg,"
         "culmination_elevation_deg,culmination_range_km,set_utc,set_azimuth_deg,"
@@ -42,8 +44,7 @@ static void head(const struct um_study_forecast *f, FILE *file)
         "orbit_error_s",
         file);
   for (size_t b = 0; b < f->nband; b++)
-    for (size_t i = 0; i < sizeof of_band / sizeof *of_band; i++)
-      put_column(file, f->band[b], of_band[i]);
+    for (size_t i = 0; i < 8; i++) put_column(file, f->band[b], of_band[!isnan(f->vega_ab[b])][i]);
   for (size_t p = 0; p < f->nplace; p++)
     for (size_t i = 0; i < sizeof of_place / sizeof *of_place; i++)
       put_column(file, f->place[p], of_place[i]);
@@ -104,7 +105,7 @@ void um_study_forecast_curves(const struct um_study_forecast *f, FILE *file)
   const size_t n = UM_STUDY_FORECAST_CURVE;
   fputs("pass,station,time_utc", file);
   for (size_t b = 0; b < f->nband; b++) {
-    put_column(file, f->band[b], "_mag_ab");
+    put_column(file, f->band[b], isnan(f->vega_ab[b]) ? "_mag_ab" : "_mag_vega");
     put_column(file, f->band[b], "_W_m2");
   }
   fputc('\n', file);

@@ -1,5 +1,6 @@
 /* umbra forecast: the passes of umbra passes, with what umbra run gives of each alone; the same
  * bytes for any number of processes, after a stop, and from shares. */
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,13 +36,16 @@ static void second_of(char out[80], const char *key, const char *utc, int up)
   snprintf(out, 80, "%s=%s%02d.000Z", key, head, seconds);
 }
 
+/* A band whose magnitudes are relative to Vega, in which that has 0.03. */
+#define V "bands.V={filter: johnson_v, vega_magnitude: 0.03, bins: 4}"
+
 /* Every number of the table is that of a run over the pass alone; times are those of umbra passes.
  */
 static void test_alone(void **state)
 {
   (void)state;
   command_expect(0, "forecast", "box.yaml", "--days", "0.2", "-o", "f", "--no-plots", "--workers",
-                 "2", "--set", "time.step_s=20", NULL);
+                 "2", "--set", "time.step_s=20", "--set", V, NULL);
   struct table f = table_read("f/passes.csv");
   struct command passes = command_run("passes", "box.yaml", NULL);
   assert_true(f.nrow >= 2);
@@ -57,7 +61,7 @@ static void test_alone(void **state)
     second_of(start, "time.start_utc", rise, 1);
     second_of(stop, "time.stop_utc", set, 0);
     command_expect(0, "run", "box.yaml", "-o", "alone", "--no-plots", "--set", "time.step_s=20",
-                   "--set", start, "--set", stop, NULL);
+                   "--set", V, "--set", start, "--set", stop, NULL);
     struct table light = table_read("alone/lightcurve.csv");
     struct table heat = table_read("alone/temperatures.csv");
     size_t k = row_of(&light, table_text(&f, i, "vis_brightest_utc"));
@@ -68,6 +72,11 @@ static void test_alone(void **state)
       if (text[0] != '\0') assert_true(strtod(text, NULL) >= least);
       mean += table_number(&heat, r, "bus.mean_K") / (double)light.nrow;
     }
+    /* a band of Johnson's system has the magnitudes of that, and says so */
+    k = row_of(&light, table_text(&f, i, "V_brightest_utc"));
+    double v = table_number(&light, k, "V_mag_vega");
+    assert_close(table_number(&f, i, "V_brightest_mag_vega"), v, 1e-8 * 10.0);
+    assert_true(fabs(v - table_number(&light, k, "V_mag_ab")) > 0.01);
     k = row_of(&light, table_text(&f, i, "lwir_largest_utc"));
     double e = table_number(&light, k, "lwir_irradiance_W_m2");
     assert_close(table_number(&f, i, "lwir_largest_W_m2"), e, 1e-8 * e);
@@ -97,6 +106,42 @@ static void test_long(void **state)
   assert_string_equal(strstr(all, ",night,"), strstr(one, ",night,"));
   free(all);
   free(one);
+}
+
+/* The picture's axis is the clock of UTC: every pass begins where its first second stands. A night
+ * is named by its dates in UTC, by one where it lies in one. */
+static void test_picture(void **state)
+{
+  (void)state;
+  struct command c =
+      command_run("forecast", "box.yaml", "--days", "0.8", "-o", "f", "--set", V, "--station",
+                  "Suva,-18.1,178.4,10", "--station", "Graz,47.067,15.493,495", "--json", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "\"magnitudes\": {\"vis\": \"AB\", \"lwir\": \"AB\", "
+                                "\"V\": \"Vega\"}}"));
+  command_release(&c);
+  char *picture = command_read("f/passes.gp");
+  struct table f = table_read("f/passes.csv"), curves = table_read("f/curves.csv");
+  assert_true(f.nrow >= 5);
+  for (size_t i = 0, row = 0; i < f.nrow; i++) {
+    char begin[40];
+    snprintf(begin, sizeof begin, "\n$pass%zu << EOD\n", i);
+    const char *at = strstr(picture, begin);
+    assert_non_null(at);
+    while ((size_t)table_number(&curves, row, "pass") != i + 1) row++;
+    const char *clock = table_text(&curves, row, "time_utc") + 11;
+    double hours =
+        strtod(clock, NULL) + strtod(clock + 3, NULL) / 60.0 + strtod(clock + 6, NULL) / 3600.0;
+    assert_close(fmod(strtod(at + strlen(begin), NULL), 24.0), hours, 2e-5);
+  }
+  assert_non_null(strstr(picture, "'22:00' 22.0000, '00:00' 24.0000"));
+  assert_non_null(strstr(picture, "set xlabel 'UTC'"));
+  assert_non_null(strstr(picture, "title '2016-09-06/07'"));
+  assert_non_null(strstr(picture, "title '2016-09-07'"));
+  assert_non_null(strstr(picture, "'magnitude (Vega)'"));
+  table_release(&curves);
+  table_release(&f);
+  free(picture);
 }
 
 static void expect_same(const char *a, const char *b)
@@ -286,7 +331,8 @@ int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
   static const struct CMUnitTest tests[] = {
-      TEST(test_alone),    TEST(test_long),    TEST(test_same),   TEST(test_other),
-      TEST(test_calendar), TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
+      TEST(test_alone),   TEST(test_long),   TEST(test_picture),
+      TEST(test_same),    TEST(test_other),  TEST(test_calendar),
+      TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
