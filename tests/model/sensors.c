@@ -7,6 +7,7 @@
 #include "core/listing.h"
 #include "core/planck.h"
 #include "instrument/photometry.h"
+#include "model/bands.h"
 #include "model/build.h"
 #include "model/sensor_preset.h"
 #include "tests/support/cmocka_all.h"
@@ -135,6 +136,40 @@ static void test_all(void **state)
   um_core_listing_free(context, names, count);
 }
 
+/* Whose magnitudes are relative to Vega: by their filters' catalogues, or as the scenario states.
+ */
+static void test_systems(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *override;
+    bool vega;
+  } band[] = {{"bands.v={filter: johnson_v}", true},
+              {"bands.i={filter: cousins_i}", true},
+              {"bands.g={filter: gaia_g}", true},
+              {"bands.sdss={filter: sdss_g}", false},
+              {"bands.lsst={filter: lsst_r}", false},
+              {"bands.edges={from_um: 0.5, to_um: 0.6}", false},
+              {"bands.stated={from_um: 0.5, to_um: 0.6, vega_magnitude: 0}", true},
+              /* where Vega is not known there is nothing to be relative to */
+              {"bands.far={from_um: 45, to_um: 50, vega_magnitude: 0}", false}};
+  const char *override[8];
+  struct um_model *m;
+  char text[4096], path[UM_TEST_PATH];
+  const struct um_model_options options = {.overrides = override, .noverride = 8};
+  for (size_t i = 0; i < 8; i++) override[i] = band[i].override;
+  snprintf(text, sizeof text, "%s  one: {band: vis, aperture_m: 1}\n", head);
+  um_test_file_create(path, text, strlen(text));
+  enum um_status status = um_model_create(context, path, &options, &m);
+  unlink(path);
+  if (status != UM_OK) fail_msg("%s", um_core_message(context));
+  assert_int_equal(m->nband, 10);
+  assert_false(um_model_band_is_vega(m, 0) || um_model_band_is_vega(m, 1));
+  for (size_t i = 0; i < 8; i++)
+    if (um_model_band_is_vega(m, 2 + i) != band[i].vega) fail_msg("%s", band[i].override);
+  um_model_destroy(context, &m);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -142,6 +177,7 @@ int main(void)
       cmocka_unit_test(test_cooled_background),
       cmocka_unit_test(test_refused),
       cmocka_unit_test(test_all),
+      cmocka_unit_test(test_systems),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
