@@ -10,14 +10,10 @@
 #include "core/sort.h"
 #include "model/bands.h"
 #include "model/build.h"
-#include "model/timeline.h"
 #include "study/forecast_impl.h"
 #include "study/identity.h"
 
-#define DAY  86400.0
-#define HOUR 3600.0 /* between observations where none are made [s] */
-#define BEYOND                                                                                     \
-  7200.0 /* passes are looked for this far outside the days, so that theirs are whole [s] */
+#define DAY 86400.0
 
 /* What a forecast keeps for its runs, behind the part that is public. */
 struct held {
@@ -46,97 +42,6 @@ const char *um_study_sky(double sun_elevation)
 const char *um_study_forecast_system(const struct um_study_forecast *forecast, size_t band)
 {
   return isnan(forecast->vega_ab[band]) ? "AB" : "Vega";
-}
-
-/* Shadow, Sun and times of a pass that need no run and no attitude. */
-static enum um_status describe(struct um_context *context, const struct um_model *orbit,
-                               struct um_study_forecast_pass *pass)
-{
-  struct um_environment_event *event = NULL;
-  struct um_orbit_look look;
-  size_t n = 0;
-  const struct um_orbit_pass *p = &pass->pass;
-  pass->entry = pass->exit = NAN;
-  pass->delay = NAN;
-  pass->start = ceil(p->rise); /* whole seconds of TAI are whole seconds of UTC */
-  pass->stop = floor(p->set);
-  UM_TRY(
-      um_orbit_observer_look(context, &orbit->observer, orbit->trajectory, p->culmination, &look));
-  pass->sun_elevation = look.sun_elevation;
-  /* what the last edge of the shadow before the rise was; none in so long a time: there is no
-   * shadow */
-  bool sunlit = true;
-  UM_TRY(um_model_events(context, orbit, p->rise - BEYOND, p->set, &event, &n));
-  pass->sunlit_at_rise = true;
-  for (size_t i = 0; i < n; i++) {
-    double t = event[i].t_tai;
-    bool entry = event[i].kind == UM_EVENT_HALF_ENTRY, exit = event[i].kind == UM_EVENT_HALF_EXIT;
-    if (entry || exit) sunlit = exit;
-    if ((entry || exit) && t < p->rise) pass->sunlit_at_rise = sunlit;
-    if (entry && t >= p->rise && isnan(pass->entry)) pass->entry = t;
-    if (exit && t >= p->rise && isnan(pass->exit)) pass->exit = t;
-  }
-  pass->sunlit_at_set = sunlit;
-  um_core_free(context, event);
-  return UM_OK;
-}
-
-/* Is it one of these days, and long enough to be run? */
-static bool belongs(const struct um_study_forecast *f, const struct um_orbit_pass *pass)
-{
-  return pass->culmination >= f->from && pass->culmination < f->to &&
-         floor(pass->set) - ceil(pass->rise) >= 1.0;
-}
-
-static enum um_status add_pass(struct um_context *context, struct um_study_forecast *f,
-                               const struct um_model *orbit, size_t station,
-                               const struct um_orbit_pass *pass)
-{
-  if (f->npass >= UM_STUDY_FORECAST_MOST)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "more than %d passes; accepted: fewer days, fewer stations or a higher "
-                        "minimum elevation",
-                        UM_STUDY_FORECAST_MOST);
-  UM_TRY(um_core_reallocate(context, f->npass + 1, sizeof *f->pass, &f->pass));
-  struct um_study_forecast_pass *to = &f->pass[f->npass];
-  *to = (struct um_study_forecast_pass){.station = station, .pass = *pass};
-  f->npass++;
-  return describe(context, orbit, to);
-}
-
-static enum um_status check_orbit(struct um_context *context, const struct um_model *orbit)
-{
-  const char *file = orbit->scenario->at.file;
-  if (!orbit->has_observer || orbit->observer.kind != UM_OBSERVER_STATION)
-    return um_core_fail(context, UM_ERR_INPUT, "%s: passes need observer.station", file);
-  if (orbit->points)
-    return um_core_fail(context, UM_ERR_INPUT, "%s: passes need an orbit, not orbit.points", file);
-  return UM_OK;
-}
-
-static enum um_status find_passes(struct um_context *context, struct held *h, size_t station)
-{
-  enum um_status status;
-  struct um_study_forecast *f = &h->forecast;
-  struct um_study_forecast_changes changes = {.text = NULL};
-  struct um_model *orbit = NULL;
-  struct um_orbit_pass *pass = NULL;
-  size_t n = 0;
-  UM_CHECK(um_study_forecast_changes(context, &h->work, station, f->from, f->to, HOUR, &changes));
-  um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
-  status = um_model_create_orbit(context, h->ask.path, &changes.options, &orbit);
-  um_core_quiet_end(context);
-  UM_CHECK(status);
-  UM_CHECK(check_orbit(context, orbit));
-  UM_CHECK(um_orbit_passes_find(context, &orbit->observer, orbit->trajectory, f->from - BEYOND,
-                                f->to + BEYOND, f->minimum_elevation, &pass, &n));
-  for (size_t i = 0; i < n; i++)
-    if (belongs(f, &pass[i])) UM_CHECK(add_pass(context, f, orbit, station, &pass[i]));
-done:
-  um_core_free(context, pass);
-  um_model_destroy(context, &orbit);
-  um_core_free(context, (void *)changes.text);
-  return status;
 }
 
 static int by_rise(const void *a, const void *b)
@@ -177,7 +82,7 @@ static enum um_status name_stations(struct um_context *context, struct held *h,
   struct um_study_forecast *f = &h->forecast;
   size_t n = h->ask.nstation;
   UM_TRY(um_core_allocate(context, n > 0 ? n : 1, sizeof *f->station, &f->station));
-  UM_TRY(check_orbit(context, model));
+  UM_TRY(um_study_forecast_check_orbit(context, model));
   const char *name = model->scenario->observer->station->name;
   struct um_study_station own = {name == NULL ? "station" : name, model->observer.latitude,
                                  model->observer.longitude, model->observer.height};
@@ -250,7 +155,8 @@ enum um_status um_study_forecast_create(struct um_context *context,
   h->ask = *ask;
   h->work.ask = &h->ask;
   UM_CHECK(prepare(context, h));
-  for (size_t s = 0; s < f->nstation; s++) UM_CHECK(find_passes(context, h, s));
+  for (size_t s = 0; s < f->nstation; s++)
+    UM_CHECK(um_study_forecast_find(context, &h->work, f, s));
   UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;

@@ -30,6 +30,16 @@ static inline size_t um_study_forecast_values(size_t nband, size_t nplace)
 enum um_status um_study_forecast_compute(struct um_context *context, void *user,
                                          const double *coordinate, double *value);
 
+/* --- forecast_find.c --- */
+/* Passes of a station that culminate in the days, behind those that there are. UM_ERR_INPUT: no
+ * station, no orbit, more than UM_STUDY_FORECAST_MOST; errors of um_model_create_orbit. */
+enum um_status um_study_forecast_find(struct um_context *context,
+                                      const struct um_study_forecast_work *work,
+                                      struct um_study_forecast *forecast, size_t station);
+/* Has it a station and an orbit? */
+enum um_status um_study_forecast_check_orbit(struct um_context *context,
+                                             const struct um_model *orbit);
+
 /* --- accepts.c --- */
 /* um_batch_accepts of a pass; user: the work. The same rules as um_study_accepts, and times lie
  * within the curves'. */

@@ -161,7 +161,7 @@ static bool next_line(const char **at, struct line *line)
   char text[LINE + 64];
   if (**at == '\0') return false;
   snprintf(text, sizeof text, "%.*s", (int)(n < LINE ? n : LINE), *at);
-  line->name[0] = '\0';
+  line->digest[0] = line->kind[0] = line->name[0] = '\0';
   if (sscanf(text, "%16s %11s %n", line->digest, line->kind, &used) == 2 && used > 0)
     snprintf(line->name, sizeof line->name, "%s", text + used);
   *at += n + ((*at)[n] == '\n' ? 1 : 0);
@@ -280,6 +280,7 @@ static enum um_status write_list(struct um_context *context, const char *path, c
     goto done;
   }
   UM_CHECK(um_core_file_write(context, path, text, strlen(text), file));
+  UM_CHECK(um_core_file_sync(context, path, file));
   UM_CHECK(um_core_file_close(context, path, &file));
   if (rename(partial, path) != 0)
     status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
@@ -299,7 +300,8 @@ enum um_status um_study_identity_open(struct um_context *context,
   enum um_status status = UM_OK;
   own.identity = identity->digest;
   *out = NULL;
-  if (task->resume) UM_TRY(check_list(context, identity, task->folder, true));
+  if (task->resume || task->nshare > 1) /* or other shares are at work there */
+    UM_TRY(check_list(context, identity, task->folder, true));
   UM_TRY(um_batch_open(context, &own, out));
   if (!um_batch_leads(*out)) return UM_OK;
   UM_CHECK(um_core_asprintf(context, &path, "%s/" LIST, task->folder));

@@ -27,7 +27,7 @@ enum um_status um_study_identity_check(struct um_context *context,
                                        const struct um_study_identity *identity,
                                        const char *folder);
 /* As um_batch_open, with this identity for that of the task; errors of um_study_identity_check
- * where the task resumes. */
+ * where the task resumes or is a share. */
 enum um_status um_study_identity_open(struct um_context *context,
                                       const struct um_study_identity *identity,
                                       const struct um_batch_task *task, struct um_batch **out);

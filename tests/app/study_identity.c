@@ -181,12 +181,20 @@ static void test_program(void **state)
   assert_int_equal(system("mkdir moved && mv *.yaml *.obj *.csv *.so moved"), 0);
   copy("other", "others", "\n");
   assert_int_equal(chmod("others", 0755), 0);
-  char *rebuilt = command_edit(strdup(command), "./other", "./others");
-  assert_int_not_equal(system(rebuilt), 0);
+  char *rebuilt = command_edit(strdup(command), "./other", "./others"), *said;
+  for (int share = 0; share < 2; share++) { /* another share of the same points is refused, too */
+    char *before = command_snapshot("o.points"), *after;
+    assert_int_not_equal(system(rebuilt), 0);
+    said = command_read("said");
+    assert_non_null(strstr(said, "o.points: the program has other bytes than when these points"));
+    free(said);
+    after = command_snapshot("o.points");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    if (share == 0) rebuilt = command_edit(rebuilt, "--resume", "--share 2/2");
+  }
   free(rebuilt);
-  char *said = command_read("said");
-  assert_non_null(strstr(said, "o.points: the program has other bytes than when these points"));
-  free(said);
   int code = system(command);
   said = command_read("said");
   if (code != 0) fail_msg("it said: %s", said);
