@@ -18,6 +18,7 @@
 #include "diagnosis/state_impl.h"
 #include "diagnosis/superseded_impl.h"
 #include "diagnosis/verdict_impl.h"
+#include "diagnosis/wanted_impl.h"
 
 #define LEVEL        0.01 /* family-wise false-alarm rate, when not asked for another */
 #define STEPS_MAX    4
@@ -53,11 +54,7 @@ static enum um_status baseline(struct um_context *context, const struct um_diagn
 {
   size_t n = work->forward->observations.count;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
-  if (!(um_diagnosis_free_parameters(state) < (double)n))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "%s: %zu observations and %.0f free parameters; accepted: more "
-                        "observations than parameters",
-                        work->forward->measurements->path, n, um_diagnosis_free_parameters(state));
+  UM_TRY(um_diagnosis_check_free(context, work, um_diagnosis_free_parameters(state)));
   UM_TRY(um_diagnosis_state_fit(context, work, state,
                                 state->nnuisance == 0 ? work->candidates->base : NULL, NULL));
   UM_TRY(um_core_allocate(context, n, sizeof *d->value_before, &d->value_before));
@@ -265,32 +262,16 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
                                         struct um_diagnosis **out)
 {
   enum um_status status;
-  struct um_sensitivity_candidates none = {.nobservation = forward->observations.count};
+  const struct um_sensitivity_candidates_options these = {.wanted = wanted, .nwanted = nwanted};
+  struct um_sensitivity_candidates *candidates = NULL;
   struct um_diagnosis_work work = {0};
   struct um_diagnosis_state state = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
-  UM_CHECK(begin(context, forward, &none, options, &work, &d));
-  UM_CHECK(um_core_allocate(context, forward->observations.count, sizeof *none.base, &none.base));
-  UM_CHECK(um_sensitivity_forward_evaluate(context, forward, NULL, 0, none.base));
+  UM_CHECK(um_sensitivity_candidates_create(context, forward, NULL, 0, &these, &candidates));
+  UM_CHECK(begin(context, forward, candidates, options, &work, &d));
   UM_CHECK(baseline(context, &work, &state, d));
-  for (size_t i = 0; i < nwanted; i++) {
-    struct um_diagnosis_block block;
-    UM_CHECK(um_diagnosis_block_wanted(context, &work, &wanted[i], INFINITY, &block));
-    UM_CHECK(um_diagnosis_state_append(context, &state, &block));
-  }
-  if (!(um_diagnosis_free_parameters(&state) < (double)forward->observations.count)) {
-    status = um_core_fail(context, UM_ERR_INPUT,
-                          "%s: %zu observations and %.0f free parameters; accepted: more "
-                          "observations than parameters",
-                          forward->measurements->path, forward->observations.count,
-                          um_diagnosis_free_parameters(&state));
-    goto done;
-  }
-  um_core_progress_begin(context, "fitting", 1);
-  status = um_diagnosis_state_fit(context, &work, &state, NULL, NULL);
-  um_core_progress_end(context);
-  UM_CHECK(status);
+  UM_CHECK(um_diagnosis_add_wanted(context, &work, wanted, nwanted, &state));
   UM_CHECK(keep_end(context, &work, &state, d));
   d->verdict =
       um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
@@ -298,9 +279,9 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  um_core_free(context, none.base);
   um_core_free(context, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
+  um_sensitivity_candidates_destroy(context, &candidates);
   return status;
 }

@@ -150,8 +150,7 @@ static enum um_status take_wanted(struct um_context *context, const struct um_mo
   UM_TRY(find_effect(context, model, text, &wanted.effect));
   UM_TRY(um_model_check_target(context, model, wanted.effect, target));
   wanted.target = target;
-  for (size_t p = 0; p < wanted.effect->nparameter; p++)
-    wanted.value[p] = wanted.effect->parameters[p].default_value;
+  for (size_t p = 0; p < wanted.effect->nparameter; p++) wanted.value[p] = NAN;
   while (*rest != '\0') {
     UM_TRY(next_pair(context, &rest, &name, &value));
     UM_TRY(set_start(context, &wanted, name, value));

@@ -18,11 +18,11 @@ struct um_diagnosis_request {
 
 /* nuisance: [nnuisance] "effect[:target][,sigma=S][,per=set]"; without sigma the prior width of the
  * effect's parameters, sigma=free for none. A later one of the same effect and target takes the
- * place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters at
- * the effect's defaults. exclude: [nexclude] "effect[:target]", copied behind the scenario's.
- * UM_ERR_INPUT naming file and line, or option and text: no such effect, a target that the effect
- * cannot have or the model has not, no such parameter, a number that is none or out of range. The
- * caller releases, also after a failure. */
+ * place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters NAN.
+ * exclude: [nexclude] "effect[:target]", copied behind the scenario's. UM_ERR_INPUT naming file and
+ * line, or option and text: no such effect, a target that the effect cannot have or the model has
+ * not, no such parameter, a number that is none or out of range. The caller releases, also after a
+ * failure. */
 struct um_diagnosis_request_texts {
   const char *const *nuisance, *const *exclude, *const *wanted;
   size_t nnuisance, nexclude, nwanted;

@@ -215,6 +215,16 @@ double um_diagnosis_free_parameters(const struct um_diagnosis_state *state)
   return n;
 }
 
+enum um_status um_diagnosis_check_free(struct um_context *context,
+                                       const struct um_diagnosis_work *work, double nfree)
+{
+  if (nfree < (double)work->forward->observations.count) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "%s: %zu observations and %.0f free parameters; accepted: more observations "
+                      "than parameters",
+                      work->forward->measurements->path, work->forward->observations.count, nfree);
+}
+
 /* Observations of each channel in order of time, as the whiteness test wants them. */
 enum um_status um_diagnosis_state_whiteness(struct um_context *context,
                                             const struct um_diagnosis_work *work,

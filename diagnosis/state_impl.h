@@ -61,6 +61,9 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
 
 /* Parameters that have no prior. */
 double um_diagnosis_free_parameters(const struct um_diagnosis_state *state);
+/* UM_ERR_INPUT: as many of them as observations. */
+enum um_status um_diagnosis_check_free(struct um_context *context,
+                                       const struct um_diagnosis_work *work, double nfree);
 /* Whether the residual of the fit is white noise. */
 enum um_status um_diagnosis_state_whiteness(struct um_context *context,
                                             const struct um_diagnosis_work *work,

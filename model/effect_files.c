@@ -67,3 +67,28 @@ const struct um_effect *um_model_effects_find(const struct um_model *model, cons
 {
   return um_effects_registry_find(model->registry, name);
 }
+
+static size_t place_of(const struct um_model *model, const struct um_effect *effect)
+{
+  size_t i = 0;
+  while (i < um_model_effects_count(model) && um_model_effects_at(model, i) != effect) i++;
+  return i;
+}
+
+static bool comes_before(const struct um_model *model, const struct um_model_effect *a,
+                         const struct um_model_effect *b)
+{
+  if (a->effect != b->effect) return place_of(model, a->effect) < place_of(model, b->effect);
+  if (a->target == NULL || b->target == NULL) return a->target == NULL && b->target != NULL;
+  return strcmp(a->target, b->target) < 0;
+}
+
+void um_model_effects_sort(const struct um_model *model, struct um_model_effect *use, size_t n)
+{
+  for (size_t i = 1; i < n; i++)
+    for (size_t j = i; j > 0 && comes_before(model, &use[j], &use[j - 1]); j--) {
+      struct um_model_effect other = use[j];
+      use[j] = use[j - 1];
+      use[j - 1] = other;
+    }
+}

@@ -218,6 +218,7 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
 enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
                                     const struct um_model_addition *addition, size_t naddition)
 {
+  size_t listed = model->neffect;
   for (size_t i = 0; i < naddition; i++) {
     const struct um_effect *effect = addition[i].effect;
     struct um_model_effect *use = NULL;
@@ -232,6 +233,7 @@ enum um_status um_model_add_effects(struct um_context *context, struct um_model 
       UM_TRY(
           set_parameter(context, &origin, use, effect->parameters[p].name, addition[i].value[p]));
   }
+  um_model_effects_sort(model, model->effect + listed, model->neffect - listed);
   return UM_OK;
 }
 

@@ -7,7 +7,7 @@
 /* effect: the scenario's list, --with and --without. */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options);
-/* Additions to the effects of a variant. */
+/* Additions to the effects of a variant, behind those in the order of the catalogue. */
 enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
                                     const struct um_model_addition *addition, size_t naddition);
 /* Every target names something that the built parts have (after um_model_build_parts). */

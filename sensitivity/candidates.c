@@ -134,6 +134,9 @@ static enum um_status make_list(struct um_context *context,
                                 const struct um_sensitivity_candidates_options *o,
                                 struct um_sensitivity_candidates *list)
 {
+  for (size_t i = 0; o != NULL && i < o->nwanted; i++)
+    UM_TRY(add(context, forward, o->wanted[i].effect, o->wanted[i].target, list));
+  if (list->count > 0) return UM_OK;
   if (o != NULL) {
     UM_TRY(check_names(context, forward->model, "--only", o->only, o->nonly));
     UM_TRY(check_names(context, forward->model, "--exclude", o->exclude, o->nexclude));
@@ -186,8 +189,9 @@ static enum um_status find_moves(struct um_context *context,
   return status;
 }
 
+/* all: those that are the same thing, too. */
 static enum um_status make_signatures(struct um_context *context,
-                                      const struct um_sensitivity_point *point,
+                                      const struct um_sensitivity_point *point, bool all,
                                       struct um_sensitivity_candidates *list)
 {
   enum um_status status = UM_OK;
@@ -206,7 +210,7 @@ static enum um_status make_signatures(struct um_context *context,
     struct um_sensitivity_candidate c = list->candidate[i];
     list->candidate[i] = (struct um_sensitivity_candidate){0};
     list->candidate[kept] = c;
-    if (is_repeated(list, kept)) {
+    if (!all && is_repeated(list, kept)) {
       release(context, &list->candidate[kept]);
       list->candidate[kept] = (struct um_sensitivity_candidate){0};
     } else {
@@ -238,7 +242,7 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));
   point.base = list->base;
   UM_CHECK(um_sensitivity_forward_noise(context, forward, &point.noise));
-  UM_CHECK(make_signatures(context, &point, list));
+  UM_CHECK(make_signatures(context, &point, options != NULL && options->nwanted > 0, list));
   *out = list;
   list = NULL;
 done:

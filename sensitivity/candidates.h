@@ -17,6 +17,9 @@ struct um_sensitivity_candidates_options {
   size_t nonly;
   const char *const *exclude; /* [nexclude] likewise; taken out of what is left */
   size_t nexclude;
+  const struct um_model_addition
+      *wanted;    /* [nwanted] exactly these uses in their order, whatever */
+  size_t nwanted; /* their targets and values; none: as said above */
 };
 
 /* Every effect of the model on every target it may have there (parts, sides, materials, bands, or

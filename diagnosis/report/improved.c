@@ -11,6 +11,7 @@
 
 #include "core/file.h"
 #include "core/words.h"
+#include "model/effect_files.h"
 #include "model/scenario_text.h"
 
 /* ---- the effects as they are at the end ---- */
@@ -31,7 +32,8 @@ static void take(struct um_model_effect *use, size_t *count,
   memcpy(use[i].value, addition->value, sizeof use[i].value);
 }
 
-/* Uses of the model, then nuisances, then what was added; the caller frees. */
+/* Uses of the model, then nuisances and what was added in the order in which they acted; the caller
+ * frees. */
 static enum um_status collect(struct um_context *context, const struct um_diagnosis *d,
                               struct um_model_effect **out, size_t *count)
 {
@@ -41,6 +43,7 @@ static enum um_status collect(struct um_context *context, const struct um_diagno
   if (*count > 0) memcpy(*out, model->effect, *count * sizeof **out);
   for (size_t i = 0; i < d->nnuisance; i++) take(*out, count, &d->nuisance[i]);
   for (size_t i = 0; i < d->naddition; i++) take(*out, count, &d->addition[i]);
+  um_model_effects_sort(model, *out + model->neffect, *count - model->neffect);
   return UM_OK;
 }
 

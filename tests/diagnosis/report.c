@@ -2,6 +2,7 @@
  * the improved scenario is the model that was diagnosed, and a folder that cannot be written is
  * not there. */
 #include <dirent.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -503,8 +504,8 @@ static void test_improved(void **state)
       "  - {effect: panel_extraction, target: panel, efficiency: 0.1875} # guessed\n"
       "  - {effect: albedo, off: true}\n"
       "  - {effect: solar_absorptance, target: grey_white, absorptance_shift: 0.05",
-      "  - {effect: zero_point, target: lwir, factor: 1.0078125}\n"
       "  - {effect: internal_power, target: bus, power_W: 41.5}\n"
+      "  - {effect: zero_point, target: lwir, factor: 1.0078125}\n"
       "measurements:\n",
   };
   struct world w;
@@ -630,7 +631,7 @@ static void test_requests(void **state)
   assert_string_equal(r.exclude[1], "albedo");
   assert_int_equal(r.nwanted, 2);
   assert_true(r.wanted[0].value[0] == 3.0);
-  assert_true(r.wanted[1].value[0] == effect_named("area")->parameters[0].default_value);
+  assert_true(isnan(r.wanted[1].value[0]));
   um_diagnosis_request_release(context, &r);
   static const struct {
     const char *nuisance, *wanted, *says;
