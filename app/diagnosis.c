@@ -19,6 +19,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
       .wanted = options->add,
       .nwanted = options->nadd,
   };
+  um_app_terminal_progress_in_pipes(); /* it takes minutes, and its tables come at the end */
   work->changes = um_app_model_options(options);
   UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
   UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes,

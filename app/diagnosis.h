@@ -31,5 +31,7 @@ void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosi
 /* The tables for a person (diagnosis_print.c). */
 enum um_status um_app_diagnosis_print(struct um_context *context,
                                       const struct um_diagnosis *diagnosis, const char *folder);
+/* The part of them that says what is left open (diagnosis_print_next.c). */
+void um_app_diagnosis_print_next(const struct um_diagnosis *diagnosis);
 
 #endif

@@ -5,10 +5,8 @@
 #include "app/diagnosis.h"
 #include "compare/metrics.h"
 #include "compare/refine.h"
-#include "compare/time_text.h"
 #include "diagnosis/report/channels.h"
 #include "diagnosis/words.h"
-#include "orbit/time.h"
 #include "sensitivity/stated.h"
 
 #define WIDTH 96     /* of the sentence [characters] */
@@ -139,7 +137,8 @@ static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_
 static void print_alternatives(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
   static const char *const label[] = {"certain", "one of a group",
-                                      "small, what it is cannot be known"};
+                                      "small, what it is cannot be known",
+                                      "needed, but within two sigmas of nothing"};
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
   if (!step->removed) printf("  %s\n", label[step->standing]);
   for (size_t r = 1; r < step->nalternative; r++) {
@@ -154,6 +153,12 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
            alternative->implausible ? ", not a plausible value" : "");
   }
   if (step->by_prior) printf("  only the priors of the effects tell them apart\n");
+  size_t n = 0;
+  for (size_t r = 1; r < step->nalternative; r++)
+    if (step->alternative[r].not_tried)
+      printf("%s%s", n++ == 0 ? "  not tried, though the linear model has them as good: " : ", ",
+             d->candidates->candidate[step->alternative[r].candidate].name);
+  if (n > 0) putchar('\n');
 }
 
 static enum um_status print_step(struct um_context *context, const struct um_diagnosis *d, size_t s)
@@ -193,31 +198,6 @@ static void print_uses(const struct um_diagnosis *d, const char *title,
 
 /* ---- what is left ---- */
 
-static void print_one_next(const struct um_diagnosis *d, const struct um_diagnosis_next *next)
-{
-  char from[40], to[40];
-  printf("  %s from %s: ", d->candidates->candidate[d->step[next->step].candidate].name,
-         d->candidates->candidate[next->candidate].name);
-  if (next->what == NULL) {
-    printf("nothing that this scenario observes%s%s\n",
-           next->told_apart_by != NULL ? "; told apart from " : "",
-           next->told_apart_by != NULL ? next->told_apart_by : "");
-    return;
-  }
-  um_compare_time_text(next->from, from);
-  um_compare_time_text(next->to, to);
-  printf("%s, %s to %s; an observation of sigma %.3g %s there tells them apart by a chi-square of "
-         "%.3g\n",
-         next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
-         next->chi2_difference);
-}
-
-static void print_next(const struct um_diagnosis *d)
-{
-  if (d->nnext > 0) printf("\nnext measurement, to tell\n");
-  for (size_t i = 0; i < d->nnext; i++) print_one_next(d, &d->next_of[i]);
-}
-
 static void print_superseded(const struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nsuperseded; i++) {
@@ -237,26 +217,6 @@ static void print_residual(const struct um_missing_heat_residual *r)
          r->channel, r->chi2_reduced, r->mean);
   if (r->coordinate != NULL) printf(", goes with %s (p %.2g)", r->coordinate, r->p);
   printf("\n");
-}
-
-static void print_unexplained(const struct um_missing_heat_unexplained *u)
-{
-  if (u == NULL) return;
-  printf("\nunexplained:");
-  if (u->channel != NULL) printf(" worst in %s", u->channel);
-  if (u->coordinate != NULL) printf(", goes with %s (p %.2g)", u->coordinate, u->p);
-  printf("\n");
-  for (size_t i = 0; i < u->nheat && i < 3; i++) {
-    const struct um_missing_heat *h = &u->heat[i];
-    char start[32], energy[80];
-    um_orbit_time_format(h->start, start);
-    um_diagnosis_report_value_text(h->energy, h->energy_sigma, "+-", energy);
-    printf("  %s %s: %s J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
-           i == 0 && u->found ? "missing heat of"
-           : i == 0           ? "at most heat of"
-                              : "or of",
-           h->place, energy, start, h->start_sigma, h->stop - h->start, h->chi2_explained);
-  }
 }
 
 /* Words in lines of WIDTH. */
@@ -280,6 +240,8 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
 {
   const struct um_diagnosis *d = diagnosis;
   const struct um_sensitivity_forward *f = d->forward;
+  print_wrapped(d->sentence != NULL ? d->sentence : "");
+  printf("\nverdict: %s\n", um_diagnosis_verdict_name(d->verdict));
   printf("%s against %s: %zu observations", f->model->scenario->name, f->measurements->path,
          f->observations.count);
   if (d->candidates != NULL) printf(", %zu candidates", d->candidates->count);
@@ -296,11 +258,8 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
   }
   print_uses(d, "fitted along", d->nuisance, d->nuisance_sigma, d->nnuisance);
   print_superseded(d);
-  print_next(d);
-  print_unexplained(d->unexplained);
+  um_app_diagnosis_print_next(d);
   if (d->allowance) printf("\nwhat is left is not quite noise\n");
-  printf("\nverdict: %s\n", um_diagnosis_verdict_name(d->verdict));
-  print_wrapped(d->sentence != NULL ? d->sentence : "");
   printf("\n%zu model evaluations in the time of %.3g forward runs (%.3g s)\n", f->evaluations,
          f->seconds / f->seconds_first, f->seconds);
   printf("results in %s, the scenario as it now stands in %s/improved\n", folder, folder);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #define LINE_EVERY 10.0 /* [s] */
+#define FIRST_LINE 1.0  /* [s] */
 #define BAR_EVERY  0.1  /* [s] */
 #define BLINK      0.3  /* [s] */
 #define BAR_WIDTH  28
@@ -29,8 +30,9 @@ bool um_app_progress_line(struct um_app_progress *progress, double t, const char
                           size_t total, char line[UM_APP_PROGRESS_LINE])
 {
   begin(progress, t, task, done);
-  if (progress->told == 0.0) progress->told = t;
-  if (t - progress->told < LINE_EVERY || (done > 0 && done == total)) return false;
+  if (progress->since == 0.0) progress->since = t;
+  double due = progress->told > 0.0 ? progress->told + LINE_EVERY : progress->since + FIRST_LINE;
+  if (t < due || (done > 0 && done == total)) return false;
   progress->told = t;
   int length;
   if (total > 0)

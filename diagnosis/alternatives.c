@@ -16,6 +16,7 @@
 #define UNIDENTIFIED_MAX                                                                           \
   2 /* candidates with parameters unidentified under the null in a round; they cost a scan each */
 #define LATER_REACH 0.5 /* the same for rounds after the first */
+#define TIES        12  /* more that are fitted where their score says that they do as well */
 
 /* Jacobian of the state's fit and the signatures of candidates, by transformed parameters. */
 static enum um_status jacobian_with(struct um_context *context,
@@ -69,6 +70,9 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
   UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
                                   jacobian));
 done:
+  for (size_t i = 0; i < ncandidate; i++)
+    if (work->fate[candidate[i]] != UM_FATE_FITTED)
+      work->fate[candidate[i]] = status == UM_OK ? UM_FATE_FITTED : UM_FATE_REFUSED;
   um_core_free(context, jacobian);
   if (status != UM_OK) um_diagnosis_state_release(context, out);
   return status;
@@ -89,6 +93,7 @@ static enum um_status try_alternative(struct um_context *context,
                                             lead + UM_DIAGNOSIS_NEXT_BEST, &trial);
   if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) { /* the effect refuses such values */
     um_core_message_clear(context);
+    alternative->refused = true;
     return UM_OK;
   }
   UM_TRY(status);
@@ -123,9 +128,9 @@ static int compare_fitted(const void *pa, const void *pb)
 }
 
 /* qsort is not stable, and alternatives that were not fitted keep their order. */
-static void sort_fitted(struct um_diagnosis_alternative *alternative, size_t nfitted)
+static void sort_fitted(struct um_diagnosis_alternative *alternative, size_t n)
 {
-  for (size_t i = 1; i < nfitted; i++)
+  for (size_t i = 1; i < n; i++)
     for (size_t j = i; j > 0 && compare_fitted(&alternative[j], &alternative[j - 1]) < 0; j--) {
       struct um_diagnosis_alternative other = alternative[j];
       alternative[j] = alternative[j - 1];
@@ -186,11 +191,35 @@ static enum um_status try_alternatives(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
-                                             const struct um_diagnosis_work *work,
-                                             const struct um_diagnosis_state *state,
-                                             struct um_diagnosis_step *step,
-                                             struct um_diagnosis_state *best)
+/* Those left whose score comes within the evidence of the best one's, the best score first, up to
+ * TIES: the linear model alone does not say that they fit as well. */
+static enum um_status try_ties(struct um_context *context, const struct um_diagnosis_work *work,
+                               const struct um_diagnosis_state *state,
+                               struct um_diagnosis_step *step, struct um_diagnosis_state *best)
+{
+  size_t tried = 0;
+  um_core_progress_begin(context, "fitting candidates that score as well", TIES);
+  for (size_t i = 0; i < step->nalternative && tried < TIES; i++) {
+    struct um_diagnosis_alternative *r = &step->alternative[i];
+    const struct um_diagnosis_alternative *ahead = best_fitted(step);
+    size_t nunidentified = work->candidates->candidate[r->candidate].nunidentified;
+    if (ahead == NULL) break;
+    if (r->fitted || r->refused || r->score.absorbed || r->score.p >= 0.5 ||
+        !(r->score.statistic > ahead->score.statistic - UM_DIAGNOSIS_EVIDENCE) ||
+        (nunidentified > 0 && is_hopeless(work, state, nunidentified, ahead)))
+      continue;
+    UM_TRY(try_alternative(context, work, state, ahead, r, best));
+    UM_TRY(um_core_progress_step(context, 1));
+    tried++;
+  }
+  um_core_progress_end(context);
+  return UM_OK;
+}
+
+/* The best by predicted reduction, in rounds. */
+static enum um_status try_rounds(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state,
+                                 struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
   size_t tried = 0;
   for (int round = 0; round < ROUNDS; round++) {
@@ -198,8 +227,10 @@ enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
     while (until < step->nalternative && until < tried + work->alternatives &&
            is_worth(&step->alternative[until], &step->alternative[0], round))
       until++;
+    um_core_progress_begin(context, "fitting candidates", until - tried);
     UM_TRY(try_alternatives(context, work, state, false, tried, until, step, best));
     UM_TRY(try_alternatives(context, work, state, true, tried, until, step, best));
+    um_core_progress_end(context);
     const struct um_diagnosis_alternative *ahead = best_fitted(step);
     bool all = until < tried + work->alternatives;
     tried = until;
@@ -207,6 +238,17 @@ enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
         (ahead != NULL && ahead->chi2 < GOOD_ENOUGH * (double)work->forward->observations.count))
       break;
   }
-  sort_fitted(step->alternative, tried);
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
+                                             const struct um_diagnosis_work *work,
+                                             const struct um_diagnosis_state *state,
+                                             struct um_diagnosis_step *step,
+                                             struct um_diagnosis_state *best)
+{
+  UM_TRY(try_rounds(context, work, state, step, best));
+  UM_TRY(try_ties(context, work, state, step, best));
+  sort_fitted(step->alternative, step->nalternative);
   return UM_OK;
 }

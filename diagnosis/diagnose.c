@@ -8,6 +8,7 @@
 #include "diagnosis/backward_impl.h"
 #include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
+#include "diagnosis/missed_impl.h"
 #include "diagnosis/next_impl.h"
 #include "diagnosis/nuisance_impl.h"
 #include "diagnosis/pair_swap_impl.h"
@@ -197,16 +198,14 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
   UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL));
   UM_CHECK(keep_ranking(context, work, state, d));
-  um_core_progress_begin(context, "fitting candidates", work->steps_max * work->alternatives);
-  status = go_forward(context, work, state, d);
-  um_core_progress_end(context);
-  UM_CHECK(status);
+  UM_CHECK(go_forward(context, work, state, d));
   UM_CHECK(keep_end(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
   um_diagnosis_stand(d);
   UM_CHECK(look_at_residual(context, work, &bare, d));
   if (!work->options->no_next) UM_CHECK(um_diagnosis_next_find(context, work, state, d));
+  UM_CHECK(um_diagnosis_missed_find(context, work, d));
   UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
 done:
   um_diagnosis_state_release(context, &bare);
@@ -229,6 +228,7 @@ static enum um_status begin(struct um_context *context, struct um_sensitivity_fo
   };
   (*d)->forward = forward;
   (*d)->level = work->level;
+  UM_TRY(um_core_allocate(context, candidates->count, sizeof *work->fate, &work->fate));
   return make_folds(context, work);
 }
 
@@ -249,6 +249,7 @@ enum um_status um_diagnosis_create(struct um_context *context,
   *out = d;
   d = NULL;
 done:
+  um_core_free(context, work.fate);
   um_core_free(context, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
@@ -279,6 +280,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   *out = d;
   d = NULL;
 done:
+  um_core_free(context, work.fate);
   um_core_free(context, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);

@@ -9,7 +9,7 @@ const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
 
 const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
 {
-  static const char *const name[] = {"certain", "one_of_group", "small"};
+  static const char *const name[] = {"certain", "one_of_group", "small", "uncertain"};
   return name[standing];
 }
 
@@ -59,6 +59,7 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   um_diagnosis_next_clear(context, d);
   um_missing_heat_residual_release(context, &d->residual);
   um_core_free(context, d->superseded);
+  um_core_free(context, d->missed);
   um_missing_heat_unexplained_destroy(context, &d->unexplained);
   um_core_free(context, d);
   *diagnosis = NULL;

@@ -20,11 +20,13 @@ struct um_diagnosis_alternative {
   double chi2, bic, held_out;          /* with it added; NaN when not fitted */
   double chi2_prior;                   /* of all priors, within bic */
   double chi2_difference;              /* expected chi-square between the winner and it */
-  bool indistinguishable; /* from the winner, by evidence or by expected chi-square difference */
-  bool implausible;       /* further than 3 prior widths from its null value */
-  bool same_effect;       /* the winner's effect on the winner's target: a switch on otherwise */
-  /* not tied, but only since its prior or the end of its range keeps it from the values that these
-   * observations want: it would fit as well */
+  bool indistinguishable;              /* from the winner: fitted, and within the evidence of it */
+  bool not_tried;   /* by the linear model as good as the winner, and not fitted: nobody knows */
+  bool refused;     /* not fitted since the model refuses its values */
+  bool implausible; /* further than 3 prior widths from its null value */
+  bool same_effect; /* the winner's effect on the winner's target: a switch on otherwise */
+  /* not tied, though within UM_DIAGNOSIS_NEXT_BEST, but only since its prior or the end of its
+   * range keeps it from the values that these observations want: it would fit as well */
   bool excluded_by_prior, excluded_by_range;
 };
 
@@ -32,7 +34,9 @@ struct um_diagnosis_alternative {
 enum um_diagnosis_standing {
   UM_STANDING_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
   UM_STANDING_ONE_OF_GROUP, /* it or one of those that do as well */
-  UM_STANDING_SMALL         /* it explains so little that what it is cannot be known */
+  UM_STANDING_SMALL,        /* it explains so little that what it is cannot be known */
+  UM_STANDING_UNCERTAIN /* none comes near, but its value is within UM_DIAGNOSIS_SIGMAS of nothing
+                         */
 };
 const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
 
@@ -42,6 +46,8 @@ const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
 #define UM_DIAGNOSIS_EVIDENCE  10.0
 #define UM_DIAGNOSIS_NEXT_BEST 15.0
 #define UM_DIAGNOSIS_SMALL     20.0
+/* Of a value from where the effect does nothing: what is nearer is not certain. */
+#define UM_DIAGNOSIS_SIGMAS 2.0
 
 struct um_diagnosis_step {
   size_t candidate;
@@ -90,6 +96,13 @@ struct um_diagnosis_next {
                                 NULL; borrowed */
 };
 
+/* A candidate that was not fitted, and why. */
+struct um_diagnosis_missed {
+  const char *name; /* borrowed from the candidates */
+  char why[160];
+  bool tested; /* by the linear model, at the values where its search begins */
+};
+
 struct um_diagnosis {
   enum um_diagnosis_verdict verdict;
   char *sentence;                               /* the verdict in words, for a person */
@@ -114,6 +127,11 @@ struct um_diagnosis {
   bool allowance; /* what is left is not quite noise, and was accepted all the same */
   struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,
                                                nor where the model is complete */
+  bool chosen;                              /* the user said which effects to look for */
+  size_t nasked;                            /* candidates, and what was asked for and is none */
+  size_t nmissed;
+  struct um_diagnosis_missed *missed; /* [nmissed] those that could not be tested, and where the
+                                         user said which, those that no fit was worth */
   size_t nsuperseded;
   struct um_diagnosis_superseded *superseded; /* [nsuperseded] */
   size_t nnext;

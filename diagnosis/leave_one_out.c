@@ -13,24 +13,30 @@
 #define PASSES 3   /* replacements at most */
 #define BETTER 2.0 /* in BIC, for an alternative to take over */
 
-/* The effect itself leads the alternatives of its step, with the fit that is known. */
-static void put_first(const struct um_diagnosis_state *state, size_t b, double held_out,
-                      struct um_diagnosis_step *step)
+bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate)
 {
   size_t at = 0;
-  while (at < step->nalternative && step->alternative[at].candidate != state->block[b].candidate)
-    at++;
-  if (at == step->nalternative) return;
+  while (at < step->nalternative && step->alternative[at].candidate != candidate) at++;
+  if (at == step->nalternative) return false;
   struct um_diagnosis_alternative own = step->alternative[at];
   memmove(step->alternative + 1, step->alternative, at * sizeof own);
-  own.fitted = true;
-  own.chi2 = state->fit->chi2;
-  own.bic = state->fit->bic;
-  own.chi2_prior = state->fit->chi2_prior;
-  own.held_out = held_out;
-  memcpy(own.value, state->block[b].addition.value, sizeof own.value);
-  um_diagnosis_state_sigma(state, b, own.sigma);
   step->alternative[0] = own;
+  return true;
+}
+
+/* The effect itself leads the alternatives of its step, with the fit that is known. */
+static void put_own(const struct um_diagnosis_state *state, size_t b, double held_out,
+                    struct um_diagnosis_step *step)
+{
+  if (!um_diagnosis_put_first(step, state->block[b].candidate)) return;
+  struct um_diagnosis_alternative *own = &step->alternative[0];
+  own->fitted = true;
+  own->chi2 = state->fit->chi2;
+  own->bic = state->fit->bic;
+  own->chi2_prior = state->fit->chi2_prior;
+  own->held_out = held_out;
+  memcpy(own->value, state->block[b].addition.value, sizeof own->value);
+  um_diagnosis_state_sigma(state, b, own->sigma);
 }
 
 /* The block as the last one, so that a step can be filled from it. */
@@ -62,7 +68,7 @@ static enum um_status judge(struct um_context *context, const struct um_diagnosi
                             &step->alternative));
   UM_CHECK(um_diagnosis_rank(context, work, &without, step->alternative, &step->nalternative));
   UM_CHECK(um_diagnosis_state_held_out(context, work, state, &held_out));
-  put_first(state, b, held_out, step);
+  put_own(state, b, held_out, step);
   UM_CHECK(um_diagnosis_fit_alternatives(context, work, &without, step, &best));
   if (!last_pass && best.fit != NULL && best.fit->bic < state->fit->bic - BETTER) {
     um_diagnosis_state_release(context, state);
@@ -71,6 +77,8 @@ static enum um_status judge(struct um_context *context, const struct um_diagnosi
     *replaced = true;
     goto done;
   }
+  /* one that does a little better than it is an alternative to it, not the other way round */
+  um_diagnosis_put_first(step, state->block[b].candidate);
   UM_CHECK(with_last(context, work, &without, state, b, &own));
   UM_CHECK(um_diagnosis_step_fill(context, work, &without, &own, step));
 done:

@@ -11,5 +11,7 @@
 enum um_status um_diagnosis_leave_one_out(struct um_context *context,
                                           const struct um_diagnosis_work *work,
                                           struct um_diagnosis_state *state, struct um_diagnosis *d);
+/* A candidate leads the alternatives of a step, the others keep their order. false: it is none. */
+bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate);
 
 #endif

@@ -279,14 +279,17 @@ static enum um_status find_of_step(struct um_context *context, const struct um_d
   um_diagnosis_state_additions(state, addition);
   UM_CHECK(
       um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[0]));
+  um_core_progress_begin(context, "looking for the next measurement", NEAREST);
   for (size_t i = 1; i < d->step[s].nalternative; i++) {
     const struct um_diagnosis_alternative *alternative = &d->step[s].alternative[i];
     if (!alternative->indistinguishable) continue;
+    UM_CHECK(um_core_progress_step(context, 1));
     bool computed = alternative->fitted && looked < NEAREST;
     UM_CHECK(find_one(context, work, state, d, s, alternative, computed ? run : NULL));
     looked += computed;
   }
 done:
+  um_core_progress_end(context);
   um_core_free(context, addition);
   um_sensitivity_forward_run_release(context, &run[0]);
   return status;

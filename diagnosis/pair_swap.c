@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/words.h"
 #include "diagnosis/alternatives_impl.h"
 #include "diagnosis/directions_impl.h"
 #include "diagnosis/pair_swap_impl.h"
@@ -125,6 +126,14 @@ static bool is_open(const struct um_diagnosis_work *work, const struct um_diagno
   return !c->insensitive && c->nunidentified == 0 && !um_diagnosis_is_taken(state, c);
 }
 
+/* Two variants of one effect on one target, as the two discs of the Sun: one effect, no pair. */
+static bool is_same(const struct um_diagnosis_work *work, size_t i, size_t j)
+{
+  const struct um_sensitivity_candidate *a = &work->candidates->candidate[i],
+                                        *b = &work->candidates->candidate[j];
+  return a->effect == b->effect && um_core_words_same(a->target, b->target);
+}
+
 static enum um_status find_pairs(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state, struct pair *best,
                                  size_t *count)
@@ -141,7 +150,7 @@ static enum um_status find_pairs(struct um_context *context, const struct um_dia
   for (size_t i = 0; i < work->candidates->count; i++) {
     if (!is_open(work, state, i)) continue;
     for (size_t j = i + 1; j < work->candidates->count; j++) {
-      if (!is_open(work, state, j)) continue;
+      if (!is_open(work, state, j) || is_same(work, i, j)) continue;
       struct pair pair = {{i, j}, 0.0};
       double columns = (double)(d.direction[i].ncolumn + d.direction[j].ncolumn);
       UM_CHECK(explained(context, &left, d.direction, &pair, matrix, rotated, &pair.worth));
@@ -170,8 +179,10 @@ static enum um_status exchange_with(struct um_context *context,
   UM_CHECK(um_diagnosis_without(context, work, state, state->nblock - 1, &less));
   UM_CHECK(um_diagnosis_without(context, work, &less, b, &without));
   UM_CHECK(find_pairs(context, work, &without, best, &count));
+  um_core_progress_begin(context, "fitting pairs of effects", count);
   for (size_t i = 0; i < count; i++) {
     const size_t *c = best[i].candidate;
+    UM_CHECK(um_core_progress_step(context, 1));
     if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
     status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - BETTER, &trial);
     if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
@@ -189,6 +200,7 @@ static enum um_status exchange_with(struct um_context *context,
     um_diagnosis_state_release(context, &trial);
   }
 done:
+  um_core_progress_end(context);
   um_diagnosis_state_release(context, &trial);
   um_diagnosis_state_release(context, &without);
   um_diagnosis_state_release(context, &less);

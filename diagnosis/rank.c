@@ -11,6 +11,8 @@
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/state_impl.h"
 
+#define UNUSUAL 1.0 /* prior widths, below which a value is a usual one */
+
 struct predicted_reduction {
   double worth;
   struct um_diagnosis_alternative alternative;
@@ -115,20 +117,34 @@ static bool is_same_effect(const struct um_sensitivity_candidate *a,
   return a->effect == b->effect && um_core_words_same(a->target, b->target);
 }
 
+/* Chi-square of an alternative's own priors. */
+static double own_prior(const struct um_sensitivity_candidate *c,
+                        const struct um_diagnosis_alternative *alternative)
+{
+  double sum = 0.0;
+  for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
+    size_t p = c->parameter[k];
+    const struct um_effect_parameter *of = &c->effect->parameters[p];
+    double away = um_effect_transformed(of, alternative->value[p]) -
+                  um_effect_transformed(of, c->null_value[p]);
+    if (isfinite(of->prior_sigma)) sum += (away / of->prior_sigma) * (away / of->prior_sigma);
+  }
+  return sum;
+}
+
 /* What an alternative is beside the winner of its step. */
 static void relate(const struct um_diagnosis_alternative *winner,
                    struct um_diagnosis_alternative *r, const struct um_sensitivity_candidate *c)
 {
-  if (!r->fitted) {
-    r->indistinguishable = !r->score.absorbed && r->chi2_difference < UM_INFERENCE_SEPARABLE &&
-                           r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
-    return;
-  }
   double behind = r->bic - winner->bic;
-  r->indistinguishable = behind < UM_DIAGNOSIS_EVIDENCE;
-  if (r->indistinguishable) return;
+  r->indistinguishable = r->fitted && behind < UM_DIAGNOSIS_EVIDENCE;
+  r->not_tried = !r->fitted && !r->refused && !r->score.absorbed &&
+                 r->chi2_difference < UM_INFERENCE_SEPARABLE &&
+                 r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
+  if (!r->fitted || r->indistinguishable || !(behind < UM_DIAGNOSIS_NEXT_BEST)) return;
+  double own = own_prior(c, r); /* of others' priors the alternative is not to blame */
   r->excluded_by_prior =
-      behind - (r->chi2_prior - winner->chi2_prior) < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
+      own >= UNUSUAL * UNUSUAL && behind - own < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
   /* the linear model knows no range */
   r->excluded_by_range = !r->excluded_by_prior && !r->same_effect && is_at_bound(c, r) &&
                          r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
@@ -148,7 +164,7 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
   UM_CHECK(um_inference_chi2_difference(context, work->forward->observations.count, signal,
                                         &d.nuisance, count, d.direction, chi2_difference));
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
-  size_t plausible = 0, tied = 0;
+  size_t plausible = 0, tied = 0, not_tried = 0;
   for (size_t i = 0; i < step->nalternative; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
@@ -157,11 +173,12 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
     if (i == 0) continue;
     r->same_effect = is_same_effect(c, &work->candidates->candidate[winner->candidate]);
     relate(winner, r, c);
-    if (r->same_effect) r->indistinguishable = false; /* the effect is the same: it is known */
+    if (r->same_effect) r->indistinguishable = r->not_tried = false; /* the effect is known */
+    not_tried += r->not_tried;
     tied += r->indistinguishable;
     plausible += r->indistinguishable && !r->implausible;
   }
-  step->by_prior = tied > 0 && plausible == 0 && !winner->implausible;
+  step->by_prior = tied > 0 && plausible == 0 && not_tried == 0 && !winner->implausible;
 done:
   um_core_free(context, chi2_difference);
   um_diagnosis_directions_release(context, &d);

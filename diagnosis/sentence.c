@@ -13,6 +13,7 @@
 #define GOES_WITH  0.01  /* p of a correlation that is said */
 #define FAR_BEHIND 100.0 /* BIC of what others replaced that is left to the tables */
 #define NAMES      4     /* of a small group that are said */
+#define NOT_TRIED  "; not tried, though the linear model has them as good: "
 
 struct text {
   char at[8192];
@@ -103,6 +104,21 @@ static const struct um_diagnosis_step *step_of(const struct um_diagnosis *d, siz
   return NULL;
 }
 
+/* The names of alternatives that are tied, or that were not tried, up to NAMES behind the label. */
+static void add_names(struct text *text, const struct um_diagnosis *d,
+                      const struct um_diagnosis_step *step, bool not_tried, const char *label)
+{
+  size_t others = 0, n = 0;
+  for (size_t i = 1; i < step->nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &step->alternative[i];
+    if (!(not_tried ? r->not_tried : r->indistinguishable)) continue;
+    others++;
+    if (n == NAMES) continue;
+    add(text, "%s%s", n++ == 0 ? label : ", ", d->candidates->candidate[r->candidate].name);
+  }
+  if (others > n) add(text, " and %zu more", others - n);
+}
+
 /* One effect of its group, all with their values. */
 static void add_group(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
@@ -112,20 +128,15 @@ static void add_group(struct text *text, const struct um_diagnosis *d,
     add(text, " or ");
     add_alternative(text, d, &step->alternative[i]);
   }
+  add_names(text, d, step, true, NOT_TRIED);
 }
 
 static void add_small(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
-  size_t others = 0, n = 0;
-  for (size_t i = 1; i < step->nalternative; i++) others += step->alternative[i].indistinguishable;
-  add(text, ", worth %.3g in BIC, or ", -step->delta_bic);
-  for (size_t i = 1; i < step->nalternative && n < NAMES; i++) {
-    const struct um_diagnosis_alternative *r = &step->alternative[i];
-    if (!r->indistinguishable) continue;
-    add(text, "%s%s", n++ == 0 ? "" : ", ", d->candidates->candidate[r->candidate].name);
-  }
-  if (others > n) add(text, " and %zu more", others - n);
+  add(text, ", worth %.3g in BIC", -step->delta_bic);
+  add_names(text, d, step, false, ", or ");
+  add_names(text, d, step, true, NOT_TRIED);
 }
 
 /* ---- the effects ---- */
@@ -229,10 +240,38 @@ static void say_not_identifiable(struct text *text, const struct um_diagnosis *d
   add(text, "Not identifiable: ");
   add_residual(text, d);
   add_standing(text, d, UM_STANDING_CERTAIN, ". Certain");
+  add_standing(text, d, UM_STANDING_UNCERTAIN, ". Needed, but within two sigmas of nothing");
   add_standing(text, d, UM_STANDING_ONE_OF_GROUP, ". One of a group");
   add_standing(text, d, UM_STANDING_SMALL, ". Small and unknown");
   add_superseded(text, d);
   add_fall(text, d);
+}
+
+/* That nothing explains the residual, of no more than was tried. */
+static const char *claim(const struct um_diagnosis *d)
+{
+  size_t untested = 0;
+  for (size_t i = 0; i < d->nmissed; i++) untested += !d->missed[i].tested;
+  if (d->chosen && untested >= d->nasked) return "none of the effects asked for could be tried";
+  if (d->chosen) return "none of the effects asked for explains it";
+  return untested > 0 ? "no effect of the catalogue that could be tried explains it"
+                      : "no effect of the catalogue explains it";
+}
+
+/* Candidates that were not fitted, with the reason; tested: those, too, that were tested. */
+static void add_missed(struct text *text, const struct um_diagnosis *d, bool tested)
+{
+  size_t n = 0, more = 0;
+  for (size_t i = 0; d->chosen && i < d->nmissed; i++) {
+    const struct um_diagnosis_missed *m = &d->missed[i];
+    if (m->tested && !tested) continue;
+    if (n < NAMES)
+      add(text, "%s%s (%s)", n == 0 ? "; not tried: " : ", ", m->name, m->why);
+    else
+      more++;
+    n++;
+  }
+  if (more > 0) add(text, " and %zu more", more);
 }
 
 static void say_unexplained(struct text *text, const struct um_diagnosis *d)
@@ -246,7 +285,8 @@ static void say_unexplained(struct text *text, const struct um_diagnosis *d)
   add(text, "Unexplained: ");
   add_residual(text, d);
   if (d->naddition == 0) {
-    add(text, "%sno effect of the catalogue explains it", d->residual.channel != NULL ? "; " : "");
+    add(text, "%s%s", d->residual.channel != NULL ? "; " : "", claim(d));
+    add_missed(text, d, true);
   } else {
     add_all(text, d, ". The best of the catalogue only mimics it: ");
     add_fall(text, d);
@@ -277,6 +317,7 @@ enum um_status um_diagnosis_sentence(struct um_context *context, const struct um
     say_unexplained(&text, d);
     break;
   }
+  if (d->verdict != UM_VERDICT_UNEXPLAINED || d->naddition > 0) add_missed(&text, d, false);
   add(&text, ".");
   return um_core_strdup(context, text.at, out);
 }

@@ -30,8 +30,34 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
 {
   if (step->removed || step->by_prior) return false;
   for (size_t i = 1; i < step->nalternative; i++)
-    if (step->alternative[i].indistinguishable) return true;
+    if (step->alternative[i].indistinguishable || step->alternative[i].not_tried) return true;
   return false;
+}
+
+/* Whether no parameter of the effect that is tested stands clear of where it does nothing; scale:
+ * factor on sigma, which is beside all that is fitted along. A switch has no such value, one at the
+ * end of its range no sigma. */
+static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagnosis_step *step,
+                            double scale)
+{
+  const struct um_sensitivity_candidate *c =
+      d->candidates == NULL ? NULL : &d->candidates->candidate[step->candidate];
+  if (c == NULL || c->is_switch) return false;
+  for (size_t k = 0; k < c->ncolumn; k++) {
+    size_t p = c->parameter[k];
+    const struct um_effect_parameter *of = &c->effect->parameters[p];
+    double value = step->addition.value[p];
+    double away = um_effect_transformed(of, value) - um_effect_transformed(of, c->null_value[p]);
+    double sigma = step->sigma[p] / um_effect_transformed_slope(of, value);
+    if (isnan(sigma) ? away != 0.0 : fabs(away) > UM_DIAGNOSIS_SIGMAS * scale * sigma) return false;
+  }
+  return c->ncolumn > 0;
+}
+
+/* By which sigma is too small where observations scatter more than they say. */
+static double scatter(const struct um_diagnosis *d)
+{
+  return sqrt(fmax(1.0, d->chi2_reduced_after));
 }
 
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
@@ -46,7 +72,9 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
     return UM_VERDICT_UNEXPLAINED;
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
-    if (um_diagnosis_has_group(&d->step[s])) return UM_VERDICT_NOT_IDENTIFIABLE;
+    if (um_diagnosis_has_group(&d->step[s]) ||
+        (!d->step[s].removed && is_near_nothing(d, &d->step[s], scatter(d))))
+      return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
 }
 
@@ -71,7 +99,8 @@ void um_diagnosis_stand(struct um_diagnosis *d)
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];
     if (!is_matched(step, scale))
-      step->standing = UM_STANDING_CERTAIN;
+      step->standing =
+          is_near_nothing(d, step, scatter(d)) ? UM_STANDING_UNCERTAIN : UM_STANDING_CERTAIN;
     else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
       step->standing = UM_STANDING_SMALL;
     else

@@ -5,6 +5,9 @@
 #include "diagnosis/options.h"
 #include "sensitivity/forward.h"
 
+/* What became of a candidate. */
+enum um_diagnosis_fate { UM_FATE_NOT_FITTED, UM_FATE_FITTED, UM_FATE_REFUSED };
+
 /* What is diagnosed, and how; passed around. */
 struct um_diagnosis_work {
   struct um_sensitivity_forward *forward;
@@ -14,6 +17,7 @@ struct um_diagnosis_work {
   size_t steps_max, alternatives;
   size_t *fold; /* [nobservation] blocks of time that are held out in turn */
   size_t nfold;
+  enum um_diagnosis_fate *fate; /* [count of candidates] */
 };
 
 #endif

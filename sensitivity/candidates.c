@@ -2,11 +2,13 @@
 #include "sensitivity/candidates.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/words.h"
 #include "effects/effects.h"
 #include "model/effect_files.h"
+#include "model/effects.h"
 #include "sensitivity/moves_impl.h"
 #include "sensitivity/scan_impl.h"
 #include "sensitivity/signature_impl.h"
@@ -128,6 +130,58 @@ done:
   return status;
 }
 
+/* --- what was asked for and is none ----------------------------------------------------------- */
+
+static enum um_status drop(struct um_context *context, const char *name, const char *why,
+                           struct um_sensitivity_candidates *list)
+{
+  UM_TRY(um_core_reallocate(context, list->ndropped + 1, sizeof *list->dropped, &list->dropped));
+  struct um_sensitivity_dropped *dropped = &list->dropped[list->ndropped++];
+  *dropped = (struct um_sensitivity_dropped){0};
+  UM_TRY(um_core_strdup(context, name, &dropped->name));
+  return um_core_strdup(context, why, &dropped->why);
+}
+
+/* Why a text of `only` whose effect and target are known is no candidate. */
+static const char *why_none(const struct um_sensitivity_forward *forward,
+                            const struct um_effect *effect, const char *target,
+                            const struct um_sensitivity_candidates_options *o)
+{
+  if (effect->on_by_default && !is_off(forward->model, effect)) return "the scenario has it on";
+  if (!effect->on_by_default && effect->nparameter == 0) return "it has nothing to fit";
+  if (listed(o->exclude, o->nexclude, effect, target)) return "it is excluded";
+  if (target == NULL) return "nothing here that it acts on";
+  return "it is there already, or another target stands for the same thing";
+}
+
+static bool is_listed(const char *text, const struct um_sensitivity_candidates *list)
+{
+  for (size_t i = 0; i < list->count; i++)
+    if (means(text, list->candidate[i].effect, list->candidate[i].target)) return true;
+  return false;
+}
+
+static enum um_status look_for_dropped(struct um_context *context,
+                                       const struct um_sensitivity_forward *forward,
+                                       const struct um_sensitivity_candidates_options *o,
+                                       struct um_sensitivity_candidates *list)
+{
+  for (size_t i = 0; o != NULL && i < o->nonly; i++) {
+    const char *text = o->only[i], *colon = strchr(text, ':');
+    char name[64] = "";
+    if (is_listed(text, list)) continue;
+    memcpy(name, text, strcspn(text, ":")); /* it fits, or it were no effect's */
+    const struct um_effect *effect = um_model_effects_find(forward->model, name);
+    const char *target = colon == NULL ? NULL : colon + 1;
+    enum um_status status =
+        target == NULL ? UM_OK : um_model_check_target(context, forward->model, effect, target);
+    if (status == UM_ERR_INPUT) um_core_message_prefix(context, "--only %.80s", text);
+    UM_TRY(status);
+    UM_TRY(drop(context, text, why_none(forward, effect, target, o), list));
+  }
+  return UM_OK;
+}
+
 static enum um_status make_list(struct um_context *context,
                                 const struct um_sensitivity_forward *forward,
                                 const struct um_model_addition *addition, size_t naddition,
@@ -144,7 +198,7 @@ static enum um_status make_list(struct um_context *context,
   for (size_t i = 0; i < um_model_effects_count(forward->model); i++)
     UM_TRY(add_effect(context, forward, um_model_effects_at(forward->model, i), addition, naddition,
                       o, list));
-  return UM_OK;
+  return look_for_dropped(context, forward, o, list);
 }
 
 /* --- signatures ------------------------------------------------------------------------------ */
@@ -159,7 +213,8 @@ static void release(struct um_context *context, struct um_sensitivity_candidate 
 
 /* A change of the observations that is the same number for number, by the same effect and steps, is
  * the same thing under another name. */
-static bool is_repeated(const struct um_sensitivity_candidates *list, size_t which)
+static const struct um_sensitivity_candidate *repeated(const struct um_sensitivity_candidates *list,
+                                                       size_t which)
 {
   const struct um_sensitivity_candidate *c = &list->candidate[which];
   size_t bytes = c->ncolumn * list->nobservation * sizeof *c->signature;
@@ -167,9 +222,9 @@ static bool is_repeated(const struct um_sensitivity_candidates *list, size_t whi
     const struct um_sensitivity_candidate *before = &list->candidate[i];
     if (before->effect == c->effect && !before->insensitive && before->ncolumn == c->ncolumn &&
         memcmp(before->signature, c->signature, bytes) == 0)
-      return true;
+      return before;
   }
-  return false;
+  return NULL;
 }
 
 /* Heat of the first steps of all candidates. */
@@ -189,13 +244,37 @@ static enum um_status find_moves(struct um_context *context,
   return status;
 }
 
-/* all: those that are the same thing, too. */
+/* Of those that are the same thing the first stays; asked: the others are kept on record. */
+static enum um_status keep_different(struct um_context *context, bool asked,
+                                     struct um_sensitivity_candidates *list)
+{
+  size_t kept = 0, count = list->count;
+  char why[200];
+  for (size_t i = 0; i < count; i++) {
+    /* in place: those before are final */
+    struct um_sensitivity_candidate c = list->candidate[i];
+    list->candidate[i] = (struct um_sensitivity_candidate){0};
+    list->candidate[kept] = c;
+    const struct um_sensitivity_candidate *same = repeated(list, kept);
+    if (same == NULL) {
+      kept++;
+      continue;
+    }
+    snprintf(why, sizeof why, "does the same as %.150s", same->name);
+    if (asked) UM_TRY(drop(context, c.name, why, list));
+    release(context, &list->candidate[kept]);
+    list->candidate[kept] = (struct um_sensitivity_candidate){0};
+  }
+  list->count = kept;
+  return UM_OK;
+}
+
 static enum um_status make_signatures(struct um_context *context,
-                                      const struct um_sensitivity_point *point, bool all,
+                                      const struct um_sensitivity_point *point,
                                       struct um_sensitivity_candidates *list)
 {
   enum um_status status = UM_OK;
-  size_t kept = 0, count = list->count;
+  size_t count = list->count;
   struct um_sensitivity_forward_run base = {0};
   um_core_progress_begin(context, "signatures of effects", count);
   for (size_t i = 0; i < count; i++)
@@ -205,19 +284,6 @@ static enum um_status make_signatures(struct um_context *context,
     UM_CHECK(um_sensitivity_signature_create(context, point, &list->candidate[i]));
     UM_CHECK(um_core_progress_step(context, 1));
   }
-  for (size_t i = 0; i < count; i++) {
-    /* in place: those before are final */
-    struct um_sensitivity_candidate c = list->candidate[i];
-    list->candidate[i] = (struct um_sensitivity_candidate){0};
-    list->candidate[kept] = c;
-    if (!all && is_repeated(list, kept)) {
-      release(context, &list->candidate[kept]);
-      list->candidate[kept] = (struct um_sensitivity_candidate){0};
-    } else {
-      kept++;
-    }
-  }
-  list->count = kept;
 done:
   um_sensitivity_moves_clear(context, point->forward);
   um_sensitivity_forward_run_release(context, &base);
@@ -242,7 +308,9 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));
   point.base = list->base;
   UM_CHECK(um_sensitivity_forward_noise(context, forward, &point.noise));
-  UM_CHECK(make_signatures(context, &point, options != NULL && options->nwanted > 0, list));
+  UM_CHECK(make_signatures(context, &point, list));
+  if (options == NULL || options->nwanted == 0)
+    UM_CHECK(keep_different(context, options != NULL && options->nonly > 0, list));
   *out = list;
   list = NULL;
 done:
@@ -255,6 +323,11 @@ void um_sensitivity_candidates_destroy(struct um_context *context,
 {
   if (candidates == NULL || *candidates == NULL) return;
   for (size_t i = 0; i < (*candidates)->count; i++) release(context, &(*candidates)->candidate[i]);
+  for (size_t i = 0; i < (*candidates)->ndropped; i++) {
+    um_core_free(context, (*candidates)->dropped[i].name);
+    um_core_free(context, (*candidates)->dropped[i].why);
+  }
+  um_core_free(context, (*candidates)->dropped);
   um_core_free(context, (*candidates)->candidate);
   um_core_free(context, (*candidates)->base);
   um_core_free(context, *candidates);

@@ -5,11 +5,18 @@
 #include "sensitivity/candidate.h"
 #include "sensitivity/forward.h"
 
+/* Something that was asked for and is no candidate. */
+struct um_sensitivity_dropped {
+  char *name, *why; /* owned */
+};
+
 struct um_sensitivity_candidates {
   size_t count, nobservation;
   struct um_sensitivity_candidate
       *candidate; /* [count], in the order of effects, then of targets */
   double *base;   /* [nobservation] model values without them */
+  size_t ndropped;
+  struct um_sensitivity_dropped *dropped; /* [ndropped] of those that `only` named */
 };
 
 struct um_sensitivity_candidates_options {
@@ -30,7 +37,8 @@ struct um_sensitivity_candidates_options {
  * observations stands above the noise of the integration. additions: what the model already has
  * beside the scenario; they are not listed again. A switch that has values is listed with each of
  * them at its null value and at either end of its range. UM_ERR_INPUT: `only` or `exclude` name no
- * effect. Progress is reported. The caller destroys. */
+ * effect, `only` a target that the effect cannot have. Progress is reported. The caller destroys.
+ */
 enum um_status
 um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivity_forward *forward,
                                  const struct um_model_addition *addition, size_t naddition,

@@ -66,6 +66,19 @@ void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_
   fputc('}', file);
 }
 
+void um_diagnosis_report_json_missed(FILE *file, const struct um_diagnosis *d)
+{
+  fputs(",\n  \"not_tried\": [", file);
+  for (size_t i = 0; i < d->nmissed; i++) {
+    um_diagnosis_report_json_text(file, i > 0 ? ",\n    {" : "\n    {", "candidate",
+                                  d->missed[i].name);
+    um_diagnosis_report_json_text(file, ", ", "why", d->missed[i].why);
+    um_diagnosis_report_json_bool(file, ", ", "tested", d->missed[i].tested);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
 void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d)
 {
   fputs(",\n  \"superseded\": [", file);

@@ -7,6 +7,7 @@
 #include "diagnosis/diagnosis.h"
 
 /* Members of the whole object, each with its comma before. */
+void um_diagnosis_report_json_missed(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
 void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);

@@ -94,6 +94,7 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
   }
   um_core_json_field(file, ", ", "chi2_difference", alternative->chi2_difference);
   um_diagnosis_report_json_bool(file, ", ", "indistinguishable", alternative->indistinguishable);
+  um_diagnosis_report_json_bool(file, ", ", "not_tried", alternative->not_tried);
   um_diagnosis_report_json_bool(file, ", ", "implausible", alternative->implausible);
   um_diagnosis_report_json_text(file, ", ", "excluded_by",
                                 alternative->excluded_by_prior   ? "prior"
@@ -102,15 +103,15 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
   fputc('}', file);
 }
 
-static void json_indistinguishable(FILE *file, const struct um_diagnosis *d,
-                                   const struct um_diagnosis_step *step)
+/* The names of alternatives that are tied, or that were not tried. */
+static void json_names(FILE *file, const struct um_diagnosis *d,
+                       const struct um_diagnosis_step *step, const char *key, bool not_tried)
 {
   const char *between = "";
-  fputs(", \"indistinguishable_from\": [", file);
-  for (size_t r = 0; r < step->nalternative; r++) {
-    if (!step->alternative[r].indistinguishable ||
-        step->alternative[r].candidate == step->candidate)
-      continue;
+  fprintf(file, ", \"%s\": [", key);
+  for (size_t r = 1; r < step->nalternative; r++) {
+    const struct um_diagnosis_alternative *alternative = &step->alternative[r];
+    if (!(not_tried ? alternative->not_tried : alternative->indistinguishable)) continue;
     fputs(between, file);
     um_core_json_string(file, um_diagnosis_report_candidate_of(d, &step->alternative[r])->name);
     between = ", ";
@@ -136,7 +137,8 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   um_core_json_field(file, ", ", "chi2_red", step->chi2_reduced);
   um_diagnosis_report_json_bool(file, ", ", "by_prior", step->by_prior);
   um_diagnosis_report_json_bool(file, ", ", "removed", step->removed);
-  json_indistinguishable(file, d, step);
+  json_names(file, d, step, "indistinguishable_from", false);
+  json_names(file, d, step, "not_tried", true);
   UM_TRY(
       json_metrics(context, file, d, "     ", um_diagnosis_report_step_values(d, step), step->dof));
   fputs(",\n     \"alternatives\": [", file);
@@ -198,6 +200,7 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
     UM_TRY(json_step(context, file, d, &d->step[s]));
   }
   fputc(']', file);
+  um_diagnosis_report_json_missed(file, d);
   um_diagnosis_report_json_superseded(file, d);
   um_diagnosis_report_json_residual(file, &d->residual);
   um_diagnosis_report_json_next(file, d);

@@ -96,6 +96,38 @@ static void test_worse(void **state)
   command_release(&c);
 }
 
+/* One that could be any of five: the sentence is first, alternatives that the same would tell are
+ * one line, and what could not be tried is named. */
+static void test_group(void **state)
+{
+  (void)state;
+  command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--seed", "5", "-o", "m.csv", "--with",
+                 "zero_point:vis,factor=0.95", NULL);
+  char *text = command_read("m.csv"), *only = calloc(strlen(text) + 1, 1);
+  assert_non_null(only);
+  for (char *line = strtok(text, "\n"); line != NULL; line = strtok(NULL, "\n"))
+    if (strstr(line, ",lwir,") == NULL) strcat(strcat(only, line), "\n");
+  command_write("v.csv", only);
+  free(only);
+  free(text);
+  struct command c = command_run("diagnose", BOX, "v.csv", "--no-plots", "--only", "zero_point:vis",
+                                 "--only", "area:bus", "--only", "diffuse_level", "--only",
+                                 "extinction:vis", "--only", "specular_level", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  assert_int_equal(strncmp(c.out, "Not identifiable: the residual is worst in ", 43), 0);
+  const char *next = strstr(c.out, "\nnext measurement, to tell\n");
+  assert_non_null(next);
+  const char *same = strstr(next, "  extinction:vis from zero_point:vis, diffuse_level:grey_white: "
+                                  "nothing that this scenario observes; told apart from ");
+  if (same == NULL) fail_msg("not one line: %s", next);
+  assert_null(strstr(same + 2, "  extinction:vis from diffuse_level"));
+  const char *missed = strstr(c.out, "\nnot tried\n");
+  assert_non_null(missed);
+  assert_non_null(
+      strstr(missed, "\n  specular_level:grey_white: no observation changes with it\n"));
+  command_release(&c);
+}
+
 /* A complete model is called so, and a person can read it. */
 static void test_complete(void **state)
 {
@@ -104,7 +136,8 @@ static void test_complete(void **state)
   struct command c = command_run("diagnose", BOX, "m.csv", "--only", "emittance", "--only",
                                  "zero_point", "--no-plots", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
-  assert_non_null(strstr(c.out, "box against m.csv: 93 observations, "));
+  assert_int_equal(strncmp(c.out, "Nothing is missing: ", 20), 0); /* the sentence is first */
+  assert_non_null(strstr(c.out, "\nbox against m.csv: 93 observations, "));
   assert_non_null(strstr(c.out, "\nbaseline: reduced chi-square "));
   assert_non_null(strstr(c.out, "\n  temperature bus "));
   assert_non_null(strstr(c.out, "\nverdict: complete\n"));
@@ -147,14 +180,15 @@ static void test_fit(void **state)
   command_release(&c);
 }
 
-/* One line, exit 1, nothing written. */
+/* One line beside what is said of the progress, exit 1, nothing written. */
 static void refused(const char *says, const char *verb, const char *option, const char *value)
 {
   char *before = command_snapshot(".");
   struct command c = command_run(verb, BOX, "m.csv", "--out", "out", option, value, NULL);
   char *after = command_snapshot(".");
-  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
-      strstr(c.err, says) == NULL)
+  const char *line = strstr(c.err, "umbra: ");
+  if (c.code != 1 || c.out[0] != '\0' || line == NULL || command_count_lines(line) != 1 ||
+      strstr(line, says) == NULL)
     fail_msg("exit %d, said:\n%s%s, expected '%s'", c.code, c.out, c.err, says);
   assert_string_equal(before, after);
   free(before);
@@ -167,6 +201,8 @@ static void test_refused(void **state)
   (void)state;
   command_expect(0, SYNTH("--seed", "6", "-o", "m.csv"));
   refused("--only gravity: no effect is called 'gravity'", "diagnose", "--only", "gravity");
+  refused("--only heater:wing: nothing that 'heater' acts on is called 'wing'", "diagnose",
+          "--only", "heater:wing");
   refused("--exclude gravity: no effect is called 'gravity'", "diagnose", "--exclude", "gravity");
   refused("--nuisance gravity: no effect is called 'gravity'", "diagnose", "--nuisance", "gravity");
   refused("--nuisance zero_point:swir: nothing that 'zero_point' acts on is called 'swir'",
@@ -189,6 +225,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_found, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_worse, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_group, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, enter, command_leave)};

@@ -7,13 +7,14 @@
 
 static const char points[] = "computing points", heat[] = "heat";
 
-/* Steps of 3 s: a line every 10 s at least and never oftener, with the time left as it goes on. */
+/* Steps of 3 s: a line with the first step, then every 10 s at least and never oftener, with the
+ * time left as it goes on. */
 static void test_lines(void **state)
 {
   (void)state;
   struct um_app_progress p = {0};
   char line[UM_APP_PROGRESS_LINE] = "";
-  double last = 100.0;
+  double last = 93.0; /* the first comes as early as a step allows */
   int lines = 0;
   for (size_t done = 0; done < 40; done++) {
     double t = 100.0 + 3.0 * (double)done;
@@ -25,8 +26,8 @@ static void test_lines(void **state)
     last = t;
     lines++;
   }
-  assert_int_equal(lines, 9);
-  assert_string_equal(line, "computing points: 36 of 40, 12 s left");
+  assert_int_equal(lines, 10);
+  assert_string_equal(line, "computing points: 37 of 40, 9 s left");
   assert_false(um_app_progress_line(&p, 400.0, points, 40, 40, line)); /* it ends: what is next? */
 }
 
@@ -43,9 +44,11 @@ static void test_short_tasks(void **state)
     lines += um_app_progress_line(&p, t, task, 0, 4, line) ? 1 : 0;
     lines += um_app_progress_line(&p, t + 3.0, task, 1, 4, line) ? 1 : 0;
   }
-  assert_int_equal(lines, 14); /* every 12 s of 177 */
+  assert_int_equal(lines, 15); /* after 3 s, then every 12 s of 177 */
   p = (struct um_app_progress){0};
   assert_false(um_app_progress_line(&p, 0.5, points, 0, 4, line));
+  assert_false(um_app_progress_line(&p, 1.4, points, 1, 4, line));
+  assert_true(um_app_progress_line(&p, 1.6, points, 1, 4, line)); /* the first second */
   assert_false(um_app_progress_line(&p, 8.0, heat, 0, 4, line));
   assert_true(um_app_progress_line(&p, 12.0, heat, 1, 4, line));
   assert_string_equal(line, "heat: 1 of 4, 12 s left");
@@ -58,7 +61,7 @@ static void test_unknown_end(void **state)
   struct um_app_progress p = {0};
   char line[UM_APP_PROGRESS_LINE], name[400];
   assert_false(um_app_progress_line(&p, 1.0, heat, 0, 0, line));
-  assert_true(um_app_progress_line(&p, 12.0, heat, 3, 0, line));
+  assert_true(um_app_progress_line(&p, 12.0, heat, 3, 0, line)); /* 11 s */
   assert_string_equal(line, "heat: 3");
   memset(name, 'x', sizeof name - 1);
   name[sizeof name - 1] = '\0';

@@ -44,8 +44,8 @@ static void residual_at_the_means_of_priors(void **state)
   }
 }
 
-/* A winner and one alternative, `behind` it in BIC, `widths` prior widths from where it vanishes.
- */
+/* A winner and one alternative, `behind` it in BIC, `widths` prior widths from where it vanishes;
+ * what else is fitted stands 20 in chi-square worse beside it. Behind NAN: it was not fitted. */
 static void groups_with(double widths, double behind, bool logarithmic,
                         struct um_diagnosis_alternative out[2], struct um_diagnosis_step *step)
 {
@@ -63,7 +63,8 @@ static void groups_with(double widths, double behind, bool logarithmic,
   memset(candidate, 0, sizeof candidate);
   for (size_t j = 0; j < ROWS; j++) {
     sigma[j] = 1.0;
-    signature[j] = signal[j] = 1.0 + (double)j;
+    signature[j] = 1.0 + (double)j;
+    signal[j] = 0.2 * signature[j]; /* two prior widths */
   }
   for (size_t i = 0; i < 2; i++) {
     candidate[i].name = name[i];
@@ -73,9 +74,10 @@ static void groups_with(double widths, double behind, bool logarithmic,
     candidate[i].step[0] = 0.02;
     candidate[i].signature = signature;
     out[i] = (struct um_diagnosis_alternative){.candidate = i,
-                                               .fitted = true,
+                                               .fitted = i == 0 || !isnan(behind),
                                                .chi2 = 40.0,
-                                               .bic = 44.0 + (double)i * behind,
+                                               .chi2_prior = i == 0 ? 0.0 : 20.0,
+                                               .bic = i == 0 ? 44.0 : 44.0 + behind,
                                                .held_out = 40.0};
     out[i].value[0] = 2.0;
   }
@@ -123,6 +125,37 @@ static void tied_within_ten_of_bic(void **state)
   }
 }
 
+/* Its own prior keeps an alternative out where it would be within 10 without it, and is near
+ * enough, 15, to be worth a word; not one of a usual value, nor the priors of others. */
+static void only_its_own_prior_keeps_out(void **state)
+{
+  (void)state;
+  static const struct {
+    double widths, behind;
+    bool kept_out;
+  } cases[] = {{0.0, 10.5, false}, {0.9, 10.5, false}, {1.1, 10.5, true}, {1.1, 12.0, false},
+               {3.5, 14.0, true},  {3.5, 9.5, false},  {3.5, 15.1, false}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct um_diagnosis_alternative alternative[2];
+    struct um_diagnosis_step step;
+    groups_with(cases[i].widths, cases[i].behind, false, alternative, &step);
+    assert_int_equal(alternative[1].excluded_by_prior, cases[i].kept_out);
+  }
+}
+
+/* By the linear model the same, and not fitted: not tried, and so neither tied nor out. */
+static void not_fitted_is_not_tied(void **state)
+{
+  (void)state;
+  struct um_diagnosis_alternative alternative[2];
+  struct um_diagnosis_step step;
+  groups_with(0.0, NAN, false, alternative, &step);
+  assert_true(alternative[1].not_tried);
+  assert_false(alternative[1].indistinguishable || step.by_prior);
+  groups_with(0.0, 1.0, false, alternative, &step);
+  assert_false(alternative[1].not_tried);
+}
+
 /* 90 observations, 2 nuisances: 70 + 1.5 + (2 + 4) ln 90 = 98.498858. */
 static void pulse_of_heat_has_four_parameters(void **state)
 {
@@ -138,6 +171,8 @@ int main(void)
       cmocka_unit_test(residual_at_the_means_of_priors),
       cmocka_unit_test(beyond_three_prior_widths_is_implausible),
       cmocka_unit_test(tied_within_ten_of_bic),
+      cmocka_unit_test(only_its_own_prior_keeps_out),
+      cmocka_unit_test(not_fitted_is_not_tied),
       cmocka_unit_test(pulse_of_heat_has_four_parameters),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);

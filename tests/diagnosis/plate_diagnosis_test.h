@@ -17,8 +17,9 @@ struct lists {
   const char *const *truth;                           /* more --set of the truth */
   const char *without;                                /* that the analyst lacks */
   const char *of;                                     /* the only band measured; NULL: both */
-  double from, to; /* rows left in [s since the start]; both 0: all */
-  double model;    /* sampling error of the model, of the measurement's sigma */
+  double from, to;     /* rows left in [s since the start]; both 0: all */
+  size_t alternatives; /* fitted in a round; 0: as many as usual */
+  double model;        /* sampling error of the model, of the measurement's sigma */
 };
 
 static inline size_t count(const char *const *list)
@@ -70,7 +71,9 @@ static inline struct diagnosed diagnose(const struct lists *lists)
                                     .without = &lists->without,
                                     .nwithout = lists->without != NULL}};
   const struct um_diagnosis_options options = {
-      .candidates = {.only = lists->only, .nonly = count(lists->only)}, .no_heat = true};
+      .candidates = {.only = lists->only, .nonly = count(lists->only)},
+      .alternatives = lists->alternatives,
+      .no_heat = true};
   measure(lists, &c.measured);
   OK(um_sensitivity_forward_create(context, path, &c.options, c.measured,
                                    UM_SENSITIVITY_TOLERANCE_FACTOR, &c.forward));

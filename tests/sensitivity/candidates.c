@@ -75,14 +75,34 @@ static void test_list(void **state)
   /* additions are not listed again; what is excluded neither */
   struct um_model_addition a = addition_of("zero_point", "vis", 0.9);
   static const char *const two[] = {"zero_point", "extinction"}, *const one[] = {"extinction:lwir"};
-  struct um_sensitivity_candidates_options o = {two, 2, one, 1};
+  struct um_sensitivity_candidates_options o = {
+      .only = two, .nonly = 2, .exclude = one, .nexclude = 1};
   assert_ok(um_sensitivity_candidates_create(context, f, &a, 1, &o, &list));
   assert_int_equal(list->count, 2);
   assert_string_equal(list->candidate[0].name, "extinction:vis");
   assert_string_equal(list->candidate[1].name, "zero_point:lwir");
+  assert_int_equal(list->ndropped, 0);
   um_sensitivity_candidates_destroy(context, &list);
+  /* what is asked for and is none is named with the reason */
+  static const char *const none[] = {"extinction:lwir", "penumbra", "zero_point:vis"};
+  o = (struct um_sensitivity_candidates_options){
+      .only = none, .nonly = 3, .exclude = one, .nexclude = 1};
+  assert_ok(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list));
+  assert_int_equal(list->count, 1);
+  assert_int_equal(list->ndropped, 2);
+  assert_string_equal(list->dropped[0].name, "extinction:lwir");
+  assert_string_equal(list->dropped[0].why, "it is excluded");
+  assert_string_equal(list->dropped[1].name, "penumbra");
+  assert_string_equal(list->dropped[1].why, "the scenario has it on");
+  um_sensitivity_candidates_destroy(context, &list);
+  static const char *const nowhere[] = {"extinction:swir"};
+  o = (struct um_sensitivity_candidates_options){.only = nowhere, .nonly = 1};
+  um_core_message_clear(context);
+  assert_int_equal(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(context), "--only extinction:swir: nothing that "
+                                                   "'extinction' acts on is called 'swir'"));
   static const char *const wrong[] = {"zero_pont:vis"};
-  o = (struct um_sensitivity_candidates_options){wrong, 1, NULL, 0};
+  o = (struct um_sensitivity_candidates_options){.only = wrong, .nonly = 1};
   um_core_message_clear(context);
   assert_int_equal(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list), UM_ERR_INPUT);
   assert_non_null(

@@ -1,0 +1,94 @@
+/* What a diagnosis leaves open, for a person: what to measure next, missing heat, what was not
+ * tried.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/diagnosis.h"
+#include "compare/time_text.h"
+#include "diagnosis/report/channels.h"
+#include "orbit/time.h"
+
+/* What would tell, the same words for alternatives that the same tells. */
+static void next_text(const struct um_diagnosis_next *next, char out[512])
+{
+  char from[40], to[40];
+  if (next->what == NULL) {
+    snprintf(out, 512, "%s%s%s",
+             isnan(next->from) ? "not looked for" : "nothing that this scenario observes",
+             next->told_apart_by != NULL ? "; told apart from " : "",
+             next->told_apart_by != NULL ? next->told_apart_by : "");
+    return;
+  }
+  um_compare_time_text(next->from, from);
+  um_compare_time_text(next->to, to);
+  snprintf(out, 512,
+           "%s, %s to %s; an observation of sigma %.3g %s there tells them apart by a chi-square "
+           "of %.3g",
+           next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
+           next->chi2_difference);
+}
+
+static bool same_next(const struct um_diagnosis_next *a, const struct um_diagnosis_next *b)
+{
+  char one[512], other[512];
+  if (a->step != b->step) return false;
+  next_text(a, one);
+  next_text(b, other);
+  return strcmp(one, other) == 0;
+}
+
+/* All alternatives that the same tells from the winner are one line, that of the first. */
+static void print_next(const struct um_diagnosis *d)
+{
+  if (d->nnext > 0) printf("\nnext measurement, to tell\n");
+  for (size_t i = 0; i < d->nnext; i++) {
+    const struct um_diagnosis_next *next = &d->next_of[i];
+    char text[512];
+    size_t before = 0;
+    while (before < i && !same_next(&d->next_of[before], next)) before++;
+    if (before < i) continue;
+    printf("  %s from ", d->candidates->candidate[d->step[next->step].candidate].name);
+    for (size_t k = i; k < d->nnext; k++)
+      if (same_next(&d->next_of[k], next))
+        printf("%s%s", k > i ? ", " : "", d->candidates->candidate[d->next_of[k].candidate].name);
+    next_text(next, text);
+    printf(": %s\n", text);
+  }
+}
+
+/* What was asked for and could not be tried, or was not worth a fit. */
+static void print_missed(const struct um_diagnosis *d)
+{
+  if (d->chosen && d->nmissed > 0) printf("\nnot tried\n");
+  for (size_t i = 0; d->chosen && i < d->nmissed; i++)
+    printf("  %s: %s\n", d->missed[i].name, d->missed[i].why);
+}
+
+static void print_unexplained(const struct um_missing_heat_unexplained *u)
+{
+  if (u == NULL) return;
+  printf("\nunexplained:");
+  if (u->channel != NULL) printf(" worst in %s", u->channel);
+  if (u->coordinate != NULL) printf(", goes with %s (p %.2g)", u->coordinate, u->p);
+  printf("\n");
+  for (size_t i = 0; i < u->nheat && i < 3; i++) {
+    const struct um_missing_heat *h = &u->heat[i];
+    char start[32], energy[80];
+    um_orbit_time_format(h->start, start);
+    um_diagnosis_report_value_text(h->energy, h->energy_sigma, "+-", energy);
+    printf("  %s %s: %s J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
+           i == 0 && u->found ? "missing heat of"
+           : i == 0           ? "at most heat of"
+                              : "or of",
+           h->place, energy, start, h->start_sigma, h->stop - h->start, h->chi2_explained);
+  }
+}
+
+void um_app_diagnosis_print_next(const struct um_diagnosis *diagnosis)
+{
+  print_next(diagnosis);
+  print_unexplained(diagnosis->unexplained);
+  print_missed(diagnosis);
+}

@@ -1,0 +1,71 @@
+/* Candidates that were not fitted, with the reason: who asks for an effect hears what became of it,
+ * and a verdict claims nothing of what was not tried. */
+#include "diagnosis/missed_impl.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct um_inference_score *score_of(const struct um_diagnosis *d, size_t candidate)
+{
+  for (size_t i = 0; i < d->nranking; i++)
+    if (d->ranking[i].candidate == candidate) return &d->ranking[i].score;
+  return NULL;
+}
+
+/* Not tested at all. */
+static const char *untested(const struct um_sensitivity_candidate *c,
+                            const struct um_inference_score *score, enum um_diagnosis_fate fate)
+{
+  if (c->insensitive && c->why != NULL) return c->why;
+  if (c->insensitive && um_effect_fitted(c->effect) > 1)
+    return "no observation changes with it at the values where its search begins";
+  if (c->insensitive || score == NULL) return "no observation changes with it";
+  if (score->absorbed) return "what is fitted along does the same";
+  if (fate == UM_FATE_REFUSED) return "the model cannot be computed with the values it would need";
+  return NULL;
+}
+
+/* Tested, and no fit was worth it. */
+static void unworthy(const struct um_sensitivity_candidate *c,
+                     const struct um_inference_score *score, double level, char why[160])
+{
+  if (score->p >= 0.5)
+    snprintf(why, 160, "it would have to go beyond the end of its range");
+  else
+    snprintf(why, 160, "explains a chi-square of %.3g%s, %s", score->statistic,
+             c->nunidentified > 0 ? " at the values where its search begins" : "",
+             score->p_corrected < level ? "too little for a fit" : "as noise does");
+}
+
+static void judge(const struct um_diagnosis_work *work, size_t i, struct um_diagnosis *d)
+{
+  const struct um_sensitivity_candidate *c = &work->candidates->candidate[i];
+  const struct um_inference_score *score = score_of(d, i);
+  struct um_diagnosis_missed missed = {.name = c->name};
+  if (work->fate[i] == UM_FATE_FITTED) return;
+  const char *why = untested(c, score, work->fate[i]);
+  missed.tested = why == NULL;
+  if (missed.tested && !d->chosen) return;
+  if (why != NULL)
+    snprintf(missed.why, sizeof missed.why, "%s", why);
+  else
+    unworthy(c, score, work->level, missed.why);
+  d->missed[d->nmissed++] = missed;
+}
+
+enum um_status um_diagnosis_missed_find(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        struct um_diagnosis *d)
+{
+  const struct um_sensitivity_candidates *all = work->candidates;
+  d->chosen = work->options->candidates.nonly > 0;
+  d->nasked = all->count + all->ndropped;
+  UM_TRY(um_core_allocate(context, d->nasked, sizeof *d->missed, &d->missed));
+  for (size_t i = 0; i < all->ndropped; i++) {
+    struct um_diagnosis_missed *m = &d->missed[d->nmissed++];
+    m->name = all->dropped[i].name;
+    snprintf(m->why, sizeof m->why, "%s", all->dropped[i].why);
+  }
+  for (size_t i = 0; i < all->count; i++) judge(work, i, d);
+  return UM_OK;
+}

@@ -1,0 +1,13 @@
+/* Candidates that were not fitted. Private to diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_MISSED_IMPL_H
+#define UMBRA_DIAGNOSIS_MISSED_IMPL_H
+
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/work_impl.h"
+
+/* Fill what was missed, once all fits are made and the baseline is ranked. */
+enum um_status um_diagnosis_missed_find(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        struct um_diagnosis *d);
+
+#endif

@@ -1,0 +1,180 @@
+/* A verdict claims no more than was done: what is near nothing is not certain, what was not fitted
+ * is not tied, what was not tried is named, an effect is no alternative to itself. */
+#include <math.h>
+#include <string.h>
+
+#include "diagnosis/leave_one_out_impl.h"
+#include "diagnosis/sentence_impl.h"
+#include "diagnosis/state_impl.h"
+#include "diagnosis/verdict_impl.h"
+
+#define PLATE_STEP "24" /* [s] */
+#include "tests/diagnosis/plate_diagnosis_test.h"
+
+/* ---- by hand ---- */
+
+/* An effect of one parameter whose best value and sigma are given; what is left is noise. */
+struct one {
+  struct um_effect_parameter parameter;
+  struct um_effect effect;
+  struct um_sensitivity_candidate candidate;
+  struct um_sensitivity_candidates candidates;
+  struct um_diagnosis_alternative alternative[2];
+  struct um_diagnosis_step step;
+  struct um_diagnosis d;
+};
+
+static void one_make(struct one *o, double null_value, bool logarithmic, double value, double sigma)
+{
+  *o = (struct one){.parameter = {.name = "capacity_J_K",
+                                  .unit = "J/K",
+                                  .null_value = null_value,
+                                  .minimum = -1e9,
+                                  .maximum = 1e9,
+                                  .prior_sigma = INFINITY,
+                                  .logarithmic = logarithmic},
+                    .effect = {.name = "capacity", .nparameter = 1},
+                    .candidate = {.ncolumn = 1, .null_value = {null_value}},
+                    .alternative = {{.fitted = true, .bic = 100.0}, {.fitted = false, .bic = NAN}}};
+  static char name[] = "capacity";
+  o->candidate.name = name;
+  o->effect.parameters = &o->parameter;
+  o->candidate.effect = &o->effect;
+  o->candidates = (struct um_sensitivity_candidates){.count = 1, .candidate = &o->candidate};
+  o->step = (struct um_diagnosis_step){.addition = {.effect = &o->effect, .value = {value}},
+                                       .sigma = {sigma},
+                                       .delta_bic = -300.0,
+                                       .nalternative = 1,
+                                       .alternative = o->alternative};
+  o->d = (struct um_diagnosis){.candidates = &o->candidates,
+                               .nstep = 1,
+                               .step = &o->step,
+                               .naddition = 1,
+                               .chi2_reduced_after = 1.0};
+  o->d.final_whiteness =
+      (struct um_inference_whiteness){.p_chi2 = 0.5, .p_white = 0.5, .p_worst = 0.5, .worst = 1.0};
+}
+
+static void assert_judged(struct one *o, enum um_diagnosis_verdict verdict,
+                          enum um_diagnosis_standing standing)
+{
+  const struct um_diagnosis_state nothing = {0};
+  o->d.verdict = um_diagnosis_judge(&nothing, &o->d);
+  assert_int_equal(o->d.verdict, verdict);
+  um_diagnosis_stand(&o->d);
+  assert_int_equal(o->step.standing, standing);
+}
+
+/* 115,568 +- 107,477 J/K is 1.1 sigma from nothing: whatever its BIC, it is not certain. */
+static void near_nothing_is_not_certain(void **state)
+{
+  (void)state;
+  struct one o;
+  one_make(&o, 0.0, false, 115568.0, 107477.0);
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
+  assert_string_equal(um_diagnosis_standing_name(o.step.standing), "uncertain");
+  one_make(&o, 0.0, false, 115568.0, 50000.0); /* 2.3 sigma */
+  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  /* observations that scatter by 1.2 of what they say: 2.1 of such sigmas, then 1.9 */
+  o.d.chi2_reduced_after = 1.2;
+  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  o.d.chi2_reduced_after = 1.45;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
+  /* a factor 0.5 is ln 2 from 1, which is 2.8 of its sigma 0.125 / 0.5, and 1.7 of 0.2 / 0.5 */
+  one_make(&o, 1.0, true, 0.5, 0.125);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  o.step.sigma[0] = 0.2;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
+  /* without a sigma at the end of its range, or as a switch */
+  one_make(&o, 0.0, false, 5.0, NAN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  one_make(&o, 0.0, false, 0.0, NAN);
+  o.candidate.is_switch = true;
+  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+}
+
+/* One that was not fitted leaves the winner uncertain, and is called not tried. */
+static void not_tried_is_no_tie(void **state)
+{
+  (void)state;
+  struct one o;
+  one_make(&o, 0.0, false, 5.0, 1.0);
+  o.step.nalternative = 2;
+  o.alternative[1].not_tried = true;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_ONE_OF_GROUP);
+  o.step.delta_bic = -10.0;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_SMALL);
+}
+
+/* What does a little better than the effect of a step does not take its place in the list. */
+static void effect_leads_its_alternatives(void **state)
+{
+  (void)state;
+  struct um_diagnosis_alternative a[3] = {{.candidate = 7, .fitted = true, .bic = 99.0},
+                                          {.candidate = 4, .fitted = true, .bic = 100.0},
+                                          {.candidate = 5, .fitted = true, .bic = 103.0}};
+  struct um_diagnosis_step step = {.nalternative = 3, .alternative = a};
+  assert_true(um_diagnosis_put_first(&step, 4));
+  assert_true(a[0].candidate == 4 && a[1].candidate == 7 && a[2].candidate == 5);
+  assert_false(um_diagnosis_put_first(&step, 8));
+}
+
+/* ---- on the plate ---- */
+
+/* A visible band that reads 2 % high: calibration, size, paint, the Sun. With one fit in a round
+ * all others are left to those that score as well, and every one of them is fitted. */
+static void ties_are_fitted(void **state)
+{
+  (void)state;
+  const struct lists lists = {.with = LIST("zero_point:vis,factor=1.02"),
+                              .only = LIST("zero_point:vis", "area:wing", "diffuse_level",
+                                           "extinction:vis", "solar_irradiance"),
+                              .of = "vis",
+                              .alternatives = 1};
+  struct diagnosed c = diagnose(&lists);
+  size_t tied = 0;
+  assert_true(c.d->nstep == 1);
+  for (size_t i = 0; i < c.d->step[0].nalternative; i++) {
+    const struct um_diagnosis_alternative *r = &c.d->step[0].alternative[i];
+    assert_false(r->not_tried);
+    assert_true(r->fitted || !r->indistinguishable);
+    assert_true(i == 0 || r->candidate != c.d->step[0].candidate);
+    tied += r->indistinguishable;
+  }
+  assert_true(tied >= 2);
+  end(&c);
+}
+
+/* Of the visible band alone nothing is said by the heat of the wing, and the Sun is a disc already:
+ * both are named with the reason, and nothing is claimed of them. */
+static void what_is_not_tried_is_named(void **state)
+{
+  (void)state;
+  struct lists lists = {.with = LIST("zero_point:vis,factor=0.9"),
+                        .only = LIST("heat_capacity:wing", "penumbra"),
+                        .of = "vis"};
+  struct diagnosed c = diagnose(&lists);
+  assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
+  says(&c, "none of the effects asked for could be tried; not tried: penumbra (the scenario has it "
+           "on), heat_capacity:wing (no observation changes with it)");
+  assert_int_equal(c.d->nmissed, 2);
+  assert_false(c.d->missed[0].tested || c.d->missed[1].tested);
+  end(&c);
+  /* one that was tested, and one that stands for the same thing under another name */
+  lists.only = LIST("extinction:vis", "aperture_loss:lwir");
+  lists.with = LIST("zero_point:vis,factor=1.001");
+  c = diagnose(&lists);
+  assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
+  says(&c, "; not tried: aperture_loss:lwir (no observation changes with it).");
+  assert_int_equal(c.d->nmissed, 2);
+  end(&c);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(near_nothing_is_not_certain), cmocka_unit_test(not_tried_is_no_tie),
+      cmocka_unit_test(effect_leads_its_alternatives), cmocka_unit_test(ties_are_fitted),
+      cmocka_unit_test(what_is_not_tried_is_named)};
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}
