@@ -12,18 +12,24 @@
 
 static void begin(struct um_app_progress *p, double t, const char *task, size_t done)
 {
-  if (p->task == task && done > 0) return;
+  bool goes_on = p->task == task && done >= p->done; /* a first step may be told many times */
+  p->done = done;
+  if (goes_on) return;
   p->task = task;
   p->began = t;
 }
 
-/* ", 12 s left" behind `length` characters, where something is done and the end is known. */
-static void add_time_left(const struct um_app_progress *p, double t, size_t done, size_t total,
-                          size_t length, char line[UM_APP_PROGRESS_LINE])
+/* ", 12 s left" behind `length` characters where something is done and the end is known, else ", 12
+ * s so far". */
+static void add_time(const struct um_app_progress *p, double t, size_t done, size_t total,
+                     size_t length, char line[UM_APP_PROGRESS_LINE])
 {
-  if (done == 0 || total == 0 || length >= UM_APP_PROGRESS_LINE) return;
-  snprintf(line + length, UM_APP_PROGRESS_LINE - length, ", %.0f s left",
-           (t - p->began) * (double)(total - done) / (double)done);
+  if (length >= UM_APP_PROGRESS_LINE) return;
+  if (done == 0 || total == 0)
+    snprintf(line + length, UM_APP_PROGRESS_LINE - length, ", %.0f s so far", t - p->began);
+  else
+    snprintf(line + length, UM_APP_PROGRESS_LINE - length, ", %.0f s left",
+             (t - p->began) * (double)(total - done) / (double)done);
 }
 
 bool um_app_progress_line(struct um_app_progress *progress, double t, const char *task, size_t done,
@@ -39,7 +45,7 @@ bool um_app_progress_line(struct um_app_progress *progress, double t, const char
     length = snprintf(line, UM_APP_PROGRESS_LINE, "%.100s: %zu of %zu", task, done, total);
   else
     length = snprintf(line, UM_APP_PROGRESS_LINE, "%.100s: %zu", task, done);
-  add_time_left(progress, t, done, total, (size_t)length, line);
+  add_time(progress, t, done, total, (size_t)length, line);
   return true;
 }
 
@@ -59,6 +65,6 @@ bool um_app_progress_bar(struct um_app_progress *progress, double t, const char 
   bar[BAR_WIDTH] = '\0';
   int length =
       snprintf(line, UM_APP_PROGRESS_LINE, "%.100s [%s] %3zu %%", task, bar, 100 * done / total);
-  add_time_left(progress, t, done, total, (size_t)length, line);
+  add_time(progress, t, done, total, (size_t)length, line);
   return true;
 }

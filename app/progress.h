@@ -9,6 +9,7 @@
 struct um_app_progress {
   const char *task; /* borrowed; tasks are told apart by their address */
   double began;     /* the task */
+  size_t done;      /* of it, when it was last heard of */
   double told;      /* the last bar or line, of any task; 0: none */
   double since;     /* the first call; 0: there was none */
 };

@@ -50,8 +50,11 @@ static void test_short_tasks(void **state)
   assert_false(um_app_progress_line(&p, 1.4, points, 1, 4, line));
   assert_true(um_app_progress_line(&p, 1.6, points, 1, 4, line)); /* the first second */
   assert_false(um_app_progress_line(&p, 8.0, heat, 0, 4, line));
-  assert_true(um_app_progress_line(&p, 12.0, heat, 1, 4, line));
-  assert_string_equal(line, "heat: 1 of 4, 12 s left");
+  assert_true(um_app_progress_line(&p, 11.7, heat, 0, 4, line)); /* nothing is done yet */
+  assert_string_equal(line, "heat: 0 of 4, 4 s so far");
+  p.told = 0.0; /* the time left is from its beginning, not from when it last stood at 0 */
+  assert_true(um_app_progress_line(&p, 16.0, heat, 1, 4, line));
+  assert_string_equal(line, "heat: 1 of 4, 24 s left");
 }
 
 /* Of work whose end nobody knows no time is left, and a name as long as one may be fits. */
@@ -62,12 +65,14 @@ static void test_unknown_end(void **state)
   char line[UM_APP_PROGRESS_LINE], name[400];
   assert_false(um_app_progress_line(&p, 1.0, heat, 0, 0, line));
   assert_true(um_app_progress_line(&p, 12.0, heat, 3, 0, line)); /* 11 s */
-  assert_string_equal(line, "heat: 3");
+  assert_string_equal(line, "heat: 3, 11 s so far");
   memset(name, 'x', sizeof name - 1);
   name[sizeof name - 1] = '\0';
-  assert_true(um_app_progress_line(&p, 30.0, name, (size_t)-2, (size_t)-1, line));
+  assert_true(um_app_progress_line(&p, 30.0, name, (size_t)1 << 49, (size_t)-1, line));
   assert_true(strlen(line) < sizeof line);
   assert_true(um_app_progress_bar(&p, 40.0, name, (size_t)1 << 50, (size_t)1 << 51, line));
+  assert_true(strlen(line) < sizeof line);
+  assert_true(um_app_progress_line(&p, 60.0, name, (size_t)-2, (size_t)-1, line));
   assert_true(strlen(line) < sizeof line);
 }
 
