@@ -256,6 +256,23 @@ done:
   return status;
 }
 
+/* Effects as they were asked for, not as they were added. */
+static void put_as_wanted(const struct um_model_addition *wanted, struct um_diagnosis *d)
+{
+  for (size_t i = 0; i < d->naddition; i++)
+    for (size_t j = i + 1; j < d->naddition; j++) {
+      if (d->addition[j].effect != wanted[i].effect || d->addition[j].target != wanted[i].target)
+        continue;
+      struct um_model_addition a = d->addition[i];
+      double sigma[UM_EFFECT_PARAMETERS_MAX];
+      memcpy(sigma, d->addition_sigma[i], sizeof sigma);
+      d->addition[i] = d->addition[j];
+      memcpy(d->addition_sigma[i], d->addition_sigma[j], sizeof sigma);
+      d->addition[j] = a;
+      memcpy(d->addition_sigma[j], sigma, sizeof sigma);
+    }
+}
+
 enum um_status um_diagnosis_fit_effects(struct um_context *context,
                                         struct um_sensitivity_forward *forward,
                                         const struct um_model_addition *wanted, size_t nwanted,
@@ -274,6 +291,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   UM_CHECK(baseline(context, &work, &state, d));
   UM_CHECK(um_diagnosis_add_wanted(context, &work, wanted, nwanted, &state));
   UM_CHECK(keep_end(context, &work, &state, d));
+  put_as_wanted(wanted, d);
   d->verdict =
       um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
   UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));

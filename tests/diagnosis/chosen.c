@@ -56,6 +56,11 @@ static double chi2_of(const struct diagnosed *c, const struct um_model_addition 
 {
   struct um_diagnosis *d = fit(c, wanted, n);
   double chi2 = d->chi2_after;
+  assert_int_equal(d->naddition, n);
+  for (size_t i = 0; i < n; i++) { /* as they were asked for */
+    assert_ptr_equal(d->addition[i].effect, wanted[i].effect);
+    assert_ptr_equal(d->addition[i].target, wanted[i].target);
+  }
   um_diagnosis_destroy(context, &d);
   return chi2;
 }
