@@ -3,7 +3,6 @@
 #include "diagnosis/missed_impl.h"
 
 #include <stdio.h>
-#include <string.h>
 
 static const struct um_inference_score *score_of(const struct um_diagnosis *d, size_t candidate)
 {
