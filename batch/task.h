@@ -28,8 +28,8 @@ struct um_batch_task {
   um_batch_accepts *accepts; /* a record that is not accepted is none; NULL: all are */
   void *user;                /* borrowed, handed to compute and accepts */
   const char *folder;        /* where records lie; made where it is missing, its parents too */
-  bool resume; /* take the records that lie there; without it, records there are an error */
-  int workers; /* processes of this machine that compute; <= 1: this one does */
+  bool resume;    /* take the records that lie there; without it, records there are an error */
+  int workers;    /* processes of this machine that compute; <= 1: this one does */
   double silence; /* of a process or rank, after which it is replaced or left out [s]; 0: 60 */
   size_t share, nshare; /* nshare > 1: of the points asked by each um_batch_run only number
                          * share, share + nshare, ... (from 0); for job arrays. Else 0, 0 */

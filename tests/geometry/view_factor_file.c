@@ -10,6 +10,7 @@
 
 #include "core/csv.h"
 #include "core/file.h"
+#include "core/held_files.h"
 #include "geometry/inside.h"
 #include "tests/geometry/support.h"
 #include "tests/support/allocator.h"
@@ -223,6 +224,13 @@ static size_t warnings(const struct support *s)
        (c = strstr(c, "of the cache are made anew: ")) != NULL; c++)
     n++;
   return n;
+}
+
+static void no_file(void *self, const char *path, uint64_t digest)
+{
+  (void)self;
+  (void)digest;
+  fail_msg("%s counts as a file of the user's", path);
 }
 
 /* One digit, an exchange given to space, no checksum as in files of old: by the checksum. Space
