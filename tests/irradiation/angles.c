@@ -9,6 +9,7 @@
 #include "environment/angular_moments.h"
 #include "irradiation/loads.h"
 #include "materials/materials.h"
+#include "tests/irradiation/region_help.h"
 #include "tests/thermal/body_help.h"
 
 #define UM_TEST_LIBRARY UMBRA_SOURCE_DIR "/materials/library"
@@ -58,6 +59,16 @@ static bool hidden(double side, struct um_vec3 from, struct um_vec3 d)
          from.z + t * d.z < 4.0;
 }
 
+/* What a place reflects and emits: where nothing sets a region, the same everywhere. */
+static void ground(struct um_vec3 place, double *albedo, double *longwave)
+{
+  const struct um_environment_region *r = &environment.region;
+  double w =
+      r->everywhere ? 0.0 : region_weight(r, um_vec3(0.0, 0.0, 1.0), um_vec3(1.0, 0.0, 0.0), place);
+  *albedo = environment.albedo * (1.0 + w * (r->albedo_factor - 1.0));
+  *longwave = environment.outgoing_longwave * (1.0 + w * (r->longwave_factor - 1.0));
+}
+
 /* Absorbed of albedo and of the Earth's radiation by areas of the cap [W/m^2]: plate in the plane
  * z = 0 with a given normal, nadir +z, Sun at `zenith` from -z toward x; side: of the screen,
  * infinite: none. points: across the plate of 1 m. */
@@ -83,10 +94,11 @@ static void by_areas(const struct law *law, double h, double zenith, struct um_v
         struct um_vec3 from = {(p % points + 0.5) / points - 0.5, (row + 0.5) / points - 0.5, 0.0};
         seen += !hidden(side, from, d);
       }
-      double free = points > 0 ? (double)seen / (points * points) : 1.0;
-      out[0] += free * element * absorptance(law->value[0], cosine) * environment.albedo *
-                irradiance * fmax(0.0, um_vec3_dot(at, sun));
-      out[1] += free * element * absorptance(law->value[1], cosine) * environment.outgoing_longwave;
+      double free = points > 0 ? (double)seen / (points * points) : 1.0, albedo, longwave;
+      ground(at, &albedo, &longwave);
+      out[0] += free * element * absorptance(law->value[0], cosine) * albedo * irradiance *
+                fmax(0.0, um_vec3_dot(at, sun));
+      out[1] += free * element * absorptance(law->value[1], cosine) * longwave;
     }
   }
 }
@@ -116,6 +128,7 @@ static struct um_irradiation_loads *trace(struct help_satellite *s, double altit
                                          .sun = um_vec3(sin(zenith), 0, -cos(zenith)),
                                          .sun_distance = UM_AU,
                                          .pole = {0.0, 0.0, 1.0},
+                                         .greenwich = {1.0, 0.0, 0.0},
                                          .sunlit_fraction = 1.0,
                                          .q = {1.0, 0.0, 0.0, 0.0}};
   struct um_irradiation_loads *loads = NULL;
@@ -170,6 +183,29 @@ static void plates_absorb_by_angle(void **state)
   assert_true(moved > 0.02);
 }
 
+/* Absorbed by the plate's front [W/m^2], by angle and as if from all angles alike. */
+static void plate_absorbs(const struct help_satellite *s, const struct um_irradiation_loads *loads,
+                          const struct law *law, double out[2][2])
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(s->geometry);
+  double area = 0.0;
+  memset(out, 0, 4 * sizeof out[0][0]);
+  for (size_t i = 0; i < mesh->nsurface; i++) {
+    if (mesh->surface[i].part != 0 || mesh->surface[i].back) continue;
+    double of = mesh->area[mesh->surface[i].facet];
+    const float load[2] = {loads->albedo[i], loads->planet[i]};
+    const float *moment[2] = {loads->albedo_moments + i * UM_ANGULAR_MOMENTS,
+                              loads->planet_moments + i * UM_ANGULAR_MOMENTS};
+    for (int b = 0; b < 2; b++) {
+      out[b][0] += of * by_moments(law->a[b], load[b], moment[b]);
+      out[b][1] += of * law->a[b][0] * (double)load[b];
+    }
+    area += of;
+  }
+  for (int b = 0; b < 2; b++)
+    for (int k = 0; k < 2; k++) out[b][k] /= area;
+}
+
 /* The plate's front is hidden from grazing light on one side: an eighth of its heat. The free share
  * of a direction is known to the cells of a sky, so absorbed heat is to 0.006 of that of a plate
  * with nothing before it; what the angle moves of it is known better. */
@@ -186,33 +222,68 @@ static void a_screen_hides_what_grazes(void **state)
   for (int moves = 0; moves < 2; moves++)
     for (int z = 0; z <= 60; z += 60) {
       struct help_satellite s = {0};
-      double h = 1.0 + 800e3 / RADIUS, zenith = z * UM_DEG, expected[2], flat[2], sum[2][2] = {{0}};
+      double h = 1.0 + 800e3 / RADIUS, zenith = z * UM_DEG, expected[2], flat[2], sum[2][2];
       struct um_irradiation_loads *loads = trace(&s, 800e3, zenith, 0.0, 0.0, 0.6, moves == 1);
-      const struct um_geometry_mesh *mesh = um_geometry_mesh(s.geometry);
-      double area = 0.0;
-      for (size_t i = 0; i < mesh->nsurface; i++) {
-        if (mesh->surface[i].part != 0 || mesh->surface[i].back) continue;
-        const float *albedo = loads->albedo_moments + i * UM_ANGULAR_MOMENTS;
-        const float *planet = loads->planet_moments + i * UM_ANGULAR_MOMENTS;
-        double of = mesh->area[mesh->surface[i].facet];
-        sum[0][0] += of * by_moments(law.a[0], loads->albedo[i], albedo);
-        sum[0][1] += of * law.a[0][0] * (double)loads->albedo[i];
-        sum[1][0] += of * by_moments(law.a[1], loads->planet[i], planet);
-        sum[1][1] += of * law.a[1][0] * (double)loads->planet[i];
-        area += of;
-      }
+      plate_absorbs(&s, loads, &law, sum);
       by_areas(&law, h, zenith, um_vec3(0, 0, 1), 0.6, 150, 12, expected);
       by_areas(&even, h, zenith, um_vec3(0, 0, 1), 0.6, 150, 12, flat);
       for (int b = 0; b < 2; b++) {
-        double moved = (sum[b][0] - sum[b][1]) / area, want = expected[b] - flat[b];
+        double moved = sum[b][0] - sum[b][1], want = expected[b] - flat[b];
         print_message("band %d: absorbed %.5g, want %.5g; of the angle %.4g, want %.4g W/m2\n", b,
-                      sum[b][0] / area, expected[b], moved, want);
-        NEAR("absorbed", sum[b][0] / area / expected[b], 1.0, 0.01);
+                      sum[b][0], expected[b], moved, want);
+        NEAR("absorbed", sum[b][0] / expected[b], 1.0, 0.01);
         NEAR("moved", moved / expected[b], want / expected[b], 1e-3);
       }
       um_irradiation_loads_destroy(help_context, &loads);
       help_end(&s);
     }
+}
+
+/* Half of the Earth, that behind the screen or the other, is dark and emits nothing. What a plate
+ * absorbs that takes cos of what comes from an angle is told apart from what falls on it. */
+static void a_varying_earth_behind_a_screen(void **state)
+{
+  (void)state;
+  const struct um_environment same = environment;
+  struct law law, even;
+  for (int b = 0; b < 2; b++) {
+    for (int i = 0; i < NODES; i++) law.value[b][i] = pow(i / (NODES - 1.0), 2.0);
+    law.a[b][0] = 2.0 / 3.0; /* over the hemisphere */
+    um_environment_angular_project(law.value[b], NODES, law.a[b] + 1);
+  }
+  even = law;
+  for (int b = 0; b < 2; b++)
+    for (int i = 0; i < NODES; i++) even.value[b][i] = law.a[b][0];
+  for (int k = 0; k < 4; k++) {
+    struct help_satellite s = {0};
+    double h = 1.0 + 800e3 / RADIUS, zenith = 0.3, expected[2], flat[2], sum[2][2];
+    environment.region = (struct um_environment_region){.latitude = -63.0 * UM_DEG,
+                                                        .longitude = k & 1 ? UM_PI : 0.0,
+                                                        .radius = 27.0 * UM_DEG,
+                                                        .edge = 16.0 * UM_DEG,
+                                                        .from_tai = -INFINITY,
+                                                        .to_tai = INFINITY};
+    struct um_irradiation_loads *loads = trace(&s, 800e3, zenith, 0.0, 0.0, 0.6, k > 1);
+    plate_absorbs(&s, loads, &law, sum);
+    by_areas(&law, h, zenith, um_vec3(0, 0, 1), 0.6, 60, 8, expected);
+    by_areas(&even, h, zenith, um_vec3(0, 0, 1), 0.6, 60, 8, flat);
+    for (int b = 0; b < 2; b++) {
+      double full =
+          um_environment_plate_view_factor(h, 0.0) *
+          (b == 0 ? environment.albedo * um_environment_solar_irradiance(&environment, UM_AU)
+                  : environment.outgoing_longwave);
+      print_message("%s side, %s: absorbed %.4g, want %.4g; from all angles alike %.4g, %.4g\n",
+                    k & 1 ? "open" : "hidden", b == 0 ? "light" : "heat", sum[b][0], expected[b],
+                    sum[b][1], flat[b]);
+      /* the cells of a sky, as above: half of the Earth has half of the error */
+      NEAR("absorbed", sum[b][0] / full, expected[b] / full, 0.003);
+      NEAR("from all angles alike", sum[b][1] / full, flat[b] / full, 0.003);
+      NEAR("of the angle", (sum[b][0] - sum[b][1]) / full, (expected[b] - flat[b]) / full, 0.002);
+    }
+    um_irradiation_loads_destroy(help_context, &loads);
+    help_end(&s);
+  }
+  environment = same;
 }
 
 /* Nobody asks for angles: nothing of them is kept, and the loads are what they are. */
@@ -253,8 +324,8 @@ static int teardown(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(plates_absorb_by_angle),
-                                     cmocka_unit_test(a_screen_hides_what_grazes),
-                                     cmocka_unit_test(nobody_asks)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(plates_absorb_by_angle), cmocka_unit_test(a_screen_hides_what_grazes),
+      cmocka_unit_test(a_varying_earth_behind_a_screen), cmocka_unit_test(nobody_asks)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }

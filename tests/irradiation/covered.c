@@ -84,6 +84,55 @@ static void view_factor_is_that_of_the_heat(void **state)
   }
 }
 
+/* A plate stands nearly upright before the Earth, which it sees half of, along no axis, under a
+ * roof that hides none of it: it takes what it takes alone, though of the directions around one
+ * beside its own plane not all are before it.
+ *
+ *   ---------------  roof
+ *       / plate                     nadir down  */
+static void a_roof_hides_no_earth(void **state)
+{
+  (void)state;
+  const struct um_environment same = environment;
+  for (int varies = 0; varies < 2; varies++) {
+    struct um_irradiation_loads *loads[2];
+    struct help_satellite s[2];
+    memset(s, 0, sizeof s);
+    if (varies) environment.earth = UM_EARTH_KNOCKE;
+    for (int roof = 0; roof < 2; roof++) {
+      help_part(&s[roof], "plate", UM_SHAPE_PLATE, "paint");
+      s[roof].shape[0].rotation = um_quat_then(um_quat_from_axis(um_vec3(0, 1, 0), 85.0 * UM_DEG),
+                                               um_quat_from_axis(um_vec3(0, 0, 1), 37.0 * UM_DEG));
+      if (roof) {
+        help_part(&s[1], "roof", UM_SHAPE_PLATE, "paint");
+        s[1].shape[1].size[0] = s[1].shape[1].size[1] = 4.0;
+        s[1].shape[1].position = um_vec3(0, 0, -1.0);
+      }
+      help_geometry(&s[roof]);
+      struct um_environment_sample sample = {.r = um_vec3(0, 0, -RADIUS - 800e3),
+                                             .sun = um_vec3_unit(um_vec3(0.6, 0.2, -1.0)),
+                                             .sun_distance = UM_AU,
+                                             .pole = {0.0, 1.0, 0.0},
+                                             .greenwich = {1.0, 0.0, 0.0},
+                                             .sunlit_fraction = 1.0,
+                                             .q = {1.0, 0.0, 0.0, 0.0}};
+      OK(um_irradiation_loads_trace(help_context, s[roof].geometry, &environment, &sample, 1, NULL,
+                                    0, 64, &loads[roof]));
+    }
+    assert_true(loads[0]->nsurface < loads[1]->nsurface && loads[0]->planet[0] > 30.0f);
+    for (size_t i = 0; i < loads[0]->nsurface; i++) {
+      NEAR("heat", loads[1]->planet[i], loads[0]->planet[i], 1e-4);
+      NEAR("light", loads[1]->albedo[i], loads[0]->albedo[i], 1e-4);
+      NEAR("view factor", loads[1]->view_factor[i], loads[0]->view_factor[i], 1e-6);
+    }
+    for (int k = 0; k < 2; k++) {
+      um_irradiation_loads_destroy(help_context, &loads[k]);
+      help_end(&s[k]);
+    }
+  }
+  environment = same;
+}
+
 /* An Earth that neither reflects nor radiates brings nothing, and the Sun what it did. */
 static void dark_earth(void **state)
 {
@@ -116,6 +165,7 @@ static int setup(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(view_factor_is_that_of_the_heat),
+                                     cmocka_unit_test(a_roof_hides_no_earth),
                                      cmocka_unit_test(dark_earth)};
   return cmocka_run_group_tests(tests, setup, help_teardown);
 }
