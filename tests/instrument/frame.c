@@ -172,12 +172,102 @@ static void test_counts(void **state)
   }
 }
 
+enum { PIXELS = 40000 };
+
+/* Mean, variance, skewness of counts, and the correlation of neighbours. */
+struct scatter {
+  double mean, variance, skewness, neighbours;
+};
+
+static struct scatter scatter_of(const float *counts)
+{
+  struct scatter s = {0};
+  for (int i = 0; i < PIXELS; i++) s.mean += (double)counts[i] / PIXELS;
+  for (int i = 0; i < PIXELS; i++) {
+    double d = (double)counts[i] - s.mean;
+    s.variance += d * d / PIXELS;
+    s.skewness += d * d * d / PIXELS;
+    if (i > 0) s.neighbours += d * ((double)counts[i - 1] - s.mean) / PIXELS;
+  }
+  s.skewness /= pow(s.variance, 1.5);
+  s.neighbours /= s.variance;
+  return s;
+}
+
+/* Dark pixels have the read noise alone, r^2/g^2 + 1/12 about 0; full ones have it about what they
+ * hold; each pixel and each seed its own. Without it, counts have Poisson's skewness, e^(-1/2).
+ * Four standard errors: 1, sqrt(2), sqrt(6) and 1 over the root of the number of pixels. */
+static void test_read_noise(void **state)
+{
+  (void)state;
+  static double electrons[PIXELS];
+  static float counts[PIXELS], other[PIXELS];
+  const struct um_instrument_frame frame = {
+      .width = 200, .height = 200, .pixel = 1.0, .electrons = electrons};
+  const double g = 0.45, r = 12.0, variance = r * r / (g * g) + 1.0 / 12.0, one = 4.0 / 200.0;
+  struct um_instrument_readout readout = {
+      .read_noise = r, .gain = g, .saturation = INFINITY, .seed = 7};
+  for (int full = 0; full < 2; full++) {
+    for (int i = 0; i < PIXELS; i++) electrons[i] = full ? 1000.0 : 0.0;
+    readout.saturation = full ? 500.0 : INFINITY;
+    assert_int_equal(um_instrument_frame_read(&frame, &readout, counts), full ? PIXELS : 0);
+    struct scatter s = scatter_of(counts);
+    double level = full ? 500.0 / g : 0.0, sum = 0.0;
+    print_message("%s: mean %.3f (%.3f), variance %.2f (%.2f)\n", full ? "full" : "dark", s.mean,
+                  level, s.variance, variance);
+    assert_true(fabs(s.mean - level) <= one * sqrt(variance));
+    assert_true(fabs(s.variance / variance - 1.0) <= one * sqrt(2.0));
+    assert_true(fabs(s.skewness) <= one * sqrt(6.0));
+    assert_true(fabs(s.neighbours) <= one);
+    readout.seed++;
+    um_instrument_frame_read(&frame, &readout, other);
+    for (int i = 0; i < PIXELS; i++)
+      sum += ((double)counts[i] - s.mean) * ((double)other[i] - s.mean) / PIXELS;
+    assert_true(fabs(sum / s.variance) <= one);
+  }
+  readout.read_noise = 0.0;
+  readout.saturation = INFINITY;
+  readout.gain = 1.0;
+  for (int k = 0; k < 2; k++) { /* drawn one by one, and not */
+    double e = k == 0 ? 25.0 : 60.0;
+    for (int i = 0; i < PIXELS; i++) electrons[i] = e;
+    um_instrument_frame_read(&frame, &readout, counts);
+    struct scatter s = scatter_of(counts);
+    print_message("%.0f e: variance %.3f, skewness %.4f (%.4f)\n", e, s.variance, s.skewness,
+                  1.0 / sqrt(e));
+    assert_true(fabs(s.variance / e - 1.0) <= one * sqrt(2.0 + 1.0 / e));
+    assert_true(fabs(s.skewness - 1.0 / sqrt(e)) <= 1.1 * one * sqrt(6.0));
+  }
+}
+
+/* Stars beside a dark source: all their electrons, at their places [arcsec right and up]. */
+static void test_stars(void **state)
+{
+  (void)state;
+  const struct um_instrument_psf psf = {.kind = UM_PSF_GAUSSIAN, .fwhm = 2.5};
+  const struct um_instrument_source source = {SIDE, SIDE, 0.2, rate};
+  const struct um_instrument_frame_star star[2] = {{.x = 7.3, .y = 2.1, .rate = 300.0},
+                                                   {.x = -1.2, .y = -5.9, .rate = 100.0}};
+  const struct um_instrument_frame_options options = {
+      .pixel = 1.0, .exposure = 2.0, .trail = 6.0, .nstar = 2, .star = star};
+  struct um_instrument_frame frame;
+  assert_int_equal(um_instrument_frame_create(context, &source, &psf, &options, &frame), UM_OK);
+  struct moments m = measure(&frame);
+  assert_true(fabs(frame.stars - 800.0) <= 1e-9 && frame.source == 0.0);
+  assert_true(fabs(m.sum - 800.0) <= 1e-6 * 800.0);
+  assert_true(fabs(m.x - (0.75 * 7.3 - 0.25 * 1.2)) <= 1e-5);
+  assert_true(fabs(m.y - (0.75 * 2.1 - 0.25 * 5.9)) <= 1e-5);
+  um_instrument_frame_clear(context, &frame);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_energy, enter, leave),
       cmocka_unit_test_setup_teardown(test_point, enter, leave),
       cmocka_unit_test_setup_teardown(test_counts, enter, leave),
+      cmocka_unit_test_setup_teardown(test_read_noise, enter, leave),
+      cmocka_unit_test_setup_teardown(test_stars, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
