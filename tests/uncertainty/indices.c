@@ -256,6 +256,47 @@ static void test_morris(void **state)
   um_core_free(context, u);
 }
 
+/* Effects of one size and either sign: of (u_0 - 1/2)^2 with four levels they are 2 u + 2/3 - 1 =
+ * -1/3 or 1/3. mu* is 1/3 without an error; mu is not, and its effects scatter by 1/3. */
+static void test_morris_of_either_sign(void **state)
+{
+  (void)state;
+  enum { N = 200 };
+  double *u, value[N * 2], mu, star, error, sigma, up = 0.0;
+  struct um_uncertainty_morris out = {&mu, &star, &error, &sigma};
+  assert_int_equal(um_uncertainty_morris_trajectories(context, 1, N, 4, 5, &u), UM_OK);
+  for (size_t i = 0; i < N * 2; i++) value[i] = (u[i] - 0.5) * (u[i] - 0.5);
+  for (size_t t = 0; t < N; t++)
+    up += (value[2 * t + 1] - value[2 * t]) * (u[2 * t + 1] - u[2 * t]) > 0.0;
+  assert_int_equal(um_uncertainty_morris_effects(context, 1, N, 1, u, value, &out), UM_OK);
+  double p = up / N; /* share of the positive ones */
+  assert_true(p > 0.4 && p < 0.6);
+  assert_close(mu, (2.0 * p - 1.0) / 3.0, 1e-12);
+  assert_close(star, 1.0 / 3.0, 1e-12);
+  assert_close(error, 0.0, 1e-8);
+  assert_close(sigma, 2.0 / 3.0 * sqrt(p * (1.0 - p) * N / (N - 1.0)), 1e-12);
+  um_core_free(context, u);
+}
+
+/* Sizes 1 and 3 of either sign in turn: mu* = 2 to 1 / sqrt(N - 1), however many are left out. */
+static void test_morris_error(void **state)
+{
+  (void)state;
+  enum { N = 41 };
+  double u[N * 2], value[N * 2], star, error;
+  struct um_uncertainty_morris out = {.mu_star = &star, .mu_error = &error};
+  for (size_t t = 0; t < N; t++) {
+    u[2 * t] = t % 2 == 0 ? 0.25 : 0.75;
+    u[2 * t + 1] = t % 2 == 0 ? 0.75 : 0.25;
+    value[2 * t] = 7.0;
+    value[2 * t + 1] = 7.0 + (t % 4 < 2 ? 0.5 : -1.5);
+  }
+  value[2 * 40] = NAN; /* 40 are left */
+  assert_int_equal(um_uncertainty_morris_effects(context, 1, N, 1, u, value, &out), UM_OK);
+  assert_close(star, 2.0, 1e-12);
+  assert_close(error, 1.0 / sqrt(39.0), 1e-12);
+}
+
 static void test_memory(void **state)
 {
   (void)state;
@@ -281,10 +322,14 @@ static void test_memory(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_ishigami),    cmocka_unit_test(test_g_function),
-      cmocka_unit_test(test_linear_heat), cmocka_unit_test(test_same),
-      cmocka_unit_test(test_errors),      cmocka_unit_test(test_morris),
-      cmocka_unit_test(test_memory)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_ishigami),
+                                     cmocka_unit_test(test_g_function),
+                                     cmocka_unit_test(test_linear_heat),
+                                     cmocka_unit_test(test_same),
+                                     cmocka_unit_test(test_errors),
+                                     cmocka_unit_test(test_morris),
+                                     cmocka_unit_test(test_morris_of_either_sign),
+                                     cmocka_unit_test(test_morris_error),
+                                     cmocka_unit_test(test_memory)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
