@@ -113,37 +113,59 @@ static void test_sentence(void **state)
   um_study_result_destroy(context, &r);
 }
 
-/* Visible light at the middle is above that of emittance 0.85 in three points of four. */
-static void test_limits(void **state)
+/* Of the limit there is, at the brightest instant and at any. */
+static void limit_read(const struct um_study_result *r, double probability[2], double *error)
 {
-  (void)state;
-  struct um_study_result *r = pass_sobol(1024, false);
-  const double at[3] = {0.85, 300.0, 1.0};
-  double v[PASS_NVALUE], probability = -1.0, error = -1.0, any = -1.0;
   char line[400], middle[32];
-  pass_values(at, v);
-  assert_int_equal(um_core_allocate(context, 1, sizeof *r->limit, &r->limit), UM_OK);
-  r->nlimit = 1;
-  r->limit[0] = (struct um_study_limit){.quantity = 0, .value = v[54]}; /* the brightest */
   FILE *file = tmpfile();
   assert_non_null(file);
   assert_int_equal(um_study_limits_write(context, r, file, stdout), UM_OK);
   um_orbit_time_format(r->time[54], middle);
   rewind(file);
+  probability[0] = probability[1] = *error = -1.0;
   while (fgets(line, sizeof line, file) != NULL) {
     double limit, p, e;
     const char *rest = strchr(line, ',');
     if (rest == NULL || sscanf(rest, ",irradiance:vis,%lf,%lf,%lf", &limit, &p, &e) != 3) continue;
+    assert_close(limit, r->limit[0].value, 1e-5 * fabs(r->limit[0].value));
     if (strncmp(line, middle, strlen(middle)) == 0) {
-      probability = p;
-      error = e;
+      probability[0] = p;
+      *error = e;
     }
-    if (line[0] == ',') any = p;
+    if (line[0] == ',') probability[1] = p;
   }
   fclose(file);
-  assert_close(probability, 0.75, 0.002);
-  assert_close(any, 0.75, 0.002);
-  assert_close(error, sqrt(0.75 * 0.25 / 1024.0), 1e-4);
+}
+
+/* Visible light at the middle is above that of emittance 0.7 + 0.2 p in a share p of the points,
+ * and so it is in magnitudes, of which the smaller is brighter. */
+static void test_limits(void **state)
+{
+  (void)state;
+  struct um_study_result *r = pass_sobol(1024, false);
+  const double at[3] = {0.85, 300.0, 1.0};
+  double v[PASS_NVALUE], probability[2], error;
+  pass_values(at, v);
+  assert_int_equal(um_core_allocate(context, 1, sizeof *r->limit, &r->limit), UM_OK);
+  r->nlimit = 1;
+  r->limit[0] = (struct um_study_limit){.quantity = 0, .value = v[54]}; /* the brightest */
+  for (int magnitude = 0; magnitude < 2; magnitude++) {
+    struct um_study_quantity *q = &r->quantity[0];
+    if (magnitude) {
+      um_core_free(context, q->unit);
+      assert_int_equal(um_core_strdup(context, "mag", &q->unit), UM_OK);
+      r->limit[0].value = -2.5 * log10(v[54]);
+      for (size_t i = 0; i < r->npoint; i++)
+        for (size_t k = 0; k < q->count; k++)
+          r->value[i * PASS_NVALUE + k] = -2.5 * log10(r->value[i * PASS_NVALUE + k]);
+    }
+    limit_read(r, probability, &error);
+    assert_close(probability[0], 0.75, 0.002);
+    assert_close(probability[1], 0.75, 0.002);
+    assert_close(error, sqrt(0.75 * 0.25 / 1024.0), 1e-4);
+    /* the brightest of a pass is its 54th instant, whatever the point */
+    assert_close(um_study_statistic_of(q, r->value, UM_STUDY_LARGEST), r->value[54], 0.0);
+  }
   um_study_result_destroy(context, &r);
 }
 
