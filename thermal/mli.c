@@ -69,14 +69,13 @@ static enum um_status couple_node(struct um_thermal_builder *b, uint32_t skin, u
 }
 
 /* What is wrapped under a facet: the corners of the wall, or the interior. */
-static void wrapped(const struct um_thermal_builder *b, size_t part, size_t facet,
+static void wrapped(const struct um_thermal_builder *b, size_t facet,
                     const struct um_thermal_mli *mli, uint32_t out[3])
 {
+  uint32_t inside = um_thermal_builder_wrapped(b, b->mesh->facet_group[facet]);
   for (int c = 0; c < 3; c++)
-    out[c] = !mli->wraps_interior
-                 ? b->front[facet][c]
-                 : um_thermal_interior_met(b, um_thermal_builder_interiors(b, part)[mli->interior],
-                                           facet, c);
+    out[c] =
+        mli->wraps_interior ? um_thermal_interior_met(b, inside, facet, c) : b->front[facet][c];
 }
 
 static enum um_status couple(struct um_thermal_builder *b, uint32_t skin, const uint32_t wall[3],
@@ -110,7 +109,7 @@ static enum um_status skin_of_group(struct um_thermal_builder *b, size_t part,
       um_thermal_filled_find(b, um_thermal_builder_wrapped(b, group->group)) != NULL) {
     for (size_t f = 0; f < b->mesh->nfacet; f++) {
       if (b->mesh->facet_group[f] != group->group) continue;
-      wrapped(b, part, f, mli, inside);
+      wrapped(b, f, mli, inside);
       UM_TRY(couple(b, skin, inside, mli, b->mesh->area[f]));
     }
     return UM_OK;
@@ -130,7 +129,7 @@ static enum um_status skins_of_facets(struct um_thermal_builder *b, size_t part,
     UM_TRY(um_thermal_builder_node(b, NULL, mli->areal_heat_capacity * area,
                                    b->part[part]->start_temperature, 0.0, &b->skin[f]));
     uint32_t inside[3];
-    wrapped(b, part, f, mli, inside);
+    wrapped(b, f, mli, inside);
     UM_TRY(couple(b, b->skin[f], inside, mli, area));
   }
   return UM_OK;
