@@ -259,9 +259,9 @@ static enum um_status check_names(const struct reader *r, size_t row)
 {
   static const enum column names[] = {OF, TRACK, STATION};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (!um_core_name_is_safe(field(r, row, names[i])))
+    if (!um_core_name_is_safe_behind(field(r, row, names[i])))
       return um_core_csv_fail(r->context, r->csv, row, r->at[names[i]],
-                              "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED,
+                              "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND,
                               field(r, row, names[i]));
   return UM_OK;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/file.h"
+#include "core/text.h"
 
 #define CSV_BYTES_MAX ((size_t)1 << 30)
 #define COLUMNS_MAX   10000 /* each name is compared with each */
@@ -120,6 +121,8 @@ static enum um_status read_record(struct um_core_csv *csv, struct cursor *c)
     UM_TRY(read_field(csv, c, &field, &field_end));
     char stop = c->p < c->end ? *c->p : '\n';
     *field_end = '\0';
+    /* the apostrophe that um_core_csv_put and spreadsheets put before what is no formula */
+    if (field[0] == '\'' && um_core_text_runs(field[1])) field++;
     UM_TRY(push_field(csv, field));
     count++;
     if (c->p < c->end) c->p++;

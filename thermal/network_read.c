@@ -49,9 +49,9 @@ static enum um_status node_read(struct um_context *context, const struct um_core
   if (name[0] == '\0' || strcmp(name, "space") == 0)
     return um_core_csv_fail(context, csv, row, at->name, "'%s'; accepted: a name other than space",
                             name);
-  if (!um_core_name_is_safe(name))
+  if (!um_core_name_is_safe_behind(name))
     return um_core_csv_fail(context, csv, row, at->name,
-                            "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED, name);
+                            "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND, name);
   UM_TRY(kind_read(context, csv, row, at->kind, &kind));
   UM_TRY(number_or_zero(context, csv, row, at->capacity, &capacity));
   UM_TRY(um_core_csv_number(context, csv, row, at->temperature, &temperature));

@@ -138,6 +138,22 @@ static void test_written_tame(void **state)
   }
 }
 
+/* What is written so reads as it was; an apostrophe before another character is a part of it. */
+static void test_tame_reads_back(void **state)
+{
+  (void)state;
+  struct um_core_csv *csv = parse("of,value\n\"'+x\",\"'-x.mean_K\"\n'=1,'Oumuamua\n'+x,'-2.5\n");
+  double value;
+  assert_string_equal(um_core_csv_text(csv, 0, 0), "+x");
+  assert_string_equal(um_core_csv_text(csv, 0, 1), "-x.mean_K");
+  assert_string_equal(um_core_csv_text(csv, 1, 0), "=1");
+  assert_string_equal(um_core_csv_text(csv, 1, 1), "'Oumuamua");
+  assert_string_equal(um_core_csv_text(csv, 2, 0), "+x");
+  assert_int_equal(um_core_csv_number(context, csv, 2, 1, &value), UM_OK);
+  assert_true(value == -2.5);
+  um_core_csv_destroy(&csv);
+}
+
 static void test_header_only(void **state)
 {
   (void)state;
@@ -296,11 +312,17 @@ static void test_numbers_in_comma_locale(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_plain),          cmocka_unit_test(test_quotes),
-      cmocka_unit_test(test_written),        cmocka_unit_test(test_written_tame),
-      cmocka_unit_test(test_header_only),    cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_field_messages), cmocka_unit_test(test_files),
-      cmocka_unit_test(test_numbers),        cmocka_unit_test(test_numbers_in_comma_locale),
+      cmocka_unit_test(test_plain),
+      cmocka_unit_test(test_quotes),
+      cmocka_unit_test(test_written),
+      cmocka_unit_test(test_written_tame),
+      cmocka_unit_test(test_tame_reads_back),
+      cmocka_unit_test(test_header_only),
+      cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_field_messages),
+      cmocka_unit_test(test_files),
+      cmocka_unit_test(test_numbers),
+      cmocka_unit_test(test_numbers_in_comma_locale),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
