@@ -154,16 +154,20 @@ static void put_satellite(void)
   put_measured("count_rate,camera,1e5,1e5,0");
 }
 
-#define ISOTHERMAL 8
+#define ISOTHERMAL 8 /* at most, of each world */
 #define ISOTHERMAL_KEYS                                                                            \
   "thermal.start=isothermal", "thermal.orbits_before=0.1",                                         \
       "parts.panel.electrical_extraction=0.2", "time.exposure_s=10", "time.exposure_samples=2",    \
-      "environment.earth=knocke", "observer.air={profile: us_standard}"
-/* Light between surfaces is noise to all effects but the one that is it. */
+      "environment.earth=knocke"
+/* Light between surfaces is noise to all effects but the one that is it; air costs each world its
+ * light of the sky. */
 static const char *const isothermal[ISOTHERMAL] = {ISOTHERMAL_KEYS,
                                                    "optics.interreflection_samples=0"};
 static const char *const with_paths[ISOTHERMAL] = {ISOTHERMAL_KEYS,
                                                    "optics.interreflection_samples=4"};
+static const char *const with_air[ISOTHERMAL] = {
+    ISOTHERMAL_KEYS, "optics.interreflection_samples=0", "observer.air={profile: us_standard}"};
+static const char *const of_air[] = {"atmosphere", "water_vapour", "aerosol", "cirrus", "twilight"};
 
 /* At null plus `steps` times the step of its case. */
 static struct um_model_addition away(const struct um_effect *effect, const struct entry *entry,
@@ -233,7 +237,16 @@ static void check_slope(const struct um_model_options *options, struct um_sensit
 /* The world that an effect is tried in. */
 static const char *const *keys_of(const struct um_effect *effect)
 {
+  for (size_t i = 0; i < sizeof of_air / sizeof of_air[0]; i++)
+    if (strcmp(effect->name, of_air[i]) == 0) return with_air;
   return strcmp(effect->name, "inter_reflection") == 0 ? with_paths : isothermal;
+}
+
+static size_t count_of(const char *const *keys)
+{
+  size_t n = 0;
+  while (n < ISOTHERMAL && keys[n] != NULL) n++;
+  return n;
 }
 
 /* A switch that is on is left out of the analyst's world, and put in again. */
@@ -242,8 +255,8 @@ static void check_switch(const struct um_effect *effect, const struct entry *ent
 {
   char samples[40], paths[48]; /* those of `base`: without an effect fewer might do */
   const char *overrides[ISOTHERMAL + 2] = {NULL};
-  size_t n = ISOTHERMAL;
-  memcpy(overrides, keys_of(effect), sizeof isothermal);
+  size_t n = count_of(keys_of(effect));
+  memcpy(overrides, keys_of(effect), n * sizeof *overrides);
   snprintf(samples, sizeof samples, "optics.samples=%d", with->samples);
   snprintf(paths, sizeof paths, "optics.interreflection_samples=%d", with->paths);
   overrides[n] = samples;
@@ -281,45 +294,52 @@ static void check_refuses(struct um_sensitivity_forward *f, const struct um_effe
   }
 }
 
-/* Light between surfaces is on in a world of its own. */
-static void check_paths(const struct um_effect *effect, const struct entry *entry,
-                        const struct um_compare_measurements *m)
+/* The measurements' forward model in the world of these keys, and its values. */
+static struct um_sensitivity_forward *world_with(const struct um_model_options *options,
+                                                 const struct um_compare_measurements *m,
+                                                 double *base)
 {
-  const struct um_model_options options = {.overrides = keys_of(effect), .noverride = ISOTHERMAL};
-  double base[ROWS];
-  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(options, m, 1.0);
+  assert_int_equal(f->observations.count, ROWS);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
-  check_null(f, effect, entry, base);
-  check_refuses(f, effect, entry);
-  check_switch(effect, entry, f, base);
-  um_sensitivity_forward_destroy(context, &f);
+  return f;
 }
 
+static void check_all(const struct um_model_options *options, struct um_sensitivity_forward *f,
+                      const struct um_effect *effect, const struct entry *entry, const double *base)
+{
+  check_null(f, effect, entry, base);
+  check_refuses(f, effect, entry);
+  if (effect->on_by_default)
+    check_switch(effect, entry, f, base);
+  else
+    check_slope(options, f, effect, entry, base);
+}
+
+/* Air, and light between surfaces, are on in worlds of their own. */
 static void test_physics(void **state)
 {
   (void)state;
-  const struct um_model_options options = {.overrides = isothermal, .noverride = ISOTHERMAL};
-  double base[ROWS];
+  const struct um_model_options options = {.overrides = isothermal,
+                                           .noverride = count_of(isothermal)};
+  double base[ROWS], own[ROWS];
   put_satellite();
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
-  assert_int_equal(f->observations.count, ROWS);
-  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  struct um_sensitivity_forward *f = world_with(&options, m, base);
   for (size_t i = 0; i < um_effects_count(); i++) {
     const struct um_effect *effect = um_effects_at(i);
     const struct entry *entry = entry_of(effect);
     if (entry == NULL) continue;
     if (um_effects_reach(effect) == 0) COMPLAIN("%s: reaches nothing", effect->name);
-    if (keys_of(effect) != isothermal) {
-      check_paths(effect, entry, m);
+    if (keys_of(effect) == isothermal) {
+      check_all(&options, f, effect, entry, base);
       continue;
     }
-    check_null(f, effect, entry, base);
-    check_refuses(f, effect, entry);
-    if (effect->on_by_default)
-      check_switch(effect, entry, f, base);
-    else
-      check_slope(&options, f, effect, entry, base);
+    const struct um_model_options others = {.overrides = keys_of(effect),
+                                            .noverride = count_of(keys_of(effect))};
+    struct um_sensitivity_forward *g = world_with(&others, m, own);
+    check_all(&others, g, effect, entry, own);
+    um_sensitivity_forward_destroy(context, &g);
   }
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);
