@@ -12,6 +12,7 @@
 
 #define SHORTEST 0.1e-6 /* [m] */
 #define LONGEST  100e-6 /* [m] */
+#define LEAST    1e-12  /* of the largest transmission, below which no light passes [1] */
 #define TAIL     ".csv"
 
 void um_instrument_filter_destroy(struct um_context *context, struct um_instrument_filter **filter)
@@ -68,11 +69,11 @@ static enum um_status fill(struct um_context *context, const struct um_core_csv 
     f->transmission[i] = value;
     largest = fmax(largest, value);
   }
-  if (largest > 0.0) return UM_OK;
+  if (largest >= LEAST) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
-                      "%s: column 'transmission': 0 in every row; accepted: a filter through which "
-                      "light passes",
-                      um_core_csv_name(csv));
+                      "%s: column 'transmission': %g in every row, or less; accepted: a filter "
+                      "through which light passes, %g or more in one row",
+                      um_core_csv_name(csv), largest, LEAST);
 }
 
 enum um_status um_instrument_filter_read(struct um_context *context, const char *path,
@@ -115,15 +116,22 @@ double um_instrument_filter_mean(const struct um_instrument_filter *filter, doub
          (to - from);
 }
 
+/* int_0^1 u / (1 + x u) du, without the difference that a narrow piece would lose. */
+static double upper_share(double x)
+{
+  return x < 1e-3 ? 1.0 / 2.0 - x * (1.0 / 3.0 - x * (1.0 / 4.0 - x * (1.0 / 5.0 - x / 6.0)))
+                  : (1.0 - log1p(x) / x) / x;
+}
+
 double um_instrument_filter_pivot(const struct um_instrument_filter *filter)
 {
   double up = 0.0, down = 0.0;
   for (size_t i = 1; i < filter->n; i++) {
-    double a = filter->wavelength[i - 1], b = filter->wavelength[i], w = b - a;
-    double ta = filter->transmission[i - 1], slope = (filter->transmission[i] - ta) / w;
-    double offset = ta - slope * a; /* T = offset + slope lambda */
-    up += offset * (b * b - a * a) / 2.0 + slope * (b * b * b - a * a * a) / 3.0;
-    down += offset * log(b / a) + slope * w;
+    double a = filter->wavelength[i - 1], b = filter->wavelength[i], w = b - a, x = w / a;
+    double ta = filter->transmission[i - 1], tb = filter->transmission[i];
+    double upper = x * upper_share(x);
+    up += w * (ta * (2.0 * a + b) + tb * (a + 2.0 * b)) / 6.0;
+    down += ta * (log1p(x) - upper) + tb * upper;
   }
   return sqrt(up / down);
 }

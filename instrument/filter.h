@@ -16,8 +16,8 @@ struct um_instrument_filter {
 
 /* CSV with columns wavelength_um or wavelength_nm, and transmission. UM_ERR_INPUT with file, line
  * and what is accepted: fewer than two rows, wavelengths that do not ascend or lie outside 0.1 to
- * 100 um, a transmission below 0, above 1 or missing, all of them 0. UM_ERR_IO, UM_ERR_MEMORY. The
- * caller destroys. */
+ * 100 um, a transmission below 0, above 1 or missing, none of 1e-12 or more. UM_ERR_IO,
+ * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_instrument_filter_read(struct um_context *context, const char *path,
                                          struct um_instrument_filter **out);
 /* The same by its name in the program's own folder ("johnson_v"); UM_ERR_INPUT with the names that

@@ -43,6 +43,10 @@ static void test_read(void **state)
   /* of a top hat a..b: sqrt((b^2 - a^2)/2 / ln(b/a)) */
   assert_close(um_instrument_filter_pivot(f) * 1e6, sqrt(0.12 / log(1.4)), 1e-12);
   um_instrument_filter_destroy(context, &f);
+  /* a line: the pivot of a triangle a..b that rises lies at a + 2 (b - a)/3, but for (b - a)^2/a */
+  assert_int_equal(read_text("transmission,wavelength_nm\n0,500\n1,500.000003\n", path, &f), UM_OK);
+  assert_close(um_instrument_filter_pivot(f) * 1e9, 500.000002, 1e-12 * 500.0);
+  um_instrument_filter_destroy(context, &f);
 }
 
 static void refused(const char *text, const char *tail)
@@ -74,8 +78,13 @@ static void test_refused(void **state)
           ":3: column 'transmission': 80; accepted: 0 to 1, not in percent");
   refused(HEAD "500,0\n600,-0.1\n",
           ":3: column 'transmission': -0.1; accepted: 0 to 1, not in percent");
-  refused(HEAD "500,0\n600,0\n",
-          ": column 'transmission': 0 in every row; accepted: a filter through which light passes");
+  refused(
+      HEAD "500,0\n600,0\n",
+      ": column 'transmission': 0 in every row, or less; accepted: a filter through which light "
+      "passes, 1e-12 or more in one row");
+  refused(HEAD "500,1e-300\n600,0\n",
+          ": column 'transmission': 1e-300 in every row, or less; accepted: a filter through which "
+          "light passes, 1e-12 or more in one row");
   char path[UM_TEST_PATH];
   struct um_instrument_filter *f;
   static const char *const broken[] = {HEAD "500,0\n600,\n", HEAD "500,nan\n600,1\n",
