@@ -5,7 +5,9 @@
 
 static const double POGSON = 1.08573620475812959; /* 2.5/ln 10 */
 
-#define SPREAD 1e-3 /* of airmass, below which they are all the same */
+#define SPREAD          1e-3  /* of airmass, below which they are all the same */
+#define EXTINCTION_MOST 10.0  /* [mag per airmass] */
+#define HUGE_FACTOR     1e100 /* of counts, beyond which nothing is computed */
 
 static enum um_status check(struct um_context *context, const struct um_instrument_star *star,
                             size_t n, double extinction, size_t *at)
@@ -32,40 +34,64 @@ static enum um_status check(struct um_context *context, const struct um_instrume
   return UM_OK;
 }
 
+/* A star's -2.5 log10(measured/predicted) and its weight, one over its variance. */
+static double magnitude(const struct um_instrument_star *star, double *weight)
+{
+  double sigma = POGSON * star->sigma / star->measured;
+  *weight = 1.0 / (sigma * sigma);
+  return -2.5 * (log10(star->measured) - log10(star->predicted));
+}
+
+/* Counts beyond all measure give numbers that are none. */
+static enum um_status check_fit(struct um_context *context,
+                                const struct um_instrument_calibration *fit)
+{
+  if (!(fit->kappa > 1.0 / HUGE_FACTOR && fit->kappa + fit->kappa_sigma < HUGE_FACTOR &&
+        fit->extinction_sigma < HUGE_FACTOR && isfinite(fit->extinction + fit->chi2)))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "counts so far from what is predicted that they give no factor; accepted: "
+                        "counts as of this telescope, with their own sigma");
+  if (fabs(fit->extinction) <= EXTINCTION_MOST) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "the stars give an extinction of %g +- %g mag per airmass; accepted: -%g to "
+                      "%g, stars at airmasses further apart, or a known extinction",
+                      fit->extinction, fit->extinction_sigma, EXTINCTION_MOST, EXTINCTION_MOST);
+}
+
 enum um_status um_instrument_calibrate(struct um_context *context,
                                        const struct um_instrument_star *star, size_t n,
                                        double extinction, struct um_instrument_calibration *out,
                                        size_t *at)
 {
-  double w = 0.0, wx = 0.0, wxx = 0.0, wy = 0.0, wxy = 0.0;
+  double w = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, weight;
   *out = (struct um_instrument_calibration){0};
   UM_TRY(check(context, star, n, extinction, at));
   bool known = !isnan(extinction);
-  for (size_t i = 0; i < n; i++) {
-    double y = -2.5 * log10(star[i].measured / star[i].predicted), x = star[i].airmass;
-    double sigma = POGSON * star[i].sigma / star[i].measured, weight = 1.0 / (sigma * sigma);
+  for (size_t i = 0; i < n; i++) { /* means */
+    double value = magnitude(&star[i], &weight);
     w += weight;
-    wx += weight * x;
-    wxx += weight * x * x;
-    wy += weight * y;
-    wxy += weight * x * y;
+    x += weight / w * (star[i].airmass - x);
+    y += weight / w * (value - y);
   }
-  double determinant = w * wxx - wx * wx;
-  double k = known ? extinction : (w * wxy - wx * wy) / determinant;
-  double a = (wy - k * wx) / w; /* of both fits */
-  double a_sigma = known ? 1.0 / sqrt(w) : sqrt(wxx / determinant);
+  for (size_t i = 0; i < n; i++) { /* about them: no difference of large sums */
+    double value = magnitude(&star[i], &weight), beside = star[i].airmass - x;
+    xx += weight * beside * beside;
+    xy += weight * beside * (value - y);
+  }
+  double k = known ? extinction : xy / xx;
+  double a = y - k * x; /* of both fits */
+  double a_sigma = known ? 1.0 / sqrt(w) : sqrt(1.0 / w + x * x / xx);
   out->kappa = pow(10.0, -0.4 * a);
   out->kappa_sigma = out->kappa * a_sigma / POGSON;
   out->extinction = k;
-  out->extinction_sigma = known ? 0.0 : sqrt(w / determinant);
-  out->correlation = known ? 0.0 : -wx / sqrt(w * wxx);
+  out->extinction_sigma = known ? 0.0 : sqrt(1.0 / xx);
+  out->correlation = known ? 0.0 : -x / sqrt(x * x + xx / w);
   for (size_t i = 0; i < n; i++) {
-    double y = -2.5 * log10(star[i].measured / star[i].predicted);
-    double sigma = POGSON * star[i].sigma / star[i].measured;
-    out->chi2 += pow((y - a - k * star[i].airmass) / sigma, 2);
+    double apart = magnitude(&star[i], &weight) - a - k * star[i].airmass;
+    out->chi2 += weight * apart * apart;
   }
   out->dof = n - (known ? 1 : 2);
-  return UM_OK;
+  return check_fit(context, out);
 }
 
 double um_instrument_calibration_factor(const struct um_instrument_calibration *c, double airmass,

@@ -25,7 +25,8 @@ struct um_instrument_calibration {
  * to n stars. extinction: NAN, or k as it is known, then kappa alone is fitted. UM_ERR_INPUT with
  * the index of the star in *at where it is one (n: none): fewer than two stars (one with a known
  * extinction), a count, a sigma, a prediction or an airmass that is not above 0, all airmasses the
- * same. */
+ * same, a result that is no telescope's: a factor beyond 1e+-100, an extinction beyond
+ * +-10 mag per airmass. */
 enum um_status um_instrument_calibrate(struct um_context *context,
                                        const struct um_instrument_star *star, size_t n,
                                        double extinction, struct um_instrument_calibration *out,

@@ -65,6 +65,24 @@ static void test_what_is_put_in(void **state)
   assert_close(c.extinction_sigma / (hypot(s0, s1) / dx), 1.0, 1e-12);
 }
 
+/* Two stars of which one weighs 1e20 times the other: by hand as before. */
+static void test_uneven(void **state)
+{
+  (void)state;
+  struct um_instrument_star star[STARS];
+  make(star, 0);
+  star[0].sigma = 1e-10 * star[0].measured;
+  star[1].sigma = star[1].measured;
+  struct um_instrument_calibration c = calibrate(star, 2, NAN);
+  double s = 2.5 / log(10.0), dx = star[1].airmass - star[0].airmass;
+  assert_close(c.kappa, 0.5, 1e-12);
+  assert_close(c.extinction, 0.23, 1e-12);
+  assert_close(c.extinction_sigma / (s / dx), 1.0, 1e-12);
+  assert_close(c.kappa_sigma / (c.kappa * log(10.0) / 2.5 * c.extinction_sigma * star[0].airmass),
+               1.0, 1e-12);
+  assert_close(c.correlation, -1.0, 1e-12);
+}
+
 /* 400 draws; four standard errors of a mean square, 4 sqrt(2/400) = 0.28. */
 static void test_scatter(void **state)
 {
@@ -115,6 +133,19 @@ static void test_refused(void **state)
           "all stars stand at airmass 1: the extinction is not determined; accepted: stars at "
           "several airmasses, or a known extinction",
           2);
+  star[0] = (struct um_instrument_star){1.1, 1e300, 1e-300, 1e-300};
+  star[1] = (struct um_instrument_star){38.0, 1e-300, 1e300, 1e300};
+  refused(star, 2, 0.2,
+          "counts so far from what is predicted that they give no factor; accepted: counts as of "
+          "this telescope, with their own sigma",
+          2);
+  star[0] = (struct um_instrument_star){1.0, 1.0, 0.1, 1.0};
+  star[1] = (struct um_instrument_star){1.1, 0.1, 0.01, 1.0}; /* 2.5 mag in 0.1 airmass */
+  refused(star, 2, NAN,
+          "the stars give an extinction of 25 +- 1.53546 mag per airmass; accepted: -10 to 10, "
+          "stars at airmasses further apart, or a known extinction",
+          2);
+  make(star, 0);
   star[3].measured = -2.0;
   star[3].sigma = 3.0;
   star[3].predicted = 10.0;
@@ -127,6 +158,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_what_is_put_in),
+      cmocka_unit_test(test_uneven),
       cmocka_unit_test(test_scatter),
       cmocka_unit_test(test_refused),
   };
