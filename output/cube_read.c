@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/child.h"
 #include "core/file.h"
@@ -16,6 +17,8 @@
 #define TEXT        400
 #define SPECTRA_MAX 100000000
 #define BINS_MAX    100000
+#define RATIO_MAX   1100.0 /* arrays to what a file stores: deflate does not exceed 1032 [1] */
+#define RADIANCE    1e30   /* largest [W/m^2/sr/m] */
 
 /* What the child sends first; then wavelengths, widths, transmissions [nbin], surfaces [nspectrum],
  * dark and sun [nspectrum][nbin], and for each line of the part its head and its arrays. */
@@ -41,6 +44,7 @@ struct reader {
   int file;
   struct header h;
   size_t bins_of_file;
+  double bytes; /* of the file */
 };
 
 #define FAIL(r, ...) (snprintf((r)->h.message, TEXT, __VA_ARGS__), false)
@@ -107,6 +111,13 @@ static bool open_header(struct reader *r)
   return true;
 }
 
+/* Can the file hold arrays of so many bytes, and a picture too? What was never written reads as if
+ * it were there, so that a small file may claim any length. */
+static bool can_hold(const struct reader *r, double bytes)
+{
+  return bytes <= UM_OPTICS_IMAGE_BYTES && bytes <= RATIO_MAX * r->bytes;
+}
+
 /* Which pixels and bins are wanted. */
 static bool choose(struct reader *r, const struct um_output_cube_part *part, double **wavelength)
 {
@@ -126,6 +137,9 @@ static bool choose(struct reader *r, const struct um_output_cube_part *part, dou
   if (n < 1 || n > BINS_MAX || nspectrum < 1 || nspectrum > SPECTRA_MAX)
     return FAIL(r, "%zu spectra of %zu wavelengths; accepted: 1 to %d of 1 to %d", nspectrum, n,
                 SPECTRA_MAX, BINS_MAX);
+  if (!can_hold(r, 2.0 * sizeof(float) * (double)nspectrum * (double)n))
+    return FAIL(r, "%zu spectra of %zu wavelengths do not fit into its %.0f bytes: damaged",
+                nspectrum, n, r->bytes);
   r->bins_of_file = n;
   h->nspectrum = nspectrum;
   *wavelength = malloc(n * sizeof **wavelength);
@@ -215,7 +229,8 @@ static bool send_lines(struct reader *r, int pipe_end)
     return false;
   for (size_t y = 0; y < (size_t)h->y + (size_t)h->lines; y++) {
     const struct line line = {from[y], pixels[y], shares[y]};
-    if (line.pixels > (uint32_t)h->width || line.shares > most) return false;
+    double bytes = sizeof(uint32_t) * ((double)share + (double)line.shares);
+    if (line.pixels > (uint32_t)h->width || line.shares > most || !can_hold(r, bytes)) return false;
     if (y >= (size_t)h->y &&
         (!um_core_child_write(pipe_end, &line, sizeof line) ||
          !send_range(r, UM_CUBE_SHARES, pixel, line.pixels, false, scratch, pipe_end) ||
@@ -233,7 +248,9 @@ static int child_work(void *self, int pipe_end)
 {
   const struct work *w = self;
   struct reader r = {0};
+  struct stat file = {0};
   double *wavelength = NULL;
+  if (stat(w->path, &file) == 0) r.bytes = (double)file.st_size;
   bool well = check(&r, nc_open(w->path, NC_NOWRITE, &r.file)) && open_header(&r) &&
               choose(&r, &w->part, &wavelength);
   if (!um_core_child_write(pipe_end, &r.h, sizeof r.h)) return 1;
@@ -290,7 +307,8 @@ static enum um_status take_line(struct um_context *context, const struct um_opti
   const char *seen = next(s, line.shares * sizeof(uint16_t));
   const char *lit = next(s, line.shares * sizeof(uint16_t));
   size_t width = (size_t)image->width;
-  if (lit == NULL || line.from > width || line.pixels > width - line.from) return damaged(context);
+  bool whole = shares != NULL && spectrum != NULL && seen != NULL && lit != NULL;
+  if (!whole || line.from > width || line.pixels > width - line.from) return damaged(context);
   if (line.pixels == 0) return line.shares == 0 ? UM_OK : damaged(context);
   UM_TRY(um_core_allocate(context, (size_t)line.pixels + 1, sizeof *row->first, &row->first));
   UM_TRY(um_core_allocate(context, line.shares, sizeof *row->share, &row->share));
@@ -314,6 +332,28 @@ static enum um_status take_line(struct um_context *context, const struct um_opti
   return row->first[line.pixels] == line.shares ? UM_OK : damaged(context);
 }
 
+/* Wavelengths ascend, and everything is a number. */
+static enum um_status check_values(struct um_context *context, const struct um_optics_image *image)
+{
+  const double *wavelength = image->wavelength, *width = image->bin_width;
+  const float *radiance[] = {image->dark, image->sun};
+  for (size_t b = 0; b < image->nbin; b++)
+    if (!(wavelength[b] > (b > 0 ? wavelength[b - 1] : 0.0) && wavelength[b] < 1.0 &&
+          width[b] > 0.0 && width[b] < 1.0 && image->transmission[b] >= 0.0 &&
+          image->transmission[b] <= 1.0))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "bin %zu of %g m, %g m wide, transmission %g: damaged; accepted: "
+                          "ascending wavelengths, widths above 0, transmissions from 0 to 1",
+                          b + 1, wavelength[b], width[b], image->transmission[b]);
+  for (int k = 0; k < 2; k++)
+    for (size_t i = 0; i < image->nspectrum * image->nbin; i++)
+      if (!(fabs((double)radiance[k][i]) <= RADIANCE))
+        return um_core_fail(context, UM_ERR_INPUT,
+                            "radiance %g W/m2/sr/m of spectrum %zu: damaged; accepted: up to %g",
+                            (double)radiance[k][i], i / image->nbin + 1, RADIANCE);
+  return UM_OK;
+}
+
 static enum um_status unpack(struct um_context *context, const struct header *h, struct stream *s,
                              struct um_optics_image *image)
 {
@@ -334,7 +374,7 @@ static enum um_status unpack(struct um_context *context, const struct header *h,
   UM_TRY(take(context, s, image->nspectrum * image->nbin, sizeof(float), &image->dark));
   UM_TRY(take(context, s, image->nspectrum * image->nbin, sizeof(float), &image->sun));
   for (int y = h->y; y < h->y + h->lines; y++) UM_TRY(take_line(context, image, s, &image->row[y]));
-  return UM_OK;
+  return check_values(context, image);
 }
 
 static enum um_status judge(struct um_context *context, const struct um_core_child_result *in,
