@@ -3,8 +3,25 @@
 
 #include <math.h>
 
-#include "instrument/aperture.h"
+#include "compare/photometry.h"
 #include "tests/fuzz/fuzz.h"
+
+/* As `umbra photometry` measures it, and the row that comes of it. */
+static void measure(struct um_context *context, const char *path)
+{
+  const struct um_instrument_aperture a = {
+      .x = NAN, .y = NAN, .radius = 1.5, .inside = 2.0, .beyond = 3.4};
+  struct um_compare_photometry p;
+  struct um_compare_measurements *rows = NULL;
+  if (!um_fuzz_good(context, um_compare_photometry_measure(context, path, &a, &p))) return;
+  um_fuzz_finite(p.t_tai, "a time");
+  um_fuzz_finite(p.rate, "a count rate");
+  um_fuzz_finite(p.sigma, "the error of a count rate");
+  if (um_fuzz_good(context, um_compare_photometry_set(context, &p, 1, "fuzz.fits", &rows)) &&
+      rows->count != 1)
+    um_fuzz_finding("%zu rows of one frame", rows->count);
+  um_compare_measurements_destroy(context, &rows);
+}
 
 void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
 {
@@ -30,4 +47,5 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
   } else if (f != NULL) {
     um_fuzz_finding("a picture in spite of the failure");
   }
+  measure(context, path);
 }

@@ -104,6 +104,16 @@ const char *um_fuzz_out(void)
   return out;
 }
 
+const char *um_fuzz_out_file(const void *data, size_t size)
+{
+  FILE *file = fopen(um_fuzz_out(), "wb");
+  if (file == NULL || fwrite(data, 1, size, file) != size || fclose(file) != 0) {
+    perror(out);
+    exit(EXIT_FAILURE);
+  }
+  return out;
+}
+
 char *um_fuzz_text(const uint8_t *data, size_t size)
 {
   char *text = malloc(size + 1);

@@ -28,9 +28,17 @@ bool um_fuzz_memory_is_short(void);
 const char *um_fuzz_file(int which, const void *data, size_t size);
 /* Path of a file that a target may write, in a folder that goes when the program ends. */
 const char *um_fuzz_out(void);
+/* The bytes in that file, for libraries that do not open a file in memory. */
+const char *um_fuzz_out_file(const void *data, size_t size);
 /* The bytes as a string of its own, so that a read behind its end is seen; the caller frees with
  * free(). NUL bytes end it early. */
 char *um_fuzz_text(const uint8_t *data, size_t size);
+
+/* For readers that work in a child process (core/child.h): call before an input, and after it. What
+ * a sanitizer said of our code in a child is a finding. A crash inside a foreign library is none:
+ * the child is there for it, and the reader has to refuse the file. */
+void um_fuzz_children_watch(void);
+void um_fuzz_children_judge(void);
 
 /* What libFuzzer calls, and the test that replays a corpus. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -1,0 +1,48 @@
+/* A history of power of a group and of an interior, in a small scenario that is built and run. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/build.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "tests/fuzz/fuzz.h"
+
+static const char text[] =
+    "schema: 1\n"
+    "name: power\n"
+    "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:30:20Z, step_s: 10}\n"
+    "orbit: {fixed: {position_gcrs_km: [42000, 0, 0]}}\n"
+    "attitude: [{fixed: {q_gcrs: [1, 0, 0, 0]}}]\n"
+    "parts:\n"
+    "  - {name: wing, plate: {size_m: [2, 1]}, front: grey, back: grey, lumped: true,\n"
+    "     shell: {areal_heat_capacity_J_m2_K: 3000}}\n"
+    "thermal: {orbits_before: 0, start: isothermal}\n";
+
+static void run(struct um_context *context, const struct um_model *model)
+{
+  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_result *r = NULL;
+  if (um_fuzz_good(context, um_model_precompute(context, model, &precomputed)) &&
+      um_fuzz_good(context, um_model_run(context, model, precomputed, &r)))
+    for (size_t i = 0; i < r->nobs * r->nnode; i++)
+      um_fuzz_finite(r->node_temperature[i], "the temperature of a node");
+  um_model_result_destroy(context, &r);
+  um_model_precomputed_destroy(context, &precomputed);
+}
+
+void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
+{
+  char set[96];
+  const char *const overrides[] = {set};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 1};
+  struct um_model *model = NULL;
+  setenv("UMBRA_DATA", UMBRA_SOURCE_DIR "/tests/fuzz/data", 1);
+  snprintf(set, sizeof set, "parts.wing.groups={plate: {power_file: %s}}",
+           um_fuzz_file(0, data, size));
+  if (um_fuzz_good(context,
+                   um_model_create(context, um_fuzz_file(1, text, strlen(text)), &options, &model)))
+    run(context, model);
+  else if (model != NULL)
+    um_fuzz_finding("a model in spite of the failure");
+  um_model_destroy(context, &model);
+}
