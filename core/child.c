@@ -24,6 +24,7 @@
 
 #define DYING 5.0  /* longest wait for a child that was killed [s] */
 #define LOOK  0.05 /* between two looks at time and stop [s] */
+#define NAP   1e-3 /* first look at a child that has said all [s] */
 
 static double now(void)
 {
@@ -129,7 +130,7 @@ static enum um_status watch(struct um_context *context, pid_t child, int pipe_en
   bool open = true, ended = false, late = false;
   size_t room = 0;
   enum um_status status = UM_OK;
-  for (double nap = 1e-3; !ended; nap = fmin(2.0 * nap, LOOK)) {
+  for (double nap = NAP; !ended; nap = open ? NAP : fmin(2.0 * nap, LOOK)) {
     if (status == UM_OK && open) status = take(context, pipe_end, &room, out, &open);
     if (status == UM_OK) status = um_core_stop_check(context, doing);
     late = !(now() < deadline);
