@@ -348,6 +348,22 @@ static int by_longitude(const void *a, const void *b)
   return (x[0] > y[0]) - (x[0] < y[0]);
 }
 
+/* Is what came as long as its header says? A child that was overwritten could say anything. */
+static bool is_whole(const struct um_core_child_result *in, struct header *h)
+{
+  if (in->end != UM_CHILD_EXITED || in->code != 0 || in->count < sizeof *h) return false;
+  memcpy(h, in->answer, sizeof *h);
+  if (h->message[0] != '\0') return true;
+  if (h->nlatitude < 1 || h->nlatitude > TIMES_MOST || h->nlongitude < 1 ||
+      h->nlongitude > TIMES_MOST || h->nmonth < 1 || h->nmonth > 12)
+    return false;
+  size_t places = (size_t)h->nlatitude * (size_t)h->nlongitude, quantities = 0;
+  for (int q = 0; q < UM_MAP_QUANTITIES; q++) quantities += h->has[q] != 0;
+  size_t axes = (size_t)h->nlatitude + (size_t)h->nlongitude + (size_t)h->nmonth;
+  return in->count == sizeof *h + axes * sizeof(double) +
+                          quantities * (size_t)h->nmonth * places * sizeof(float);
+}
+
 /* From the received bytes; latitudes turned to ascending, longitudes to -pi..pi ascending. */
 static enum um_status unpack(struct um_context *context, const struct header *h, const char *data,
                              struct um_environment_map **out)
@@ -401,12 +417,11 @@ enum um_status um_environment_map_read_netcdf(struct um_context *context, const 
   *out = NULL;
   UM_TRY(um_core_child_run(context, "netCDF", child_work, &work, &limits, &in));
   enum um_status status = UM_OK;
-  bool whole = in.end == UM_CHILD_EXITED && in.code == 0 && in.count >= sizeof h;
+  bool whole = is_whole(&in, &h);
   if (!whole)
     status =
         um_core_fail(context, UM_ERR_LIBRARY, "%s: the netCDF library %s; check the file", path,
                      in.end == UM_CHILD_TIMED_OUT ? "did not finish within 120 s" : "crashed");
-  if (whole) memcpy(&h, in.answer, sizeof h);
   if (whole && h.message[0] != '\0') {
     h.message[TEXT - 1] = '\0';
     status = um_core_fail(context, UM_ERR_INPUT, "%s: %s", path, h.message);
