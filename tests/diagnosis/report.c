@@ -574,8 +574,8 @@ static void test_titles(void **state)
   assert_ok(um_diagnosis_report_plot(context, &w.d, "out"));
   char *script = read_text("out/plots.gp");
   static const char *const want[] = {
-      "'not identifiable: internal_power of bus (drawn) or emittance:grey_white, "
-      "panel_extraction of panel'",
+      ("'not identifiable: internal_power of bus (drawn) or emittance:grey_white, "
+       "panel_extraction of panel'"),
       "'pass: band irradiance lwir: rms ",
       "'explains a part at best: heat of bus.interior: best pulse 4400 ± 300 J'"};
   expect_in(script, want, sizeof want / sizeof want[0]);
