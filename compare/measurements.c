@@ -254,15 +254,18 @@ static enum um_status read_geometry(const struct reader *r, size_t row,
   return UM_OK;
 }
 
-/* The columns that hold names, which go on into tables and scripts of pictures. */
+/* The columns that hold names, which go on into tables and scripts of pictures; a place may be a
+ * group, as "+x". */
 static enum um_status check_names(const struct reader *r, size_t row)
 {
   static const enum column names[] = {OF, TRACK, STATION};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (!um_core_name_is_safe_behind(field(r, row, names[i])))
-      return um_core_csv_fail(r->context, r->csv, row, r->at[names[i]],
-                              "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND,
-                              field(r, row, names[i]));
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    const char *name = field(r, row, names[i]);
+    bool group = names[i] == OF;
+    if (!(group ? um_core_name_is_safe_behind : um_core_name_is_safe)(name))
+      return um_core_csv_fail(r->context, r->csv, row, r->at[names[i]], "'%.100s'; accepted: %s",
+                              name, group ? UM_CORE_NAME_ACCEPTED_BEHIND : UM_CORE_NAME_ACCEPTED);
+  }
   return UM_OK;
 }
 
