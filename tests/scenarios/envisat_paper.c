@@ -26,7 +26,7 @@ static double interior(const char *start, const char *conductivity, double *drif
                                    "thermal.step_s=10",
                                    "time.step_s=60",
                                    "optics.samples=1",
-                                   "thermal.accuracy_K=0.05",
+                                   "thermal.accuracy_K=0.1",
                                    conductivity};
   struct support_run run;
   support_compute(SCENARIO, overrides, sizeof overrides / sizeof overrides[0], &run);
