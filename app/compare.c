@@ -89,7 +89,7 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
     printf("  the model's own sampling error is %.2g %% of the variance\n",
            100.0 * channel->all.model_share);
   if (channel->nworst > 0) print_worst(&channel->worst[0]);
-  printf("  residual goes with:");
+  printf("  residual correlates with:");
   size_t shown = 0;
   for (; shown < channel->ncorrelation && shown < CORRELATIONS_SHOWN; shown++) {
     const struct um_compare_correlation *r = &channel->correlation[shown];

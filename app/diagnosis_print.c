@@ -215,7 +215,7 @@ static void print_residual(const struct um_missing_heat_residual *r)
   if (r->channel == NULL) return;
   printf("residual: worst in %s, chi-square %.3g an observation, in the mean %+.2g sigma",
          r->channel, r->chi2_reduced, r->mean);
-  if (r->coordinate != NULL) printf(", goes with %s (p %.2g)", r->coordinate, r->p);
+  if (r->coordinate != NULL) printf(", correlates with %s (p %.2g)", r->coordinate, r->p);
   printf("\n");
 }
 

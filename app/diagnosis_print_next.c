@@ -71,7 +71,7 @@ static void print_unexplained(const struct um_missing_heat_unexplained *u)
   if (u == NULL) return;
   printf("\nunexplained:");
   if (u->channel != NULL) printf(" worst in %s", u->channel);
-  if (u->coordinate != NULL) printf(", goes with %s (p %.2g)", u->coordinate, u->p);
+  if (u->coordinate != NULL) printf(", correlates with %s (p %.2g)", u->coordinate, u->p);
   printf("\n");
   for (size_t i = 0; i < u->nheat && i < 3; i++) {
     const struct um_missing_heat *h = &u->heat[i];

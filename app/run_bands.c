@@ -61,7 +61,6 @@ void um_app_run_print_band(const struct um_output_run *run, size_t band, double 
   const struct um_model_result *r = run->result;
   struct band_summary s = band_summary(run->precomputed, r, band, work);
   double sum = 0.0;
-  size_t best = 0;
   printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
   if (s.umbra > 0)
     printf(
@@ -71,14 +70,10 @@ void um_app_run_print_band(const struct um_output_run *run, size_t band, double 
     printf("; Monte-Carlo error %.2g %% in the median, above %g %% at %zu of %zu instants",
            100.0 * s.median, 100.0 * LARGE_ERROR, s.large, s.lit);
   material_energy(r, band, work);
-  for (size_t m = 0; m < r->nmaterial; m++) {
-    sum += work[m];
-    if (work[m] > work[best]) best = m;
-  }
-  printf("\n      most of it over the run: %s,",
-         um_geometry_material_name(run->model->geometry, best));
+  for (size_t m = 0; m < r->nmaterial; m++) sum += work[m];
+  printf("\n      shares of materials over the run:");
   for (size_t m = 0; m < r->nmaterial; m++)
-    printf(" %s %.1f %%", um_geometry_material_name(run->model->geometry, m),
+    printf("%s %s %.1f %%", m > 0 ? "," : "", um_geometry_material_name(run->model->geometry, m),
            sum > 0.0 ? 100.0 * work[m] / sum : 0.0);
   printf("\n");
 }

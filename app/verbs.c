@@ -117,7 +117,7 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
      .run = um_app_attitude},
     {"compare", "SCENARIO MEASURED",
-     "a scenario beside measurements: how far off, when, and what the residual goes with",
+     "a scenario beside measurements: how far off, when, and what the residual correlates with",
      .accepts = "out " CHANGES " " RESULTS,
      .about = "Metrics per channel and segment, residuals, the worst intervals and pictures. "
               "docs/files.md lists the columns of the measurement file.",

@@ -17,8 +17,8 @@ struct um_compare_series {
 };
 /* Observations with flag 0 of a channel and one track, or of all tracks with SIZE_MAX.
  *
- * Where all have a sigma, weight is 1/sigma^2 without what goes with the value: (F^s/sigma)^2 with
- * the power s, 0 to 1, by which the stated sigmas follow the values F. It is 1 for errors in
+ * Where all have a sigma, weight is (F^s/sigma)^2: 1/sigma^2 times what makes it independent of
+ * the value F. The stated sigmas follow F^s, s from 0 to 1. It is 1 for errors in
  * magnitudes or of so many percent, 1/2 for counted photons, 0 for errors of one size; else every
  * mean is that of the faintest, whose error is smallest. A value of 0 or below: s = 0.
  * UM_ERR_MEMORY. The caller destroys. */

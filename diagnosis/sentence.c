@@ -10,7 +10,7 @@
 #include "orbit/time.h"
 
 #define RESEMBLES  0.3   /* share of a signature that the nuisances leave */
-#define GOES_WITH  0.01  /* p of a correlation that is said */
+#define CORRELATES 0.01  /* p of a correlation that is said */
 #define FAR_BEHIND 100.0 /* BIC of what others replaced that is left to the tables */
 #define NAMES      4     /* of a small group that are said */
 #define NOT_TRIED  "; not tried, though the linear model has them as good: "
@@ -204,7 +204,8 @@ static void add_residual(struct text *text, const struct um_diagnosis *d)
       "model in "
       "the mean)",
       r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
-  if (r->coordinate != NULL && r->p < GOES_WITH) add(text, " and goes with %s", r->coordinate);
+  if (r->coordinate != NULL && r->p < CORRELATES)
+    add(text, " and correlates with %s", r->coordinate);
 }
 
 /* What a free nuisance that moved does as well. */

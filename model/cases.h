@@ -48,8 +48,8 @@ static inline double um_model_case_margin(const struct um_model_case_place *plac
   return low < high || high != high ? low : high;
 }
 
-/* Is a limit exceeded, the uncertainty taken off? The rule of table, JSON, picture and exit status.
- */
+/* Is a limit exceeded, its uncertainty counted against the margin? The rule of table, JSON, picture
+ * and exit status. */
 static inline bool um_model_case_exceeded(const struct um_model_case_place *place)
 {
   return um_model_case_margin(place) < 0.0;

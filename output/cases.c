@@ -173,7 +173,7 @@ enum um_status um_output_plot_cases(struct um_context *context, const struct um_
   int height = 2 * MARGIN + (int)(b.nrow * cases->count) * ROW;
   snprintf(below, sizeof below,
            "lowest to highest temperature of each case; pale: its uncertainty; right: margin, "
-           "uncertainty taken off");
+           "the uncertainty counted against it");
   size_t n = strlen(below);
   if (b.nall > b.nrow)
     snprintf(below + n, sizeof below - n, "; the first %zu of %zu places", b.nrow, b.nall);

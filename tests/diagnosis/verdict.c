@@ -296,7 +296,7 @@ static void abstaining_begins_with_the_residual(void **state)
   assert_int_equal(
       strncmp(sentence, "Unexplained: the residual is worst in temperature bus.+y", 56), 0);
   assert_non_null(strstr(sentence, "3 sigma above the model"));
-  assert_non_null(strstr(sentence, "goes with since_shadow_entry_s"));
+  assert_non_null(strstr(sentence, "correlates with since_shadow_entry_s"));
   assert_non_null(strstr(sentence, "4400 +- 3e+02 J in bus.+y from "));
   assert_non_null(strstr(sentence, "+- 4 s for 90 s"));
   um_core_free(context, sentence);
