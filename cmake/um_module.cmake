@@ -9,10 +9,11 @@ function(um_module)
 endfunction()
 
 # um_test_run(NAME): how a test runs. tests/costs.txt has what a test takes alone [s], where that is 3 s
-# or more: such tests start first, so that the last to end is a short one. A test may take ten times
-# as long and a quarter of an hour at least, fifty times under sanitizers: no test fails because a machine is
-# busy. Threads that wait do not spin, since tests run beside each other.
+# or more: such tests start first, so that the last to end is a short one. A test may take ten times as
+# long, fifty times under sanitizers, and a quarter of an hour at least: no test fails because a machine
+# is busy. Threads that wait do not spin, since tests run beside each other.
 file(STRINGS ${CMAKE_SOURCE_DIR}/tests/costs.txt um_test_costs REGEX "^[a-z]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/costs.txt)
 function(um_test_run name)
   set(cost 1)
   if("${um_test_costs}" MATCHES "(^|;)${name} +([0-9]+)")
