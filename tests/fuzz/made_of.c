@@ -8,17 +8,7 @@
 #include "model/build.h"
 #include "study/identity.h"
 #include "tests/fuzz/fuzz.h"
-
-static const char text[] =
-    "schema: 1\n"
-    "name: made of\n"
-    "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:30:20Z, step_s: 10}\n"
-    "orbit: {fixed: {position_gcrs_km: [42000, 0, 0]}}\n"
-    "attitude: [{fixed: {q_gcrs: [1, 0, 0, 0]}}]\n"
-    "parts:\n"
-    "  - {name: wing, plate: {size_m: [2, 1]}, front: grey, back: grey, lumped: true,\n"
-    "     shell: {areal_heat_capacity_J_m2_K: 3000}}\n"
-    "thermal: {orbits_before: 0, start: isothermal}\n";
+#include "tests/fuzz/wing.h"
 
 /* One for all inputs, until the program ends. */
 static const struct um_study_identity *identity_of_all(void)
@@ -30,7 +20,7 @@ static const struct um_study_identity *identity_of_all(void)
   if (identity != NULL) return identity;
   setenv("UMBRA_DATA", UMBRA_SOURCE_DIR "/tests/fuzz/data", 1);
   if (um_core_context_create(NULL, &own) != UM_OK || um_core_files_hold(own) != UM_OK ||
-      um_model_create(own, um_fuzz_file(0, text, sizeof text - 1), &options, &model) != UM_OK ||
+      um_model_create(own, um_fuzz_file(0, wing, sizeof wing - 1), &options, &model) != UM_OK ||
       um_study_identity_create(own, "0", model, &options, &identity) != UM_OK)
     um_fuzz_finding("no identity: %s", own == NULL ? "" : um_core_message(own));
   return identity;

@@ -1,22 +1,12 @@
 /* A history of power of a group and of an interior, in a small scenario that is built and run. */
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
 #include "tests/fuzz/fuzz.h"
-
-static const char text[] =
-    "schema: 1\n"
-    "name: power\n"
-    "time: {start_utc: 2016-03-20T04:30:00Z, stop_utc: 2016-03-20T04:30:20Z, step_s: 10}\n"
-    "orbit: {fixed: {position_gcrs_km: [42000, 0, 0]}}\n"
-    "attitude: [{fixed: {q_gcrs: [1, 0, 0, 0]}}]\n"
-    "parts:\n"
-    "  - {name: wing, plate: {size_m: [2, 1]}, front: grey, back: grey, lumped: true,\n"
-    "     shell: {areal_heat_capacity_J_m2_K: 3000}}\n"
-    "thermal: {orbits_before: 0, start: isothermal}\n";
+#include "tests/fuzz/wing.h"
 
 static void run(struct um_context *context, const struct um_model *model)
 {
@@ -39,8 +29,8 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
   setenv("UMBRA_DATA", UMBRA_SOURCE_DIR "/tests/fuzz/data", 1);
   snprintf(set, sizeof set, "parts.wing.groups={plate: {power_file: %s}}",
            um_fuzz_file(0, data, size));
-  if (um_fuzz_good(context,
-                   um_model_create(context, um_fuzz_file(1, text, strlen(text)), &options, &model)))
+  if (um_fuzz_good(context, um_model_create(context, um_fuzz_file(1, wing, sizeof wing - 1),
+                                            &options, &model)))
     run(context, model);
   else if (model != NULL)
     um_fuzz_finding("a model in spite of the failure");
