@@ -32,6 +32,21 @@ static void note_use(struct um_core_held_files *h, struct held *file)
   if (file->use == 0) file->use = ++h->used;
 }
 
+static struct held *find(struct um_core_held_files *h, const char *path)
+{
+  for (size_t i = 0; h != NULL && i < h->count; i++)
+    if (strcmp(h->file[i].path, path) == 0) return &h->file[i];
+  return NULL;
+}
+
+static enum um_status fail_changed(struct um_context *context, const char *path)
+{
+  return um_core_fail(context, UM_ERR_IO,
+                      "%s: has changed since it was read first; accepted: a file that stays as it "
+                      "is while it is in use",
+                      path);
+}
+
 static enum um_status copy(struct um_context *context, const char *text, size_t length, char **out)
 {
   UM_TRY(um_core_allocate(context, length + 1, 1, out));
@@ -74,13 +89,11 @@ void um_core_files_each(struct um_context *context,
 void um_core_file_forget(struct um_context *context, const char *path)
 {
   struct um_core_held_files *h = *um_core_context_held_files(context);
-  for (size_t i = 0; h != NULL && i < h->count; i++) {
-    if (strcmp(h->file[i].path, path) != 0) continue;
-    um_core_free(context, h->file[i].path);
-    um_core_free(context, h->file[i].text);
-    h->file[i] = h->file[--h->count];
-    return;
-  }
+  struct held *file = find(h, path);
+  if (file == NULL) return;
+  um_core_free(context, file->path);
+  um_core_free(context, file->text);
+  *file = h->file[--h->count];
 }
 
 /* --- what others read ------------------------------------------------------------------------ */
@@ -142,14 +155,11 @@ enum um_status um_core_file_note(struct um_context *context, const char *path)
   if (h == NULL) return UM_OK;
   if (stat(path, &file.state) != 0)
     return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  for (size_t i = 0; i < h->count; i++) {
-    if (h->file[i].text != NULL || strcmp(h->file[i].path, path) != 0) continue;
-    note_use(h, &h->file[i]);
-    if (same_state(&h->file[i].state, &file.state)) return UM_OK;
-    return um_core_fail(context, UM_ERR_IO,
-                        "%s: has changed since it was read first; accepted: a file that stays as "
-                        "it is while it is in use",
-                        path);
+  struct held *before = find(h, path);
+  if (before != NULL) {
+    note_use(h, before);
+    if (before->text == NULL && same_state(&before->state, &file.state)) return UM_OK;
+    return fail_changed(context, path); /* of another kind, where it was read here before */
   }
   UM_TRY(um_core_file_digest(context, path, &file.digest));
   return append(context, path, file);
@@ -161,14 +171,13 @@ enum um_status um_core_held_files_find(struct um_context *context, const char *p
                                        size_t *length, bool *found)
 {
   struct um_core_held_files *h = *um_core_context_held_files(context);
-  *found = false;
-  for (size_t i = 0; h != NULL && i < h->count; i++) {
-    if (h->file[i].text == NULL || strcmp(h->file[i].path, path) != 0) continue;
-    UM_TRY(copy(context, h->file[i].text, h->file[i].length, out));
-    note_use(h, &h->file[i]);
-    *length = h->file[i].length;
-    *found = true;
-  }
+  struct held *file = find(h, path);
+  *found = file != NULL;
+  if (file == NULL) return UM_OK;
+  if (file->text == NULL) return fail_changed(context, path); /* of another kind: noted before */
+  UM_TRY(copy(context, file->text, file->length, out));
+  note_use(h, file);
+  *length = file->length;
   return UM_OK;
 }
 

@@ -13,7 +13,8 @@ enum um_status um_core_files_hold(struct um_context *context);
 void um_core_files_let_go(struct um_context *context);
 /* A file that others read, a library or the loader of programs, is among the held from here on; it
  * is not kept in memory. Nothing where none are held. UM_ERR_IO: it cannot be read, or is noted
- * already and has changed since. */
+ * already and has changed since, or was read by um_core_file_read, which refuses one that is noted:
+ * it is of another kind now. */
 enum um_status um_core_file_note(struct um_context *context, const char *path);
 /* One of them is held no longer: it is read from the disk the next time. Does not fail. */
 void um_core_file_forget(struct um_context *context, const char *path);

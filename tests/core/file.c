@@ -230,6 +230,14 @@ static void test_held(void **state)
   um_core_message_clear(context);
   assert_int_equal(um_core_file_note(context, "b.so"), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "b.so: has changed since it was read first"));
+  /* a map that was a table and is a netCDF file now, or the other way round */
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_note(context, "a.txt"), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), "a.txt: has changed since it was read first"));
+  um_core_message_clear(context);
+  assert_int_equal(um_core_file_read(context, "b.so", 9, &text, &length), UM_ERR_IO);
+  assert_null(text);
+  assert_non_null(strstr(um_core_message(context), "b.so: has changed since it was read first"));
   um_core_message_clear(context);
   um_core_files_let_go(context);
   assert_int_equal(um_core_file_read(context, "a.txt", 9, &text, &length), UM_OK);
