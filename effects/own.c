@@ -1,6 +1,5 @@
-/* Effects of a user's own: shared objects by dlopen. An object is
- * closed with its registry; the system counts how often one is open, so that many models share it.
- */
+/* Effects of a user's own: shared objects by dlopen. An object is closed with its registry; the
+ * system counts how often one is open, so that many models share it. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <link.h>

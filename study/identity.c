@@ -13,6 +13,7 @@
 #include "core/file.h"
 #include "core/held_files.h"
 #include "core/listing.h"
+#include "core/text.h"
 #include "model/scenario.h"
 
 #define LIST  "made-of.txt"
@@ -31,8 +32,7 @@ static void whole_name(const char *name, char out[LINE])
   char *whole = realpath(name, NULL);
   snprintf(out, LINE, "%.4000s", whole != NULL ? whole : name);
   free(whole);
-  for (char *c = out; *c != '\0'; c++)
-    if ((unsigned char)*c < 0x20 || *c == 0x7f) *c = ' ';
+  um_core_text_make_line(out);
 }
 
 static enum um_status add(struct um_context *context, struct um_study_identity *identity,
