@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "batch/team_impl.h"
+#include "core/words.h"
 
 #define NAMED_MOST 10 /* points by their numbers in one message */
 
@@ -170,22 +171,22 @@ size_t um_batch_lost(const struct um_batch *batch) { return batch->lost; }
 void um_batch_tell_lost(struct um_context *context, struct um_batch *batch,
                         const double *coordinate, size_t n, const char *what, size_t first)
 {
-  char list[16 * NAMED_MOST + 32] = "", *reason = NULL;
-  size_t count = 0, used = 0;
+  char list[256] = "", more[40] = "", *reason = NULL;
+  size_t count = 0;
   for (size_t i = 0; i < n; i++) {
     size_t number = um_batch_known_find(batch->known, coordinate + i * batch->task.ncoordinate);
     const struct um_batch_known_point *point =
         number == SIZE_MAX ? NULL : um_batch_known_point(batch->known, number);
+    char name[24];
     if (point == NULL || point->state != UM_BATCH_LOST) continue;
     if (count == 0) reason = point->reason;
-    if (count++ < NAMED_MOST && used < sizeof list)
-      used += (size_t)snprintf(list + used, sizeof list - used, "%s%zu", count > 1 ? ", " : "",
-                               first + i);
+    if (count++ >= NAMED_MOST) continue;
+    snprintf(name, sizeof name, "%zu", first + i);
+    um_core_words_append(list, sizeof list, name);
   }
   if (count == 0) return;
-  if (count > NAMED_MOST)
-    snprintf(list + used, sizeof list - used, " and %zu more", count - NAMED_MOST);
-  um_core_log(context, UM_LOG_WARNING, "%s %s: not on record: %s", what, list, reason);
+  if (count > NAMED_MOST) snprintf(more, sizeof more, " and %zu more", count - NAMED_MOST);
+  um_core_log(context, UM_LOG_WARNING, "%s %s%s: not on record: %s", what, list, more, reason);
 }
 
 void um_batch_close(struct um_context *context, struct um_batch **batch)

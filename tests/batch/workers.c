@@ -178,6 +178,13 @@ static void test_death(void **state)
                             "row 12: not on record: the process that computed it died, twice") !=
                          NULL,
                      deaths == 2);
+    if (deaths == 2) {
+      double many[12][2];
+      for (int i = 0; i < 12; i++) memcpy(many[i], x + 2 * 11, sizeof many[i]);
+      um_batch_tell_lost(context, batch, many[0], 12, "row", 1);
+      assert_non_null(strstr(um_core_log_text(context),
+                             "row 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 2 more: not on record: "));
+    }
     um_batch_close(context, &batch);
     if (deaths == 2) {
       batch = opened(2, true);
