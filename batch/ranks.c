@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "batch/ranks_inbox_impl.h"
 #include "batch/worker_impl.h"
 
 #define PULSES   12   /* signs of life of a rank in the time after which it counts as lost */
@@ -31,18 +32,14 @@ struct peer {
   uint64_t *given;      /* [workers] its points, NOBODY where there is none */
   double heard;         /* when last [s] */
   bool lost;
-  char *buffer;     /* [room] of the message that is received from it */
-  bool receiving;   /* not whole yet, by `request` */
-  MPI_Status about; /* of it */
-  MPI_Request request;
 };
 
 struct um_batch_ranks {
   const struct um_batch_task *task;
   int rank, size;
   struct peer *peer; /* [size] on rank 0 */
-  size_t room;
-  char *buffer;   /* [room] one message */
+  struct um_batch_inbox *inbox;
+  char *buffer;   /* of one message that is sent */
   double silence; /* after which a rank counts as lost [s] */
   double pulse;   /* when last sent [s] */
   double looked;  /* when rank 0 last heard the others [s] */
@@ -58,13 +55,6 @@ static double now(void)
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* Rank 0 speaks with all others, they with it alone. */
-static int first_peer(const struct um_batch_ranks *ranks) { return ranks->rank == 0 ? 1 : 0; }
-static int end_of_peers(const struct um_batch_ranks *ranks)
-{
-  return ranks->rank == 0 ? ranks->size : 1;
 }
 
 static void finalize(void)
@@ -146,14 +136,14 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   MPI_Comm_size(MPI_COMM_WORLD, &ranks->size);
   UM_CHECK(check_place(context, ranks));
   size_t values = task->nvalue * sizeof(double), point = (task->ncoordinate + 1) * sizeof(double);
-  ranks->room = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
+  size_t longest = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
+  bool leads = ranks->rank == 0; /* it speaks with all others, they with it alone */
   UM_CHECK(um_core_allocate(context, (size_t)ranks->size, sizeof *ranks->peer, &ranks->peer));
-  for (int r = first_peer(ranks); r < end_of_peers(ranks); r++) {
-    ranks->peer[r].heard = now();
-    UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->peer[r].buffer));
-  }
+  for (int r = 0; r < ranks->size; r++) ranks->peer[r].heard = now();
+  UM_CHECK(um_core_allocate(context, longest, 1, &ranks->buffer));
   /* last: whoever has it can hear */
-  UM_CHECK(um_core_allocate(context, ranks->room, 1, &ranks->buffer));
+  UM_CHECK(um_batch_inbox_create(context, leads ? 1 : 0, leads ? ranks->size : 1, longest,
+                                 &ranks->inbox));
   *out = ranks;
   return UM_OK;
 done:
@@ -191,15 +181,17 @@ void um_batch_ranks_give(struct um_batch_ranks *ranks, size_t number, const doub
   MPI_Send(ranks->buffer, (int)(sizeof told + n), MPI_BYTE, r, TAG_POINT, MPI_COMM_WORLD);
 }
 
-static enum um_status welcome(struct um_context *context, const struct um_batch_ranks *ranks, int r)
+static enum um_status welcome(struct um_context *context, const struct um_batch_ranks *ranks,
+                              const struct um_batch_message *message)
 {
   struct hello h;
-  struct peer *peer = &ranks->peer[r];
-  memcpy(&h, peer->buffer, sizeof h);
+  struct peer *peer = &ranks->peer[message->from];
+  memcpy(&h, message->data, sizeof h);
   if (h.identity != ranks->task->identity || h.ncoordinate != ranks->task->ncoordinate ||
       h.nvalue != ranks->task->nvalue)
     return um_core_fail(context, UM_ERR_INPUT,
-                        "rank %d would compute something else: its files or its Umbra differ", r);
+                        "rank %d would compute something else: its files or its Umbra differ",
+                        message->from);
   peer->workers = peer->idle = (size_t)h.workers;
   um_core_free(context, peer->given);
   UM_TRY(um_core_allocate(context, peer->workers, sizeof *peer->given, &peer->given));
@@ -207,16 +199,16 @@ static enum um_status welcome(struct um_context *context, const struct um_batch_
   return UM_OK;
 }
 
-static enum um_status hand_on(struct um_context *context, const struct um_batch_ranks *ranks, int r,
-                              size_t bytes, um_batch_answered *answered, void *self)
+static enum um_status hand_on(struct um_context *context, const struct um_batch_ranks *ranks,
+                              const struct um_batch_message *message, um_batch_answered *answered,
+                              void *self)
 {
   struct answer_head head;
-  char *buffer = ranks->peer[r].buffer;
-  memcpy(&head, buffer, sizeof head);
-  buffer[bytes] = '\0';
-  const void *behind = buffer + sizeof head; /* aligned: the head is 24 bytes */
+  struct peer *peer = &ranks->peer[message->from];
+  memcpy(&head, message->data, sizeof head);
+  const void *behind = message->data + sizeof head; /* aligned: the head is 24 bytes */
   if (head.number == NOBODY)
-    return um_core_fail(context, (enum um_status)head.status, "rank %d: %s", r,
+    return um_core_fail(context, (enum um_status)head.status, "rank %d: %s", message->from,
                         (const char *)behind);
   struct um_batch_answer answer = {
       .number = (size_t)head.number, .status = (enum um_status)head.status, .died = head.died != 0};
@@ -224,34 +216,9 @@ static enum um_status hand_on(struct um_context *context, const struct um_batch_
     answer.reason = behind;
   else
     answer.value = behind;
-  mark(&ranks->peer[r], head.number, NOBODY);
-  ranks->peer[r].idle++;
+  mark(peer, head.number, NOBODY);
+  peer->idle++;
   return answered(context, self, &answer);
-}
-
-/* The next message that has arrived whole, into its sender's buffer; false: none. A long one comes
- * in pieces, and its sender may be stopped in the midst of it: others are heard meanwhile. */
-static bool receive(struct um_batch_ranks *ranks, int *from, int *tag, int *bytes)
-{
-  for (int r = first_peer(ranks); r < end_of_peers(ranks); r++) {
-    struct peer *peer = &ranks->peer[r];
-    MPI_Message message;
-    int there = 0, whole = 0;
-    if (!peer->receiving) {
-      MPI_Improbe(r, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &message, &peer->about);
-      if (!there) continue;
-      MPI_Imrecv(peer->buffer, (int)ranks->room - 1, MPI_BYTE, &message, &peer->request);
-      peer->receiving = true;
-    }
-    MPI_Test(&peer->request, &whole, MPI_STATUS_IGNORE);
-    if (!whole) continue;
-    peer->receiving = false;
-    *from = r;
-    *tag = peer->about.MPI_TAG;
-    MPI_Get_count(&peer->about, MPI_BYTE, bytes);
-    return true;
-  }
-  return false;
 }
 
 /* A rank that is silent has lost its points; what it says later is not heard. */
@@ -274,16 +241,16 @@ static enum um_status lose(struct um_context *context, struct um_batch_ranks *ra
 enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_ranks *ranks,
                                    um_batch_answered *answered, void *self)
 {
-  int from, tag, bytes;
+  struct um_batch_message message;
   /* time in which this process was stopped, or did something else, is no silence of others */
   double away = now() - ranks->looked - ranks->silence / PULSES;
   for (int r = 1; away > 0.0 && r < ranks->size; r++) ranks->peer[r].heard += away;
   ranks->looked = now();
-  while (receive(ranks, &from, &tag, &bytes)) {
-    ranks->peer[from].heard = now();
-    if (ranks->peer[from].lost) continue;
-    if (tag == TAG_HELLO) UM_TRY(welcome(context, ranks, from));
-    if (tag == TAG_ANSWER) UM_TRY(hand_on(context, ranks, from, (size_t)bytes, answered, self));
+  while (um_batch_inbox_take(ranks->inbox, &message)) {
+    ranks->peer[message.from].heard = now();
+    if (ranks->peer[message.from].lost) continue;
+    if (message.tag == TAG_HELLO) UM_TRY(welcome(context, ranks, &message));
+    if (message.tag == TAG_ANSWER) UM_TRY(hand_on(context, ranks, &message, answered, self));
   }
   for (int r = 1; r < ranks->size; r++)
     if (!ranks->peer[r].lost && now() - ranks->peer[r].heard > ranks->silence)
@@ -316,14 +283,14 @@ static enum um_status pass_on(struct um_context *context, void *self,
 /* What rank 0 says. */
 static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
 {
-  int from, tag, bytes;
-  while (!ranks->stopped && receive(ranks, &from, &tag, &bytes)) {
-    ranks->stopped = tag == TAG_STOP;
-    if (tag != TAG_POINT) continue;
+  struct um_batch_message message;
+  while (!ranks->stopped && um_batch_inbox_take(ranks->inbox, &message)) {
+    ranks->stopped = message.tag == TAG_STOP;
+    if (message.tag != TAG_POINT) continue;
     uint64_t number;
-    memcpy(&number, ranks->peer[from].buffer, sizeof number);
+    memcpy(&number, message.data, sizeof number);
     /* the number is as long as a coordinate: what stands behind it is aligned */
-    const void *coordinate = ranks->peer[from].buffer + sizeof number;
+    const void *coordinate = message.data + sizeof number;
     um_batch_crew_give(crew, (size_t)number, coordinate);
   }
   if (now() - ranks->pulse < ranks->silence / PULSES) return;
@@ -356,7 +323,8 @@ enum um_status um_batch_ranks_serve(struct um_context *context, struct um_batch_
 /* Rank 0: every other one is told, and what they still say is taken, so that none waits. */
 static void dismiss(struct um_context *context, struct um_batch_ranks *ranks)
 {
-  int from, tag, bytes, left = 0;
+  struct um_batch_message message;
+  int left = 0;
   for (int r = 1; r < ranks->size; r++) {
     MPI_Request request;
     if (ranks->peer[r].lost) continue;
@@ -365,14 +333,14 @@ static void dismiss(struct um_context *context, struct um_batch_ranks *ranks)
     left++;
   }
   for (double end = now() + FAREWELL; left > 0 && now() < end && !um_core_stopped(context);) {
-    if (!receive(ranks, &from, &tag, &bytes)) {
+    if (!um_batch_inbox_take(ranks->inbox, &message)) {
       nanosleep(&(struct timespec){0, 1000000}, NULL);
       continue;
     }
     struct answer_head head = {0};
-    if (tag == TAG_ANSWER) memcpy(&head, ranks->peer[from].buffer, sizeof head);
-    if (ranks->peer[from].lost) continue;
-    if (tag == TAG_BYE || (tag == TAG_ANSWER && head.number == NOBODY)) left--;
+    if (ranks->peer[message.from].lost) continue;
+    if (message.tag == TAG_ANSWER) memcpy(&head, message.data, sizeof head);
+    if (message.tag == TAG_BYE || (message.tag == TAG_ANSWER && head.number == NOBODY)) left--;
   }
   broken = broken || left > 0;
 }
@@ -381,12 +349,9 @@ void um_batch_ranks_leave(struct um_context *context, struct um_batch_ranks **ra
 {
   if (ranks == NULL || *ranks == NULL) return;
   struct um_batch_ranks *r = *ranks;
-  if (r->rank == 0 && r->peer != NULL && r->buffer != NULL) dismiss(context, r);
-  for (int i = 0; r->peer != NULL && i < r->size; i++) {
-    um_core_free(context, r->peer[i].given);
-    /* MPI may still write into the buffer of what has not arrived whole */
-    if (!r->peer[i].receiving) um_core_free(context, r->peer[i].buffer);
-  }
+  if (r->rank == 0 && r->inbox != NULL) dismiss(context, r);
+  for (int i = 0; r->peer != NULL && i < r->size; i++) um_core_free(context, r->peer[i].given);
+  um_batch_inbox_destroy(context, &r->inbox);
   um_core_free(context, r->peer);
   um_core_free(context, r->buffer);
   um_core_free(context, r);
