@@ -20,6 +20,7 @@ static enum um_status note_record(struct um_context *context, void *self, const 
   if (point->state != UM_BATCH_RECORD) batch->recorded++;
   point->state = UM_BATCH_RECORD;
   point->place = place;
+  point->foreign = true;
   return UM_OK;
 }
 
@@ -59,8 +60,8 @@ static enum um_status check_record(struct um_context *context, struct um_batch *
                                    size_t number, double *value, size_t *refused)
 {
   struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
-  if (batch->task.accepts == NULL || point->state != UM_BATCH_RECORD || point->place.reason > 0)
-    return UM_OK;
+  if (batch->task.accepts == NULL || !point->foreign || point->place.reason > 0) return UM_OK;
+  point->foreign = false;
   UM_TRY(um_batch_records_value(context, batch->records, point->place, value));
   if (batch->task.accepts(batch->task.user, um_batch_known_coordinate(batch->known, number), value))
     return UM_OK;

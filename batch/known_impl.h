@@ -15,6 +15,7 @@ struct um_batch_known_point {
   enum um_batch_state state;
   int deaths;                  /* of workers that computed it */
   struct um_batch_place place; /* of UM_BATCH_RECORD */
+  bool foreign;                /* that was there before this process, and was not looked at yet */
   char *reason;                /* of UM_BATCH_LOST; owned */
 };
 

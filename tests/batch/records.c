@@ -98,6 +98,42 @@ static void test_once(void **state)
   um_batch_close(context, &batch);
 }
 
+static bool accepts(void *user, const double *x, const double *value)
+{
+  ++*(size_t *)user;
+  assert_true(value[0] == 1.0 / x[1]);
+  return x[0] != 3.0;
+}
+
+/* What others have put on record is looked at once, and computed anew where it is not accepted;
+ * what this process has computed is not asked about. */
+static void test_accepts(void **state)
+{
+  (void)state;
+  static const double x[] = {3, 2, 1, 7};
+  double value[2 * NVALUE];
+  char *reason[2];
+  size_t looked = 0;
+  computed = 0;
+  for (int again = 0; again < 2; again++) {
+    struct um_batch *batch;
+    struct um_batch_task t = task(again);
+    t.accepts = accepts;
+    t.user = &looked;
+    assert_int_equal(um_batch_open(context, &t, &batch), UM_OK);
+    for (int run = 0; run < 2; run++) {
+      assert_int_equal(um_batch_run(context, batch, x, 2, value, reason), UM_OK);
+      expect_values(x, 2, value, reason);
+      assert_int_equal(looked, again ? 2 : 0);
+      assert_int_equal(computed, again ? 3 : 2);
+      assert_int_equal(um_batch_recorded(batch), 2);
+    }
+    um_batch_close(context, &batch);
+  }
+  assert_non_null(strstr(um_core_log_text(context),
+                         "1 points on record hold values that no computation gives"));
+}
+
 /* A refused point says why, then and after a resume; the others are computed. */
 static void test_refused(void **state)
 {
@@ -279,8 +315,8 @@ static void test_memory(void **state)
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
-  static const struct CMUnitTest tests[] = {TEST(test_once),  TEST(test_refused), TEST(test_end),
-                                            TEST(test_other), TEST(test_torn),    TEST(test_shares),
-                                            TEST(test_memory)};
+  static const struct CMUnitTest tests[] = {
+      TEST(test_once),  TEST(test_accepts), TEST(test_refused), TEST(test_end),
+      TEST(test_other), TEST(test_torn),    TEST(test_shares),  TEST(test_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
