@@ -244,7 +244,9 @@ static enum um_status check_list(struct um_context *context,
   enum um_status status = UM_OK;
   UM_TRY(um_core_asprintf(context, &path, "%s/" LIST, folder));
   if (access(path, F_OK) != 0) goto done;
-  UM_CHECK(um_core_file_read(context, path, LARGE, &was, &length));
+  status = um_core_file_read(context, path, LARGE, &was, &length);
+  um_core_file_forget(context, path); /* other shares write it, too */
+  UM_CHECK(status);
   if (digest_of(was, identity->nline, &nline) == identity->digest &&
       (nline == identity->nline || (nline > identity->nline && !whole)))
     goto done;

@@ -1,5 +1,5 @@
 /* A plate in the Sun at rest in inertial space for 20 s: the smallest scenario that has a part to
- * which an input can be given. */
+ * which an input can be given. Its materials are those of tests/fuzz/data. */
 #ifndef UMBRA_TESTS_FUZZ_WING_H
 #define UMBRA_TESTS_FUZZ_WING_H
 
