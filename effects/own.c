@@ -102,7 +102,6 @@ static enum um_status load(struct um_context *context, struct um_effects_registr
                            const char *absolute)
 {
   size_t nown = r->nown;
-  UM_TRY(um_core_file_note(context, absolute));
   void *object = dlopen(absolute, RTLD_NOW | RTLD_LOCAL);
   if (object == NULL) return fail_open(context, absolute);
   enum um_status status =
@@ -141,9 +140,12 @@ enum um_status um_effects_registry_load(struct um_context *context,
   if (absolute == NULL && errno == ENOMEM)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory");
   if (absolute == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  enum um_status status = load(context, registry, absolute);
+  enum um_status status = um_core_file_note(context, absolute);
+  if (status == UM_OK) {
+    status = load(context, registry, absolute);
+    if (status != UM_OK && status != UM_ERR_MEMORY) um_core_message_prefix(context, "%s", path);
+  }
   free(absolute);
-  if (status != UM_OK && status != UM_ERR_MEMORY) um_core_message_prefix(context, "%s", path);
   return status;
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "core/held_files.h"
 #include "effects/effects.h"
 #include "model/build.h"
 #include "model/effect_files.h"
@@ -200,6 +201,32 @@ static void cut_objects_are_refused(void **state)
   remove(OBJECTS "/cut.so");
 }
 
+/* While files are held an object may not change, and its message names it once. */
+static void changed_objects_are_refused(void **state)
+{
+  (void)state;
+  static const char file[] = OBJECTS "/changed.so";
+  struct um_effects_registry *registry = NULL;
+  FILE *example = fopen(EXAMPLE, "rb");
+  assert_true(example != NULL && fseek(example, 0, SEEK_END) == 0);
+  write_cut(file, (size_t)ftell(example));
+  fclose(example);
+  assert_int_equal(um_core_files_hold(case_context()), UM_OK);
+  assert_int_equal(um_effects_registry_create(case_context(), &registry), UM_OK);
+  assert_int_equal(um_effects_registry_load(case_context(), registry, file), UM_OK);
+  FILE *more = fopen(file, "ab");
+  assert_true(more != NULL && fputc('\n', more) == '\n' && fclose(more) == 0);
+  assert_int_equal(um_effects_registry_load(case_context(), registry, file), UM_ERR_IO);
+  const char *message = um_core_message(case_context()), *name = strstr(message, "changed.so");
+  assert_non_null(name);
+  assert_non_null(strstr(name, "changed.so: has changed since it was read first"));
+  assert_null(strstr(name + 1, "changed.so"));
+  um_core_message_clear(case_context());
+  um_effects_registry_destroy(case_context(), &registry);
+  um_core_files_let_go(case_context());
+  remove(file);
+}
+
 static const struct {
   const char *file, *says;
 } bad[] = {
@@ -289,6 +316,7 @@ int main(void)
       cmocka_unit_test(files_are_found),
       cmocka_unit_test(bad_objects_are_refused),
       cmocka_unit_test(cut_objects_are_refused),
+      cmocka_unit_test(changed_objects_are_refused),
       cmocka_unit_test(descriptors_are_checked),
   };
   return cmocka_run_group_tests(tests, case_begin, case_end);
