@@ -26,9 +26,26 @@ static inline size_t um_study_forecast_values(size_t nband, size_t nplace)
          (1 + 2 * nband) * UM_STUDY_FORECAST_CURVE;
 }
 
+/* --- forecast_pass.c --- */
 /* A run of a pass; user: the work. */
 enum um_status um_study_forecast_compute(struct um_context *context, void *user,
                                          const double *coordinate, double *value);
+
+/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. step:
+ * between observations [s]; NaN: the scenario's. */
+struct um_study_forecast_changes {
+  struct um_model_options options;
+  const char **text; /* [noverride of options]; freed by the caller */
+  char own[6][64];
+};
+enum um_status um_study_forecast_changes(struct um_context *context,
+                                         const struct um_study_forecast_work *work, size_t station,
+                                         double start, double stop, double step,
+                                         struct um_study_forecast_changes *out);
+
+/* Find what is to be pinned. The caller frees pin and its texts. UM_ERR_MEMORY. */
+enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,
+                                     struct um_study_forecast_work *work);
 
 /* --- forecast_find.c --- */
 /* Passes of a station that culminate in the days, behind those that there are. UM_ERR_INPUT: no
@@ -46,21 +63,5 @@ enum um_status um_study_forecast_check_orbit(struct um_context *context,
 bool um_study_forecast_accepts(void *user, const double *coordinate, const double *value);
 /* Do effects of the model change readings? Then light may be below 0. */
 bool um_study_light_has_sign(const struct um_model *model);
-
-/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. step:
- * between observations [s]; NaN: the scenario's. */
-struct um_study_forecast_changes {
-  struct um_model_options options;
-  const char **text; /* [noverride of options]; freed by the caller */
-  char own[6][64];
-};
-enum um_status um_study_forecast_changes(struct um_context *context,
-                                         const struct um_study_forecast_work *work, size_t station,
-                                         double start, double stop, double step,
-                                         struct um_study_forecast_changes *out);
-
-/* Find what is to be pinned. The caller frees pin and its texts. UM_ERR_MEMORY. */
-enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,
-                                     struct um_study_forecast_work *work);
 
 #endif
