@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "batch/launch_impl.h"
 #include "batch/ranks_inbox_impl.h"
 #include "batch/worker_impl.h"
 
@@ -62,38 +63,11 @@ static void finalize(void)
   if (!broken) MPI_Finalize();
 }
 
-/* The first of these variables that is set, as a number; -1: none. */
-static long number_of(const char *const *name)
-{
-  for (; *name != NULL; name++) {
-    const char *text = getenv(*name);
-    if (text != NULL && *text != '\0') return strtol(text, NULL, 10);
-  }
-  return -1;
-}
-
-/* What the launcher has told, -1: nothing; read once, since MPI_Init writes there, too. */
-static void look(long *rank, long *size)
-{
-  static const char *const ranks[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", NULL};
-  static const char *const sizes[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS",
-                                      NULL};
-  static bool looked;
-  static long r, n;
-  if (!looked) {
-    r = number_of(ranks);
-    n = number_of(sizes);
-  }
-  looked = true;
-  *rank = r;
-  *size = n;
-}
-
 enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank)
 {
   long r, n;
   (void)context;
-  look(&r, &n);
+  um_batch_launch_told(&r, &n);
   *several = r >= 0 && n != 1;
   *rank = *several ? (size_t)r : 0;
   return UM_OK;
@@ -104,7 +78,7 @@ enum um_status um_batch_ranks_look(struct um_context *context, bool *several, si
 static enum um_status check_place(struct um_context *context, const struct um_batch_ranks *ranks)
 {
   long r, n;
-  look(&r, &n);
+  um_batch_launch_told(&r, &n);
   if (r == ranks->rank && (ranks->size > 1 || n <= 1)) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "the environment says that this is rank %ld of several, MPI says rank %d of "

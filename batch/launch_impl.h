@@ -1,0 +1,9 @@
+/* Private to batch: what the launcher of several processes has told this one. */
+#ifndef UMBRA_BATCH_LAUNCH_IMPL_H
+#define UMBRA_BATCH_LAUNCH_IMPL_H
+
+/* The number of this process and how many there are; -1: nothing is told. The environment is read
+ * at the first call, which comes before MPI_Init: that writes there, too. Does not fail. */
+void um_batch_launch_told(long *rank, long *size);
+
+#endif
