@@ -13,8 +13,8 @@
 #define ALONG        0.999 /* cosine between normals of one plane, before distances are looked at */
 #define LOOKS_MAX    ((size_t)1 << 29) /* at facets whose boxes touch: some seconds */
 #define OVERLAPS_MAX ((size_t)1 << 21) /* of facets with each other: half a second */
-#define CORNERS      8                 /* two triangles have 6 corners in common at most */
-#define EVERY        256               /* facets between two looks at the stop */
+#define CORNERS      9 /* of two triangles in common: 6, and 9 where rounding bends what is cut */
+#define EVERY        ((size_t)1 << 16) /* looks between two looks at the stop: a millisecond */
 
 /* What two parts have in common, so far. */
 struct common {
@@ -134,7 +134,9 @@ static void add(struct search *s, const struct common *piece)
 static bool look(void *user, uint32_t g)
 {
   struct search *s = user;
-  if (++s->looks > LOOKS_MAX) return false;
+  if (s->looks++ % EVERY == 0)
+    s->status = um_core_stop_check(s->context, "facets in one place were looked for");
+  if (s->status != UM_OK || s->looks > LOOKS_MAX) return false;
   const struct um_geometry_mesh *mesh = s->mesh;
   uint32_t f = s->facet, a = mesh->facet_part[f], b = mesh->facet_part[g];
   if (g <= f || s->rigid[a] != s->rigid[b]) return true;
@@ -198,8 +200,6 @@ enum um_status um_geometry_coincidences_create(struct um_context *context,
   UM_CHECK(um_geometry_facet_tree_create(context, s.mesh, s.pose, &tree));
   s.near = UM_GEOMETRY_BLUR * um_geometry_facet_tree_size(tree);
   for (size_t f = 0; f < s.mesh->nfacet && all; f++) {
-    if (f % EVERY == 0)
-      UM_CHECK(um_core_stop_check(context, "facets in one place were looked for"));
     s.facet = (uint32_t)f;
     all = um_geometry_facet_tree_visit(tree, s.facet, s.near, look, &s);
     UM_CHECK(s.status);

@@ -206,6 +206,36 @@ static void many(void **state)
   support_destroy(&s);
 }
 
+static bool count(void *self)
+{
+  ++*(int *)self;
+  return false;
+}
+
+/* Facets whose boxes all touch: 2000 of them look at each other 4 million times. The stop is asked
+ * for once in 65536 looks, not in so many facets. */
+static void stop(void **state)
+{
+  (void)state;
+  enum { N = 1000 };
+  static struct um_geometry_part_spec part[N];
+  static char name[N][8];
+  for (int i = 0; i < N; i++) {
+    snprintf(name[i], sizeof name[i], "p%d", i);
+    part[i] = support_plate(name[i], 1, 1, um_vec3(0, 0, 0));
+    part[i].rotation = um_quat_from_axis(um_vec3(1, 0, 0), UM_PI * i / N); /* they cross */
+  }
+  struct support s = support_create(part, N);
+  struct um_geometry_coincidences *found;
+  int asked = 0;
+  um_core_context_set_stop(s.context, count, &asked);
+  assert_int_equal(um_geometry_coincidences_create(s.context, s.geometry, &found), UM_OK);
+  size_t n = um_geometry_mesh(s.geometry)->nfacet;
+  assert_true((size_t)asked >= n * n / 65536);
+  um_geometry_coincidences_destroy(s.context, &found);
+  support_destroy(&s);
+}
+
 static void out_of_memory(void **state)
 {
   (void)state;
@@ -237,8 +267,9 @@ static void out_of_memory(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(boxes),  cmocka_unit_test(plates),
-                                     cmocka_unit_test(joints), cmocka_unit_test(bodies),
-                                     cmocka_unit_test(many),   cmocka_unit_test(out_of_memory)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(boxes),        cmocka_unit_test(plates),
+                                     cmocka_unit_test(joints),       cmocka_unit_test(bodies),
+                                     cmocka_unit_test(many),         cmocka_unit_test(stop),
+                                     cmocka_unit_test(out_of_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
