@@ -216,9 +216,9 @@ void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_
   struct um_optics_work *work = paths->work;
   size_t n = s->nbin;
   const double *diffuse = s->diffuse + v->skin * n, *mean = s->masked_mean + v->skin * n;
-  bool lobe = now->earth_lobe && s->lobe[v->skin].kind != NULL;
   double albedo = now->earthshine * (double)scene->albedo[v->at] / UM_PI;
   double factor = now->earth_reflection * (double)scene->view_factor[v->at];
+  bool lobe = factor > 0.0 && now->earth_lobe && s->lobe[v->skin].kind != NULL;
   const double *earth = s->earth;
   um_optics_spectra_planck(s, scene->temperature[v->at], work->planck);
   const double *emissivity = um_optics_spectra_emissivity(s, v->skin, v->o.z, work->emissivity);
@@ -226,7 +226,7 @@ void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_
     um_optics_spectra_planck(s, (double)scene->brightness[v->at], work->earth);
     earth = work->earth;
   }
-  if (factor > 0.0 && lobe && s->masks[v->skin])
+  if (lobe && s->masks[v->skin])
     um_optics_spectra_masked(s, v->skin, v->o.z, work->masked_observer);
   double *rough = work->row; /* what reflects the Earth by its view factor */
   for (size_t b = 0; b < n && lobe; b++)
