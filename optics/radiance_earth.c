@@ -37,15 +37,22 @@ void um_optics_instant_earth(const struct um_environment *environment,
       albedo * um_environment_solar_irradiance(environment, sample->sun_distance) / UM_PI;
 }
 
-/* Sum over the nodes of a lobe's shares and F, per bin. */
+/* Sum over the nodes of a lobe's shares and F, per bin. Most shares are 0, a lobe being narrow, and
+ * many records have none in some of the bands. */
 static void weigh(const struct um_optics_spectra *spectra, size_t skin, const double *share,
                   double *row)
 {
   size_t n = spectra->nbin;
   const double *fresnel = spectra->fresnel + skin * UM_OPTICS_FRESNEL_NODES * n;
   memset(row, 0, n * sizeof *row);
-  for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
-    for (size_t b = 0; b < n; b++) row[b] += share[k] * fresnel[k * n + b];
+  for (size_t band = 0; band < spectra->nband; band++) {
+    if (!spectra->has_lobe[skin * spectra->nband + band]) continue;
+    size_t first = spectra->first[band], end = spectra->first[band + 1];
+    for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES; k++) {
+      if (share[k] == 0.0) continue;
+      for (size_t b = first; b < end; b++) row[b] += share[k] * fresnel[k * n + b];
+    }
+  }
 }
 
 /* A direction of the body frame in that of the surface, x along its grain. */

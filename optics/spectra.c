@@ -153,6 +153,7 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
   UM_TRY(um_core_allocate(context, n, sizeof *s->facets, &s->facets));
   UM_TRY(um_core_allocate(context, n * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS, sizeof *s->half,
                           &s->half));
+  UM_TRY(um_core_allocate(context, n * s->nband, sizeof *s->has_lobe, &s->has_lobe));
   return um_core_allocate(context, n * UM_OPTICS_FRESNEL_NODES * s->nbin, sizeof *s->fresnel,
                           &s->fresnel);
 }
@@ -175,6 +176,13 @@ static void lobe_fill(const struct um_context *context, const struct um_material
     for (int k = 0; k < UM_OPTICS_FRESNEL_NODES; k++)
       fresnel[(size_t)k * s->nbin + b] = um_materials_specular_reflectance(
           record, adjustment, s->wavelength[b], um_optics_fresnel_node(k));
+  for (size_t band = 0; band < s->nband; band++) {
+    bool *has = &s->has_lobe[m * s->nband + band];
+    *has = false;
+    for (size_t k = 0; k < UM_OPTICS_FRESNEL_NODES && !*has; k++)
+      for (size_t b = s->first[band]; b < s->first[band + 1] && !*has; b++)
+        *has = fresnel[k * s->nbin + b] != 0.0;
+  }
 }
 
 /* How often a path goes on by the lobe rather than by the flat parts: by what both reflect at
@@ -269,6 +277,7 @@ enum um_status um_optics_spectra_share(struct um_context *context,
   to->diffuse_emitter = to->masks = to->tilts = NULL;
   to->tilt = NULL;
   to->lobe_share = NULL;
+  to->has_lobe = NULL;
   to->lobe = to->flat = NULL;
   to->facets = NULL;
   to->half = NULL;
@@ -282,7 +291,7 @@ void um_optics_spectra_share_clear(struct um_context *context, struct um_optics_
                           shared->lobe,    shared->masked,     shared->masked_mean,
                           shared->masks,   shared->facets,     shared->half,
                           shared->fresnel, shared->flat,       shared->lobe_share,
-                          shared->tilt,    shared->tilts};
+                          shared->tilt,    shared->tilts,      shared->has_lobe};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
 }
 
@@ -328,7 +337,7 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
       s->sun,        s->share,   s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
       s->lobe,       s->masked,  s->masked_mean,  s->masks,   s->planck,     s->facets,
       s->half,       s->fresnel, s->transmission, s->flat,    s->lobe_share, s->tilt,
-      s->tilts};
+      s->tilts,      s->has_lobe};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -46,6 +46,7 @@ struct um_optics_spectra {
   struct um_optics_lobe_facets *facets;    /* [nskin] of the lobe */
   struct um_vec3 *half;                    /* [nskin][rings][cells] behind facets */
   double *fresnel;                 /* [nskin][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */
+  bool *has_lobe;                  /* [nskin][nband] F is not 0 in all of the band */
   struct um_optics_planck *planck; /* [nband] */
 };
 
