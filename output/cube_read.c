@@ -36,7 +36,7 @@ static enum um_status damaged(struct um_context *context)
 static enum um_status take(struct um_context *context, struct stream *s, size_t count, size_t size,
                            void *out)
 {
-  const void *from = next(s, count * size);
+  const void *from = count <= s->left / size ? next(s, count * size) : NULL;
   if (from == NULL) return damaged(context);
   void *copy;
   UM_TRY(um_core_allocate(context, count, size, &copy));
@@ -107,6 +107,9 @@ static enum um_status check_values(struct um_context *context, const struct um_o
 static enum um_status unpack(struct um_context *context, const struct um_cube_header *h,
                              struct stream *s, struct um_optics_image *image)
 {
+  if (h->width < 1 || h->height < 1 || h->width > UM_OPTICS_IMAGE_WIDTH ||
+      h->height > UM_OPTICS_IMAGE_WIDTH || !um_cube_part_fits(h))
+    return damaged(context);
   image->width = h->width;
   image->height = h->height;
   image->samples = h->samples;

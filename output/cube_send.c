@@ -104,8 +104,7 @@ static bool choose(struct reader *r, const struct um_output_cube_part *part, dou
   h->y = all ? 0 : part->y;
   h->columns = all ? h->width : part->width;
   h->lines = all ? h->height : part->height;
-  if (h->x < 0 || h->y < 0 || h->columns < 1 || h->lines < 1 || h->x > h->width - h->columns ||
-      h->y > h->height - h->lines)
+  if (!um_cube_part_fits(h))
     return FAIL(r, "tile of %d x %d pixels at %d, %d; accepted: inside %d x %d pixels", h->columns,
                 h->lines, h->x, h->y, h->width, h->height);
   size_t n, nspectrum;

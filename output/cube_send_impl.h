@@ -2,6 +2,7 @@
 #ifndef UMBRA_OUTPUT_CUBE_SEND_IMPL_H
 #define UMBRA_OUTPUT_CUBE_SEND_IMPL_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "output/cube.h"
@@ -25,6 +26,13 @@ struct um_cube_wanted {
   const char *path;
   struct um_output_cube_part part;
 };
+
+/* Does the part lie inside the picture? */
+static inline bool um_cube_part_fits(const struct um_cube_header *h)
+{
+  return h->x >= 0 && h->y >= 0 && h->columns >= 1 && h->lines >= 1 &&
+         h->x <= h->width - h->columns && h->y <= h->height - h->lines;
+}
 
 /* Work of a child process (um_core_child_run): a struct um_cube_wanted, as its answer. */
 int um_output_cube_send(void *wanted, int pipe_end);
