@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/csv.h"
 #include "core/file.h"
@@ -70,13 +71,14 @@ static enum um_status change_entry(struct overrides *o, const struct um_scenario
   return UM_OK;
 }
 
-/* A name in double quotes of YAML, without them where it is a plain word. */
+/* A name in double quotes of YAML, without them where it is a plain word and not YAML's null. */
 static void quote(const char *name, size_t size, char *out)
 {
   size_t n = 0;
   bool plain = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-") ==
                    strlen(name) &&
-               strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", name[0]) != NULL;
+               strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", name[0]) != NULL &&
+               strcasecmp(name, "null") != 0;
   if (!plain) out[n++] = '"';
   for (; *name != '\0' && n + 4 < size; name++) {
     if (*name == '"' || *name == '\\') out[n++] = '\\';
@@ -105,9 +107,8 @@ static enum um_status new_entry(struct overrides *o, const struct um_model_effec
   return add_override(o, copy);
 }
 
-/* Does an entry have to say this? Not that an effect is off, which keys of `environment` say of a
- * switch already, nor that a switch is on by default;
- * one that was asked for may be held off by another key of the scenario. */
+/* Does an entry have to say this? Not that a switch is off which keys of `environment` hold off
+ * already, nor that one is on by default. One that was asked for may be held off by another key. */
 static bool is_needed(const struct um_model_effect *use)
 {
   if (use->off) return use->effect->on_by_default != 0 && !use->off_by_keys;

@@ -235,6 +235,20 @@ static void write_scene(void)
   free(text);
 }
 
+/* An effect on what is called as YAML's null is. */
+static void test_scenario_names_null(void **state)
+{
+  (void)state;
+  static const char *const files[] = {"lightcurve.csv", NULL};
+  char *text = command_edit(command_data("box.yaml"), "  lwir:", "  \"null\":");
+  command_write("null.yaml", text);
+  free(text);
+  command_expect(0, "run", "null.yaml", "--no-plots", "--out", "one", "--with",
+                 "zero_point:null,factor=1.1", NULL);
+  command_expect(0, "run", "one", "--no-plots", "--out", "two", NULL);
+  command_expect_same("one", "two", files);
+}
+
 /* A run's scenario.yaml stands where its results are: run from there it gives their bytes, with all
  * that the command line changed; also when the folders moved together. */
 static void test_scenario_runs_where_it_stands(void **state)
@@ -281,6 +295,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_scenario_copy, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_scenario_runs_where_it_stands, command_enter,
                                       command_leave),
+      cmocka_unit_test_setup_teardown(test_scenario_names_null, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
