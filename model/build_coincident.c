@@ -10,13 +10,12 @@
 #define NAMED 5 /* pairs of parts with a line of their own */
 
 static void warn_pair(struct um_context *context, const struct um_model *model,
-                      const struct um_geometry_coincidence *pair, bool all)
+                      const struct um_geometry_coincidence *pair, const char *least)
 {
   static const char says[] =
       "in one place that look the same way: light and heat count twice there";
   const char *a = um_geometry_part_name(model->geometry, pair->part[0]);
   const char *b = um_geometry_part_name(model->geometry, pair->part[1]);
-  const char *least = all ? "" : "at least ";
   if (pair->part[0] == pair->part[1])
     um_core_log(context, UM_LOG_WARNING, "part %s has %s%.4g m2 of surfaces %s", a, least,
                 pair->area, says);
@@ -30,14 +29,15 @@ static enum um_status warn_surfaces(struct um_context *context, const struct um_
   struct um_geometry_coincidences *found = NULL;
   double area = 0.0;
   UM_TRY(um_geometry_coincidences_create(context, model->geometry, &found));
+  const char *least = found->all ? "" : "at least ";
   for (size_t i = 0; i < found->n; i++)
     if (i < NAMED)
-      warn_pair(context, model, &found->pair[i], found->all);
+      warn_pair(context, model, &found->pair[i], least);
     else
       area += found->pair[i].area;
   if (found->n > NAMED)
-    um_core_log(context, UM_LOG_WARNING, "so have %zu more pairs of parts, %.4g m2 together",
-                found->n - NAMED, area);
+    um_core_log(context, UM_LOG_WARNING, "so have %s%zu more pairs of parts, %s%.4g m2 together",
+                least, found->n - NAMED, least, area);
   um_geometry_coincidences_destroy(context, &found);
   return UM_OK;
 }

@@ -406,6 +406,20 @@ static void test_counted_twice(void **state)
     assert_non_null(strstr(log, says[0]));
     free(log);
   }
+  /* four boxes in one place are six pairs, of which five are named */
+  static const char *const name[] = {"twin", "third", "fourth"};
+  char *four = command_data("box.yaml");
+  for (int i = 0; i < 3; i++) {
+    four = command_edit(four, "parts:\n", twin);
+    four = command_edit(command_edit(four, "AT", "0"), "name: twin", "name: NEXT");
+    four = command_edit(four, "NEXT", name[i]);
+  }
+  command_write("four.yaml", four);
+  free(four);
+  struct command of_four = command_run("check", "four.yaml", NULL);
+  assert_int_equal(of_four.code, 0);
+  assert_non_null(strstr(of_four.err, "so have 1 more pairs of parts, 6 m2 together"));
+  command_release(&of_four);
   /* two tetrahedra in one mesh, legs of 1 m and 2 m: (3 + sqrt 3)/2 m2 and four times that */
   command_write("two.obj",
                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 7 0 0\nv 5 2 0\nv 5 0 2\n"
