@@ -99,31 +99,39 @@ done:
   return status;
 }
 
-/* One star in one frame, as a row of the table. */
-static enum um_status measure_star(struct um_context *context, const char *path, const char *text,
-                                   const struct um_instrument_aperture *aperture, FILE *file)
+struct stars {
+  size_t n;
+  double (*asked)[3];               /* [n] magnitude, x, y */
+  struct um_compare_photometry *of; /* [frames][n] */
+};
+
+static enum um_status parse_stars(struct um_context *context, const struct um_app_options *options,
+                                  struct stars *stars)
 {
-  struct um_instrument_aperture a = *aperture;
-  struct um_compare_photometry p;
-  double star[3];
-  if (!um_app_star_parse(text, star))
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "--star %s; accepted: MAG,X,Y, AB magnitude and pixels", text);
-  a.x = star[1];
-  a.y = star[2];
-  UM_TRY(um_compare_photometry_measure(context, path, &a, &p));
-  if (isnan(p.airmass))
-    return um_core_fail(context, UM_ERR_INPUT, "%s: header has no AIRMASS; accepted: a number",
-                        path);
-  fprintf(file, "%.9g,%.9g,%.9g,%.9g,%d\n", star[0], p.airmass, p.rate, p.sigma,
-          p.sum.saturated > 0);
-  print_row(path, &p);
+  for (size_t s = 0; s < stars->n; s++)
+    if (!um_app_star_parse(options->star[s], stars->asked[s]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "--star %s; accepted: MAG,X,Y, AB magnitude and pixels",
+                          options->star[s]);
   return UM_OK;
 }
 
-static enum um_status measure_stars(struct um_context *context,
-                                    const struct um_app_options *options,
-                                    const struct um_instrument_aperture *aperture)
+static enum um_status measure_star(struct um_context *context, const char *path,
+                                   const double asked[3],
+                                   const struct um_instrument_aperture *aperture,
+                                   struct um_compare_photometry *out)
+{
+  struct um_instrument_aperture a = *aperture;
+  a.x = asked[1];
+  a.y = asked[2];
+  UM_TRY(um_core_stop_check(context, "stars were measured"));
+  UM_TRY(um_compare_photometry_measure(context, path, &a, out));
+  if (!isnan(out->airmass)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "%s: header has no AIRMASS; accepted: a number", path);
+}
+
+static enum um_status write_stars(struct um_context *context, const struct um_app_options *options,
+                                  const struct stars *stars)
 {
   enum um_status status = UM_OK;
   char *partial = NULL;
@@ -135,10 +143,11 @@ static enum um_status measure_stars(struct um_context *context,
     goto done;
   }
   fputs("magnitude_ab,airmass,count_rate,sigma,flag\n", file);
-  print_head();
-  for (size_t i = 0; i < frames(options); i++)
-    for (size_t s = 0; s < options->nstar; s++)
-      UM_CHECK(measure_star(context, frame_at(options, i), options->star[s], aperture, file));
+  for (size_t i = 0; i < frames(options) * stars->n; i++) {
+    const struct um_compare_photometry *p = &stars->of[i];
+    fprintf(file, "%.9g,%.9g,%.9g,%.9g,%d\n", stars->asked[i % stars->n][0], p->airmass, p->rate,
+            p->sigma, p->sum.saturated > 0);
+  }
   UM_CHECK(um_core_file_close(context, options->out, &file));
   if (rename(partial, options->out) != 0)
     status = um_core_fail(context, UM_ERR_IO, "%s: cannot be written", options->out);
@@ -146,6 +155,29 @@ done:
   if (file != NULL) (void)fclose(file);
   if (status != UM_OK) (void)remove(partial);
   um_core_free(context, partial);
+  return status;
+}
+
+/* Every star in every frame, as a table for umbra calibrate. */
+static enum um_status measure_stars(struct um_context *context,
+                                    const struct um_app_options *options,
+                                    const struct um_instrument_aperture *aperture)
+{
+  enum um_status status;
+  struct stars stars = {.n = options->nstar};
+  size_t n = frames(options) * stars.n;
+  UM_CHECK(um_core_allocate(context, stars.n, sizeof *stars.asked, &stars.asked));
+  UM_CHECK(um_core_allocate(context, n, sizeof *stars.of, &stars.of));
+  UM_CHECK(parse_stars(context, options, &stars));
+  for (size_t i = 0; i < n; i++)
+    UM_CHECK(measure_star(context, frame_at(options, i / stars.n), stars.asked[i % stars.n],
+                          aperture, &stars.of[i]));
+  UM_CHECK(write_stars(context, options, &stars));
+  print_head();
+  for (size_t i = 0; i < n; i++) print_row(frame_at(options, i / stars.n), &stars.of[i]);
+done:
+  um_core_free(context, stars.asked);
+  um_core_free(context, stars.of);
   return status;
 }
 

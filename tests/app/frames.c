@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "tests/app/command.h"
+#include "tests/app/failure.h"
 #include "tests/app/table.h"
 
 #define MOMENT "2016-09-06T18:10:30Z"
@@ -111,9 +112,7 @@ static void test_counts(void **state)
 static void test_refused(void **state)
 {
   (void)state;
-  static const struct {
-    const char *argument[20], *says;
-  } cases[] = {
+  static const struct failure cases[] = {
       {{FRAME, "--sensor", "eyes", "-o", "x.fits"}, "did you mean 'eye'?; accepted: eye, blind"},
       {{FRAME, "--sensor", "blind", "-o", "x.fits"},
        "sensors.blind.pixel_arcsec: a frame needs it"},
@@ -134,13 +133,7 @@ static void test_refused(void **state)
       {{FRAME, "--sensor", "eye", "--force", "-o", "eye.yaml"}, "no '.yaml' is written here"},
   };
   write_scenario();
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-    struct command c = command_run_list(cases[i].argument);
-    if (c.code != 1 || command_count_lines(c.err) != 1 || strstr(c.err, cases[i].says) == NULL)
-      fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, cases[i].says, c.out, c.err);
-    command_release(&c);
-    assert_false(command_exists("x.fits") || command_exists("x.png"));
-  }
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
 }
 
 int main(void)

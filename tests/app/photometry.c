@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "tests/app/command.h"
+#include "tests/app/failure.h"
 #include "tests/app/table.h"
 
 #define FRAMES 6
@@ -190,9 +191,7 @@ static void test_files(void **state)
 static void test_refused(void **state)
 {
   (void)state;
-  static const struct {
-    const char *argument[16], *says;
-  } cases[] = {
+  static const struct failure cases[] = {
       {{"photometry", "a.fits", "--aperture", "9,12,80", "-o", "x.csv"},
        "a.fits: the annulus of 80"},
       {{"photometry", "a.fits", "--aperture", "9,12", "-o", "x.csv"},
@@ -224,13 +223,7 @@ static void test_refused(void **state)
   command_write("one.csv", STARS "8,1.5,1e5,1e3\n");
   command_write("level.csv", STARS "8,1.5,1e5,1e3\n9,1.5,4e4,1e3\n");
   command_write("bad.csv", STARS "8,1.5,1e5,1e3\n9,1.2,-5,1\n");
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-    struct command c = command_run_list(cases[i].argument);
-    if (c.code != 1 || command_count_lines(c.err) != 1 || strstr(c.err, cases[i].says) == NULL)
-      fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, cases[i].says, c.out, c.err);
-    command_release(&c);
-    assert_false(command_exists("x.csv"));
-  }
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
   /* a known extinction needs no second airmass */
   command_expect(0, "calibrate", "eye.yaml", "level.csv", "--sensor", "eye", "--extinction", "0.2",
                  NULL);

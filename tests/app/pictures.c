@@ -7,19 +7,11 @@
 #include <string.h>
 
 #include "tests/app/command.h"
+#include "tests/app/failure.h"
 #include "tests/app/table.h"
 
 #define RENDER "render", "box.yaml", "--width", "16", "--samples", "1"
 #define MOMENT "--time", "2016-09-06T18:10:30Z"
-
-static void expect_failure(const char *const *arguments, const char *says)
-{
-  struct command c = command_run_list(arguments);
-  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
-      strstr(c.err, says) == NULL)
-    fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, says, c.out, c.err);
-  command_release(&c);
-}
 
 /* One channel of a picture and its data window; the caller frees. */
 static float *read_channel(const char *path, const char *name, exr_attr_box2i_t *window)
@@ -144,9 +136,7 @@ static void test_expand(void **state)
 static void test_expand_refuses(void **state)
 {
   (void)state;
-  static const struct {
-    const char *argument[16], *says;
-  } cases[] = {
+  static const struct failure cases[] = {
       {{"expand", "none.nc", "-o", "x.exr"}, "none.nc: No such file"},
       {{"expand", "box.yaml", "-o", "x.exr"}, "box.yaml: netCDF: "},
       {{"expand", "half.nc", "-o", "x.exr"}, "half.nc: "},
@@ -176,13 +166,7 @@ static void test_expand_refuses(void **state)
   assert_int_equal(fwrite(bytes, 1, n, file), n);
   fclose(file);
   free(bytes);
-  char *before = command_snapshot(".");
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-    expect_failure(cases[i].argument, cases[i].says);
-  char *after = command_snapshot(".");
-  assert_string_equal(after, before);
-  free(before);
-  free(after);
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
 }
 
 static void test_render(void **state)
@@ -255,12 +239,12 @@ static void test_views(void **state)
   print_message("view %.6g, light curve %.6g W/sr\n", sum, wanted);
   assert_true(wanted > 0.0 && fabs(sum - wanted) <= 0.01 * wanted);
   table_release(&t);
-  expect_failure(
+  failure_expect(
       (const char *[]){"run", "box.yaml", "--out", "no", "--picture", "2016-09-06T19:10:10Z", NULL},
       "--picture 2016-09-06T19:10:10Z; accepted: 2016-09-06T18:07:00.000Z to ");
-  expect_failure((const char *[]){"run", "box.yaml", "--out", "no", "--picture", "noon", NULL},
+  failure_expect((const char *[]){"run", "box.yaml", "--out", "no", "--picture", "noon", NULL},
                  "--picture");
-  expect_failure((const char *[]){"run", "box.yaml", "--out", "no", "--picture", "first-light",
+  failure_expect((const char *[]){"run", "box.yaml", "--out", "no", "--picture", "first-light",
                                   "--set", "time.stop_utc=2016-09-06T18:08:00Z", NULL},
                  "does not leave the shadow");
 }
@@ -311,9 +295,7 @@ static void test_instant(void **state)
 static void test_refused(void **state)
 {
   (void)state;
-  static const struct {
-    const char *argument[16], *says;
-  } cases[] = {
+  static const struct failure cases[] = {
       {{RENDER, "--time", "2016-09-06T18:11:01Z", "--band", "vis", "-o", "a.exr"},
        "--time 2016-09-06T18:11:01Z; accepted: 2016-09-06T18:07:00.000Z to "
        "2016-09-06T18:11:00.000Z, the scenario's start_utc and stop_utc"},
@@ -341,13 +323,7 @@ static void test_refused(void **state)
   };
   command_copy_data("box.yaml");
   command_write("p.nc", "");
-  char *before = command_snapshot(".");
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-    expect_failure(cases[i].argument, cases[i].says);
-  char *after = command_snapshot(".");
-  assert_string_equal(after, before);
-  free(before);
-  free(after);
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
   /* the ends themselves, and capitals; a name without an ending is OpenEXR */
   command_expect(0, RENDER, "--time", "2016-09-06T18:07:00Z", "--band", "lwir", "-o", "A.EXR",
                  NULL);

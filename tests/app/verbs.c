@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "tests/app/command.h"
+#include "tests/app/failure.h"
 #include "tests/app/json.h"
 
 /* The checker itself: what it must refuse and accept. */
@@ -138,24 +139,13 @@ static void test_text(void **state)
     expect_lines(cases[i].argument, cases[i].holds);
 }
 
-static void expect_failure(const char *const *arguments, const char *says)
-{
-  struct command c = command_run_list(arguments);
-  if (c.code != 1 || c.out[0] != '\0' || command_count_lines(c.err) != 1 ||
-      strstr(c.err, says) == NULL)
-    fail_msg("exit %d, expected 1 and '%s':\n%s%s", c.code, says, c.out, c.err);
-  command_release(&c);
-}
-
 #define RENDER "render", "box.yaml", "--width", "16", "--samples", "1"
 #define MOMENT "--time", "2016-09-06T18:10:30Z"
 
 static void test_failures(void **state)
 {
   (void)state;
-  static const struct {
-    const char *argument[14], *says;
-  } cases[] = {
+  static const struct failure cases[] = {
       {{"materials", "grey_whit"}, "did you mean"},
       {{"schema", "parts.shel"}, "part has no key 'shel'; did you mean 'shell'?; accepted: name, "},
       {{"schema", "orbits.tle"}, "scenario has no key 'orbits'; did you mean 'orbit'?; accepted: "},
@@ -180,13 +170,7 @@ static void test_failures(void **state)
   free(text);
   command_copy_data("box.yaml");
   assert_int_equal(mkdir("folder", 0777), 0);
-  char *before = command_snapshot(".");
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-    expect_failure(cases[i].argument, cases[i].says);
-  char *after = command_snapshot(".");
-  assert_string_equal(after, before);
-  free(before);
-  free(after);
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
 }
 
 /* The files of a map, and an attitude sought in light that was made with it. The box is lit on
