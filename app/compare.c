@@ -43,13 +43,13 @@ static void print_metrics(const char *segment, const struct um_compare_metrics *
   printf("\n");
 }
 
-static void print_worst(const struct um_compare_interval *w)
+static void print_worst(const struct um_compare_interval *w, const char *unit)
 {
   char from[32], to[32];
   um_orbit_time_format(w->from, from);
   um_orbit_time_format(w->to, to);
-  printf("  worst: %.12s to %.12s, %zu observations, chi2 %.4g, bias %+.3e, sunlit %.2f", from + 11,
-         to + 11, w->count, w->chi2, w->bias, w->sunlit);
+  printf("  worst: %.12s to %.12s, %zu observations, chi2 %.4g, bias %+.3e %s, sunlit %.2f",
+         from + 11, to + 11, w->count, w->chi2, w->bias, unit, w->sunlit);
   for (int pass = 0; pass < 2; pass++) {
     const struct um_compare_share *share = pass == 0 ? w->mechanism : w->material;
     size_t n = pass == 0 ? w->nmechanism : w->nmaterial;
@@ -88,7 +88,7 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
   if (channel->all.model_share > UM_COMPARE_SHARE_SHOWN)
     printf("  the model's own sampling error is %.2g %% of the variance\n",
            100.0 * channel->all.model_share);
-  if (channel->nworst > 0) print_worst(&channel->worst[0]);
+  if (channel->nworst > 0) print_worst(&channel->worst[0], um_compare_residual_unit(of->quantity));
   printf("  residual correlates with:");
   size_t shown = 0;
   for (; shown < channel->ncorrelation && shown < CORRELATIONS_SHOWN; shown++) {

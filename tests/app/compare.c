@@ -107,6 +107,34 @@ static void test_compare(void **state)
   command_release(&c);
 }
 
+/* The worst interval's bias has its unit; that of magnitudes, whose table is in mag, is in flux. */
+static void test_worst_has_unit(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *row, *says;
+  } cases[] = {{"magnitude_ab,vis,7,0.02", " flux of magnitude 0, sunlit 0."},
+               {"band_irradiance,lwir,3e-12,1e-14", " W/m^2, sunlit 0."}};
+  command_copy_data("box.yaml");
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    char text[800] = HEAD;
+    for (int k = 0; k < 8; k++) {
+      size_t n = strlen(text);
+      snprintf(text + n, sizeof text - n, "2016-09-06T18:10:%02dZ,%s\n", 10 + 2 * k, cases[i].row);
+    }
+    command_write("m.csv", text);
+    struct command c =
+        command_run("compare", "box.yaml", "m.csv", "--out", "out", "--no-plots", NULL);
+    const char *worst = strstr(c.out, "  worst: "), *bias = worst ? strstr(worst, ", bias ") : NULL;
+    if (c.code != 0 || bias == NULL) fail_msg("exit %d:\n%s%s", c.code, c.out, c.err);
+    char *end;
+    assert_true(isfinite(strtod(bias + strlen(", bias "), &end)));
+    if (strncmp(end, cases[i].says, strlen(cases[i].says)) != 0)
+      fail_msg("no '%s' in %s", cases[i].says, worst);
+    command_release(&c);
+  }
+}
+
 /* One line, exit 1, nothing written: neither folder nor file. */
 static void refused(const char *measured, const char *says)
 {
@@ -263,6 +291,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_synth, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_compare, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_picture, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_worst_has_unit, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_bad_measurements, enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
