@@ -2,8 +2,9 @@
 #ifndef UMBRA_COMPARE_PERIOD_H
 #define UMBRA_COMPARE_PERIOD_H
 
-#include "compare/series.h"
 #include <stdbool.h>
+
+#include "compare/series.h"
 
 /* Zero means the default. */
 struct um_compare_period_options {

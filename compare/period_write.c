@@ -121,7 +121,8 @@ static void folded(struct um_plot *plot, const struct um_compare_period_entry *e
   um_plot_add(plot,
               "set xrange [0:2]\nset yrange [*:*]\nset xlabel %s\n"
               "y(i) = column(i) / %g\ns(i) = strcol(i) eq '' ? 0 : column(i) / %g\nplot ",
-              um_compare_period_is_named(entry->period) ? "phase" : "phase at the highest peak",
+              um_compare_period_is_named(entry->period) ? "phase"
+                                                        : "phase by the highest peak’s period",
               power, power);
   for (int turn = 0; turn < 2; turn++)
     um_plot_add(plot,
@@ -138,11 +139,11 @@ static void found_words(const struct um_compare_period *p, char out[120])
                      ? (int)fmin(1.0 - floor(log10(p->period_sigma)), 9.0)
                      : 0;
   if (um_compare_period_is_named(p))
-    snprintf(out, 120, "period %.*f ± %.*f s, false alarm %.2g", decimals, p->period, decimals,
-             p->period_sigma, p->false_alarm);
+    snprintf(out, 120, "period %.*f ± %.*f s, false-alarm probability %.2g", decimals, p->period,
+             decimals, p->period_sigma, p->false_alarm);
   else
-    snprintf(out, 120, "no period: noise peaks as high as at %.4g s, false alarm %.2g", p->period,
-             p->false_alarm);
+    snprintf(out, 120, "no period: noise peaks as high (at %.4g s), false-alarm probability %.2g",
+             p->period, p->false_alarm);
 }
 
 static enum um_status draw(struct um_context *context, const struct um_compare_period_report *r,

@@ -70,7 +70,7 @@ static void test_no_period(void **state)
   assert_non_null(strstr(c.out, "\"named\": false, \"period_s\": null"));
   command_release(&c);
   char *script = command_read("found/period.gp"); /* nor in the picture */
-  assert_non_null(strstr(script, "set label 902 'no period: noise peaks as high as at "));
+  assert_non_null(strstr(script, "set label 902 'no period: noise peaks as high (at "));
   assert_null(strstr(script, "set label 902 'period "));
   free(script);
   c = command_run("period", "measured.csv", "--out", "found", "--no-plots", NULL);
