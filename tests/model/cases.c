@@ -36,6 +36,7 @@ static int teardown(void **state)
 {
   (void)state;
   um_core_context_destroy(&context);
+  (void)remove(FILE_NAME);
   return 0;
 }
 
