@@ -81,10 +81,10 @@ void um_plot_shade(struct um_plot *plot, const struct um_plot_time *time, size_t
 
 /* ---- axes that outliers do not set, curves with gaps ---- */
 
-#define UM_PLOT_STRETCH 1.0 /* of an axis by values that are few: a third is left */
-#define UM_PLOT_STRETCH_LIGHT                                                                      \
-  9.0 /* of light in linear units, where peaks are what one looks for                              \
-       */
+/* How far few values may stretch an axis at either end [its length]: a third is left for the rest;
+ * of light in linear units, where peaks are what one looks for, a nineteenth. */
+#define UM_PLOT_STRETCH       1.0
+#define UM_PLOT_STRETCH_LIGHT 9.0
 
 /* What an axis holds of a set: all but the last twentieth at either end (3 of fewer than 60, at
  * most a fifth), as of measurements; the middle half, as of a model; nothing for its own sake. */

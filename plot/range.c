@@ -57,16 +57,17 @@ static void range_of(const struct um_plot_values *set, size_t nset, const double
   for (size_t i = 0; i < nset; of += count[i++])
     for (size_t k = 0; k < count[i]; k++) {
       double value = of[k];
-      bool below = value < first;
-      bool above = value > last;
+      bool below = value<first, above = value> last;
       out->cut = out->cut || below || above;
-      if (!below && !above) out->low = fmin(out->low, of[k]);
-      if (!below && !above) out->high = fmax(out->high, of[k]);
+      if (!below && !above) {
+        out->low = fmin(out->low, value);
+        out->high = fmax(out->high, value);
+      }
       if (set[i].shown != UM_PLOT_MOST) continue;
       out->below += below;
       out->above += above;
-      out->lowest = fmin(out->lowest, of[k]);
-      out->highest = fmax(out->highest, of[k]);
+      out->lowest = fmin(out->lowest, value);
+      out->highest = fmax(out->highest, value);
     }
   double margin = MARGIN * (out->high - out->low);
   if (!(margin > 0.0)) margin = fmax(1e-3 * fabs(out->high), 1e-30);
