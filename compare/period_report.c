@@ -15,7 +15,12 @@ static enum um_status search(struct um_context *context, const struct um_compare
   struct um_compare_series *series = NULL;
   out->channel = channel;
   UM_CHECK(um_compare_series_create(context, m, channel, SIZE_MAX, &series));
-  UM_CHECK(um_compare_period_search(context, series, options, &out->period));
+  status = um_compare_period_search(context, series, options, &out->period);
+  if (status == UM_ERR_INPUT)
+    um_core_message_prefix(context, "%s: %s %s", m->path,
+                           um_compare_quantity_name(m->channel[channel].quantity),
+                           m->channel[channel].of);
+  if (status != UM_OK) goto done;
   UM_CHECK(um_compare_fold(context, series, out->period, UM_COMPARE_FOLD_BINS, out->bin));
 done:
   um_compare_series_destroy(context, &series);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tests/app/command.h"
+#include "tests/app/failure.h"
 #include "tests/app/json.h"
 #include "tests/app/table.h"
 
@@ -108,6 +109,19 @@ static void test_refusals(void **state)
   assert_string_equal(before, after);
   free(before);
   free(after);
+  /* a light curve that is too short, or does not vary, is named with its file */
+#define ROW(second, of, value) "2016-09-06T18:10:0" second "Z,band_irradiance," of "," value ",1\n"
+  command_write("few.csv", "time_utc,quantity,of,value,sigma\n" ROW("0", "vis", "1"));
+  command_write("same.csv",
+                "time_utc,quantity,of,value,sigma\n" ROW("0", "V", "2") ROW("1", "V", "2")
+                    ROW("2", "V", "2") ROW("3", "V", "2") ROW("4", "V", "2"));
+  static const struct failure cases[] = {
+      {{"period", "few.csv", "--out", "found"},
+       "few.csv: band_irradiance vis: period search: 1 observations; accepted: 5 or more"},
+      {{"period", "same.csv", "--out", "found"},
+       "same.csv: band_irradiance V: period search: all 5"},
+  };
+  failures_expect(cases, sizeof cases / sizeof cases[0]);
 }
 
 int main(void)
