@@ -35,8 +35,7 @@ enum um_diagnosis_standing {
   UM_STANDING_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
   UM_STANDING_ONE_OF_GROUP, /* it or one of those that do as well */
   UM_STANDING_SMALL,        /* it explains so little that what it is cannot be known */
-  UM_STANDING_UNCERTAIN /* none comes near, but its value is within UM_DIAGNOSIS_SIGMAS of nothing
-                         */
+  UM_STANDING_UNCERTAIN     /* none comes near, but it is within UM_DIAGNOSIS_SIGMAS of nothing */
 };
 const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
 

@@ -34,11 +34,17 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
   return false;
 }
 
-/* Whether no parameter of the effect that is tested stands clear of where it does nothing; scale:
- * factor on sigma, which is beside all that is fitted along. A switch has no such value, one at the
- * end of its range no sigma. */
-static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagnosis_step *step,
-                            double scale)
+/* Factor on sigmas where observations scatter more than they say: their true sigma is larger by the
+ * root of reduced chi-square. Where they scatter less, nothing is made more certain. */
+static double scatter(const struct um_diagnosis *d)
+{
+  return sqrt(fmax(1.0, d->chi2_reduced_after));
+}
+
+/* Whether no parameter of the effect that is tested stands clear of where it does nothing. Its
+ * sigma is marginal: all that is fitted along may move. A switch has no such value, one at the end
+ * of its range no sigma. */
+static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
   const struct um_sensitivity_candidate *c =
       d->candidates == NULL ? NULL : &d->candidates->candidate[step->candidate];
@@ -48,16 +54,10 @@ static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagno
     const struct um_effect_parameter *of = &c->effect->parameters[p];
     double value = step->addition.value[p];
     double away = um_effect_transformed(of, value) - um_effect_transformed(of, c->null_value[p]);
-    double sigma = step->sigma[p] / um_effect_transformed_slope(of, value);
-    if (isnan(sigma) ? away != 0.0 : fabs(away) > UM_DIAGNOSIS_SIGMAS * scale * sigma) return false;
+    double sigma = scatter(d) * step->sigma[p] / um_effect_transformed_slope(of, value);
+    if (isnan(sigma) ? away != 0.0 : fabs(away) > UM_DIAGNOSIS_SIGMAS * sigma) return false;
   }
   return c->ncolumn > 0;
-}
-
-/* By which sigma is too small where observations scatter more than they say. */
-static double scatter(const struct um_diagnosis *d)
-{
-  return sqrt(fmax(1.0, d->chi2_reduced_after));
 }
 
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
@@ -73,7 +73,7 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
     if (um_diagnosis_has_group(&d->step[s]) ||
-        (!d->step[s].removed && is_near_nothing(d, &d->step[s], scatter(d))))
+        (!d->step[s].removed && is_near_nothing(d, &d->step[s])))
       return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
 }
@@ -99,8 +99,7 @@ void um_diagnosis_stand(struct um_diagnosis *d)
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];
     if (!is_matched(step, scale))
-      step->standing =
-          is_near_nothing(d, step, scatter(d)) ? UM_STANDING_UNCERTAIN : UM_STANDING_CERTAIN;
+      step->standing = is_near_nothing(d, step) ? UM_STANDING_UNCERTAIN : UM_STANDING_CERTAIN;
     else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
       step->standing = UM_STANDING_SMALL;
     else
