@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/words.h"
+
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {
   um_core_free(context, d->direction);
@@ -91,6 +92,12 @@ void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size
       if (isinf(state->block[b].prior_sigma[p])) continue;
       for (size_t j = 0; j < n; j++) out[j] += fit->jacobian[k * n + j] * away;
     }
+}
+
+bool um_diagnosis_is_same_effect(const struct um_sensitivity_candidate *a,
+                                 const struct um_sensitivity_candidate *b)
+{
+  return a->effect == b->effect && um_core_words_same(a->target, b->target);
 }
 
 /* An effect on a target that is fitted already. */

@@ -24,6 +24,9 @@ double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k);
 /* Residual [n] with the parameters of the state at the means of their priors:
  *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0. */
 void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out);
+/* Two variants of one effect on one target, as the two discs of the Sun. */
+bool um_diagnosis_is_same_effect(const struct um_sensitivity_candidate *a,
+                                 const struct um_sensitivity_candidate *b);
 /* An effect on a target that is fitted already. */
 bool um_diagnosis_is_taken(const struct um_diagnosis_state *state,
                            const struct um_sensitivity_candidate *c);

@@ -9,21 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/words.h"
 #include "diagnosis/alternatives_impl.h"
 #include "diagnosis/directions_impl.h"
 #include "diagnosis/pair_swap_impl.h"
 #include "inference/algebra.h"
 #include "inference/projection.h"
 
-#define PAIRS   4   /* pairs that are fitted */
 #define BETTER  2.0 /* in BIC, for a pair to take over */
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
-
-struct pair {
-  size_t candidate[2];
-  double worth;
-};
 
 /* Columns of all candidates after the projection. */
 struct left {
@@ -75,8 +68,8 @@ done:
  * of a bound at null. matrix: [COLUMNS][n + COLUMNS], rotated: [n + COLUMNS]. */
 static enum um_status explained(struct um_context *context, const struct left *left,
                                 const struct um_inference_direction *direction,
-                                const struct pair *pair, double *matrix, double *rotated,
-                                double *out)
+                                const struct um_diagnosis_pair *pair, double *matrix,
+                                double *rotated, double *out)
 {
   struct um_inference_qr *qr = NULL;
   const struct um_inference_direction *d[2] = {&direction[pair->candidate[0]],
@@ -108,14 +101,14 @@ static enum um_status explained(struct um_context *context, const struct left *l
 }
 
 /* Keep the best, falling. */
-static void offer(struct pair *best, size_t *count, struct pair pair)
+static void offer(struct um_diagnosis_pair *best, size_t *count, struct um_diagnosis_pair pair)
 {
-  size_t at = *count < PAIRS ? (*count)++ : PAIRS;
-  for (; at > 0 && (at == PAIRS || best[at - 1].worth < pair.worth); at--) {
-    if (at == PAIRS && !(best[at - 1].worth < pair.worth)) return;
-    if (at < PAIRS) best[at] = best[at - 1];
+  size_t at = *count < UM_DIAGNOSIS_PAIRS ? (*count)++ : UM_DIAGNOSIS_PAIRS;
+  for (; at > 0 && (at == UM_DIAGNOSIS_PAIRS || best[at - 1].worth < pair.worth); at--) {
+    if (at == UM_DIAGNOSIS_PAIRS && !(best[at - 1].worth < pair.worth)) return;
+    if (at < UM_DIAGNOSIS_PAIRS) best[at] = best[at - 1];
   }
-  if (at < PAIRS) best[at] = pair;
+  if (at < UM_DIAGNOSIS_PAIRS) best[at] = pair;
 }
 
 static bool is_open(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
@@ -126,18 +119,13 @@ static bool is_open(const struct um_diagnosis_work *work, const struct um_diagno
   return !c->insensitive && c->nunidentified == 0 && !um_diagnosis_is_taken(state, c);
 }
 
-/* Two variants of one effect on one target, as the two discs of the Sun: one effect, no pair. */
-static bool is_same(const struct um_diagnosis_work *work, size_t i, size_t j)
+enum um_status um_diagnosis_pairs_find(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *state,
+                                       struct um_diagnosis_pair best[UM_DIAGNOSIS_PAIRS],
+                                       size_t *count)
 {
-  const struct um_sensitivity_candidate *a = &work->candidates->candidate[i],
-                                        *b = &work->candidates->candidate[j];
-  return a->effect == b->effect && um_core_words_same(a->target, b->target);
-}
-
-static enum um_status find_pairs(struct um_context *context, const struct um_diagnosis_work *work,
-                                 const struct um_diagnosis_state *state, struct pair *best,
-                                 size_t *count)
-{
+  const struct um_sensitivity_candidate *all = work->candidates->candidate;
   enum um_status status;
   struct um_diagnosis_directions d = {0};
   struct left left = {0};
@@ -150,8 +138,8 @@ static enum um_status find_pairs(struct um_context *context, const struct um_dia
   for (size_t i = 0; i < work->candidates->count; i++) {
     if (!is_open(work, state, i)) continue;
     for (size_t j = i + 1; j < work->candidates->count; j++) {
-      if (!is_open(work, state, j) || is_same(work, i, j)) continue;
-      struct pair pair = {{i, j}, 0.0};
+      if (!is_open(work, state, j) || um_diagnosis_is_same_effect(&all[i], &all[j])) continue;
+      struct um_diagnosis_pair pair = {{i, j}, 0.0};
       double columns = (double)(d.direction[i].ncolumn + d.direction[j].ncolumn);
       UM_CHECK(explained(context, &left, d.direction, &pair, matrix, rotated, &pair.worth));
       if (pair.worth < 0.0) continue;
@@ -174,11 +162,11 @@ static enum um_status exchange_with(struct um_context *context,
 {
   enum um_status status;
   struct um_diagnosis_state less = {0}, without = {0}, trial = {0};
-  struct pair best[PAIRS];
+  struct um_diagnosis_pair best[UM_DIAGNOSIS_PAIRS];
   size_t count = 0, now[2] = {state->block[b].candidate, state->block[state->nblock - 1].candidate};
   UM_CHECK(um_diagnosis_without(context, work, state, state->nblock - 1, &less));
   UM_CHECK(um_diagnosis_without(context, work, &less, b, &without));
-  UM_CHECK(find_pairs(context, work, &without, best, &count));
+  UM_CHECK(um_diagnosis_pairs_find(context, work, &without, best, &count));
   um_core_progress_begin(context, "fitting pairs of effects", count);
   for (size_t i = 0; i < count; i++) {
     const size_t *c = best[i].candidate;

@@ -6,12 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/words.h"
 #include "diagnosis/directions_impl.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/state_impl.h"
+#include "diagnosis/words.h"
 
-#define UNUSUAL 1.0 /* prior widths, below which a value is a usual one */
+/* Prior widths from the null value. */
+#define UNUSUAL     1.0 /* below it a value is a usual one */
+#define IMPLAUSIBLE 3.0 /* beyond it only the prior decides */
 
 struct predicted_reduction {
   double worth;
@@ -85,20 +87,6 @@ done:
   return status;
 }
 
-/* A value further from null than three prior widths. */
-static bool is_implausible(const struct um_sensitivity_candidate *c,
-                           const struct um_diagnosis_alternative *alternative)
-{
-  for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
-    size_t p = c->parameter[k];
-    const struct um_effect_parameter *of = &c->effect->parameters[p];
-    double away = um_effect_transformed(of, alternative->value[p]) -
-                  um_effect_transformed(of, c->null_value[p]);
-    if (fabs(away) > 3.0 * of->prior_sigma) return true;
-  }
-  return false;
-}
-
 /* A fitted value stands at an end of the candidate's range. */
 static bool is_at_bound(const struct um_sensitivity_candidate *c,
                         const struct um_diagnosis_alternative *alternative)
@@ -109,12 +97,6 @@ static bool is_at_bound(const struct um_sensitivity_candidate *c,
       return true;
   }
   return false;
-}
-
-static bool is_same_effect(const struct um_sensitivity_candidate *a,
-                           const struct um_sensitivity_candidate *b)
-{
-  return a->effect == b->effect && um_core_words_same(a->target, b->target);
 }
 
 /* Chi-square of an alternative's own priors. */
@@ -169,9 +151,10 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
     struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
     r->chi2_difference = i == 0 ? 0.0 : chi2_difference[r->candidate];
-    r->implausible = r->fitted && is_implausible(c, r);
+    r->implausible = r->fitted && um_diagnosis_prior_widths(c, r->value) > IMPLAUSIBLE;
     if (i == 0) continue;
-    r->same_effect = is_same_effect(c, &work->candidates->candidate[winner->candidate]);
+    r->same_effect =
+        um_diagnosis_is_same_effect(c, &work->candidates->candidate[winner->candidate]);
     relate(winner, r, c);
     if (r->same_effect) r->indistinguishable = r->not_tried = false; /* the effect is known */
     not_tried += r->not_tried;

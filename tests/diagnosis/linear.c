@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "diagnosis/directions_impl.h"
+#include "diagnosis/pair_swap_impl.h"
 #include "diagnosis/pulse_bic_impl.h"
 #include "diagnosis/rank_impl.h"
 #include "tests/support/cmocka_all.h"
@@ -156,6 +157,50 @@ static void not_fitted_is_not_tied(void **state)
   assert_false(alternative[1].not_tried);
 }
 
+/* The residual is mostly the sum of what two variants of one effect do, so that they would be the
+ * best pair of three candidates: they are none, and each is one with the other effect. */
+static void variants_of_one_effect_are_no_pair(void **state)
+{
+  (void)state;
+  const struct um_effect effect[2] = {{.name = "disc"}, {.name = "other"}};
+  double signature[3][ROWS], sigma[ROWS], residual[ROWS];
+  struct um_sensitivity_candidate candidate[3];
+  memset(candidate, 0, sizeof candidate);
+  for (size_t j = 0; j < ROWS; j++) {
+    double u = (double)j / ROWS;
+    sigma[j] = 1.0;
+    signature[0][j] = -30.0 * cos(3.0 * u); /* all three go the way of a switch */
+    signature[1][j] = 30.0 * sin(9.0 * u);
+    signature[2][j] = 1.0 + u;
+    residual[j] = signature[0][j] + signature[1][j] + 2.0 * signature[2][j];
+  }
+  for (size_t i = 0; i < 3; i++) {
+    candidate[i].effect = &effect[i / 2];
+    candidate[i].is_switch = true;
+    candidate[i].ncolumn = 1;
+    candidate[i].signature = signature[i];
+  }
+  struct um_sensitivity_forward forward = {.observations = {.count = ROWS, .sigma = sigma}};
+  const struct um_sensitivity_candidates candidates = {
+      .count = 3, .nobservation = ROWS, .candidate = candidate};
+  const struct um_diagnosis_work work = {.forward = &forward, .candidates = &candidates};
+  struct um_inference_fit fit = {.nobservation = ROWS, .residual = residual};
+  const struct um_diagnosis_state fitted = {.fit = &fit};
+  struct um_diagnosis_pair best[UM_DIAGNOSIS_PAIRS];
+  size_t count;
+  if (um_diagnosis_pairs_find(context, &work, &fitted, best, &count) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+  assert_int_equal(count, 2);
+  for (size_t i = 0; i < count; i++) assert_int_equal(best[i].candidate[1], 2);
+  /* effects of their own they are the best pair of all */
+  struct um_effect third = {.name = "third"};
+  candidate[1].effect = &third;
+  if (um_diagnosis_pairs_find(context, &work, &fitted, best, &count) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+  assert_int_equal(count, 3);
+  assert_true(best[0].candidate[0] == 0 && best[0].candidate[1] == 1);
+}
+
 /* 90 observations, 2 nuisances: 70 + 1.5 + (2 + 4) ln 90 = 98.498858. */
 static void pulse_of_heat_has_four_parameters(void **state)
 {
@@ -173,6 +218,7 @@ int main(void)
       cmocka_unit_test(tied_within_ten_of_bic),
       cmocka_unit_test(only_its_own_prior_keeps_out),
       cmocka_unit_test(not_fitted_is_not_tied),
+      cmocka_unit_test(variants_of_one_effect_are_no_pair),
       cmocka_unit_test(pulse_of_heat_has_four_parameters),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
