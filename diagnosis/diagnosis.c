@@ -13,6 +13,16 @@ const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
   return name[standing];
 }
 
+const struct um_diagnosis_step *um_diagnosis_step_of(const struct um_diagnosis *d,
+                                                     const struct um_model_addition *addition)
+{
+  for (size_t s = 0; s < d->nstep; s++)
+    if (!d->step[s].removed && d->step[s].addition.effect == addition->effect &&
+        d->step[s].addition.target == addition->target)
+      return &d->step[s];
+  return NULL;
+}
+
 void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
 {
   for (size_t s = 0; s < d->nstep; s++) {

@@ -139,6 +139,9 @@ struct um_diagnosis {
   struct um_missing_heat_unexplained *unexplained; /* NULL: nothing is */
 };
 
+/* The step that added an effect of these; NULL: it was chosen, not found. */
+const struct um_diagnosis_step *um_diagnosis_step_of(const struct um_diagnosis *d,
+                                                     const struct um_model_addition *addition);
 /* Accepts NULL, sets NULL. */
 void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diagnosis);
 

@@ -95,15 +95,6 @@ static void add_next_best(struct text *text, const struct um_diagnosis *d,
   }
 }
 
-static const struct um_diagnosis_step *step_of(const struct um_diagnosis *d, size_t addition)
-{
-  for (size_t s = 0; s < d->nstep; s++)
-    if (!d->step[s].removed && d->step[s].addition.effect == d->addition[addition].effect &&
-        d->step[s].addition.target == d->addition[addition].target)
-      return &d->step[s];
-  return NULL;
-}
-
 /* The names of alternatives that are tied, or that were not tried, up to NAMES behind the label. */
 static void add_names(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step, bool not_tried, const char *label)
@@ -147,7 +138,7 @@ static void add_standing(struct text *text, const struct um_diagnosis *d,
 {
   size_t n = 0;
   for (size_t i = 0; i < d->naddition; i++) {
-    const struct um_diagnosis_step *step = step_of(d, i);
+    const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[i]);
     if (step == NULL || step->standing != standing) continue;
     add(text, "%s%s", n > 0 && standing == UM_STANDING_CERTAIN ? " and " : label,
         n > 0 && standing == UM_STANDING_CERTAIN ? "" : ": ");
@@ -167,9 +158,10 @@ static void add_all(struct text *text, const struct um_diagnosis *d, const char 
   for (size_t i = 0; i < d->naddition; i++) {
     add(text, "%s", i == 0 ? label : " and ");
     add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
-    if (step_of(d, i) == NULL) continue;
-    add_excluded(text, d, step_of(d, i));
-    add_next_best(text, d, step_of(d, i));
+    const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[i]);
+    if (step == NULL) continue;
+    add_excluded(text, d, step);
+    add_next_best(text, d, step);
   }
 }
 

@@ -33,39 +33,36 @@ static void add(struct text *text, const char *format, ...)
   if (text->used >= text->size) text->used = text->size - 1;
 }
 
-/* The step that added an effect; NULL: it was chosen, not found. */
-static const struct um_diagnosis_step *step_of(const struct um_diagnosis *d,
-                                               const struct um_model_addition *a)
-{
-  for (size_t s = 0; s < d->nstep; s++)
-    if (!d->step[s].removed && d->step[s].addition.effect == a->effect &&
-        d->step[s].addition.target == a->target)
-      return &d->step[s];
-  return NULL;
-}
-
-/* " (drawn) or emittance:white or 2 more": what cannot be told from an effect. */
-static void add_group(struct text *text, const struct um_diagnosis *d,
+/* Why an effect is not certain: " (drawn) or emittance:white or 2 more, 1 not tried" of what cannot
+ * be told from it, " (within two sigmas of nothing)". */
+static void add_doubt(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
-  size_t n = 0;
-  if (step == NULL || step->standing == UM_STANDING_CERTAIN) return;
+  size_t n = 0, not_tried = 0;
+  if (step->standing == UM_STANDING_CERTAIN) return;
+  if (step->standing == UM_STANDING_UNCERTAIN) {
+    add(text, " (within two sigmas of nothing)");
+    return;
+  }
   for (size_t i = 1; i < step->nalternative; i++) {
+    not_tried += step->alternative[i].not_tried;
     if (!step->alternative[i].indistinguishable) continue;
     if (n == 0) add(text, " (drawn)");
     if (n++ < NAMES)
       add(text, " or %s", um_diagnosis_report_candidate_of(d, &step->alternative[i])->name);
   }
   if (n > NAMES) add(text, " or %zu more", n - NAMES);
+  if (not_tried > 0) add(text, ", %zu not tried", not_tried);
 }
 
-static void add_effects(struct text *text, const struct um_diagnosis *d, bool groups)
+static void add_effects(struct text *text, const struct um_diagnosis *d, bool doubts)
 {
   for (size_t i = 0; i < d->naddition; i++) {
     const struct um_model_addition *a = &d->addition[i];
     add(text, "%s%s%s%s", i == 0 ? "" : ", ", a->effect->name, a->target == NULL ? "" : " of ",
         a->target == NULL ? "" : a->target);
-    if (groups) add_group(text, d, step_of(d, a));
+    const struct um_diagnosis_step *step = um_diagnosis_step_of(d, a);
+    if (doubts && step != NULL) add_doubt(text, d, step);
   }
 }
 

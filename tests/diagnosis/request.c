@@ -1,0 +1,67 @@
+/* What a user asks of a diagnosis or a fit, in texts: which effects, from where, along with what,
+ * and how a text that is wrong is refused. */
+#include <math.h>
+
+#include "diagnosis/request.h"
+#include "model/build.h"
+#include "tests/diagnosis/pass_test.h"
+
+static void test_requests(void **state)
+{
+  (void)state;
+  struct um_model *model;
+  static const char *const nuisance[] = {"zero_point:vis,sigma=free", "time_tag,sigma=0.2,per=set",
+                                         "zero_point:lwir"};
+  static const char *const exclude[] = {"albedo"};
+  static const char *const wanted[] = {"internal_power:bus,power_W=3", "area:panel"};
+  const struct um_diagnosis_request_texts texts = {nuisance, exclude, wanted, 3, 1, 2};
+  struct um_diagnosis_request r;
+  assert_ok(um_model_create(context, "scene", NULL, &model));
+  assert_ok(um_diagnosis_request_make(context, model, &texts, &r));
+  /* the scenario's first, whose place the third text takes with the prior's own width */
+  assert_int_equal(r.nnuisance, 3);
+  assert_string_equal(r.nuisance[0].effect->name, "zero_point");
+  assert_string_equal(r.nuisance[0].target, "lwir");
+  assert_true(r.nuisance[0].sigma == r.nuisance[0].effect->parameters[0].prior_sigma);
+  assert_true(isinf(r.nuisance[1].sigma));
+  assert_true(r.nuisance[2].target == NULL && r.nuisance[2].sigma == 0.2);
+  assert_string_equal(r.nuisance[2].per, "set");
+  assert_int_equal(r.nexclude, 2);
+  assert_string_equal(r.exclude[0], "time_tag");
+  assert_string_equal(r.exclude[1], "albedo");
+  assert_int_equal(r.nwanted, 2);
+  assert_true(r.wanted[0].value[0] == 3.0);
+  assert_true(isnan(r.wanted[1].value[0]));
+  um_diagnosis_request_release(context, &r);
+  static const struct {
+    const char *nuisance, *wanted, *says;
+  } refused[] = {
+      {"gravity", NULL, "--nuisance gravity: no effect is called 'gravity'; accepted: "},
+      {"zero_point:swir", NULL, "--nuisance zero_point:swir: nothing that 'zero_point' acts on"},
+      {"zero_point:vis,sigma=-1", NULL, "sigma '-1'; accepted: a number above 0, or free"},
+      {"zero_point:vis,width=1", NULL, "'width' is not known; accepted: sigma, per"},
+      {"zero_point:vis,sigma", NULL, "'sigma' is not understood; accepted: NAME=VALUE"},
+      {"albedo", NULL, "effect 'albedo' has no parameters to be uncertain of"},
+      {NULL, "internal_power", "--add internal_power: effect 'internal_power' needs a target"},
+      {NULL, "internal_power:bus,heat_W=1", "no parameter 'heat_W'; accepted: power_W"},
+      {NULL, "internal_power:bus,power_W=x", "power_W 'x'; accepted: "},
+  };
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    const struct um_diagnosis_request_texts one = {.nuisance = &refused[i].nuisance,
+                                                   .nnuisance = refused[i].nuisance != NULL,
+                                                   .wanted = &refused[i].wanted,
+                                                   .nwanted = refused[i].wanted != NULL};
+    um_core_message_clear(context);
+    assert_int_equal(um_diagnosis_request_make(context, model, &one, &r), UM_ERR_INPUT);
+    if (strstr(um_core_message(context), refused[i].says) == NULL)
+      fail_msg("case %zu said: %s", i, um_core_message(context));
+    um_diagnosis_request_release(context, &r);
+  }
+  um_model_destroy(context, &model);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_requests)};
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}
