@@ -5,34 +5,21 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/synth.h"
 #include "diagnosis/diagnose.h"
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "24" /* [s] */
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "tests/diagnosis/measured_test.h"
 #include "tests/diagnosis/plate_test.h"
 
 /* The visible band of a world with an effect. */
 static struct um_compare_measurements *measure(const char *with)
 {
-  const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
   const struct um_model_options options = {.with = &with, .nwith = 1};
   struct um_compare_measurements *m;
-  struct um_model *model;
-  struct um_model_precomputed *precomputed;
-  struct um_model_result *result;
-  OK(um_model_create(context, path, &options, &model));
-  OK(um_model_precompute(context, model, &precomputed));
-  OK(um_model_run(context, model, precomputed, &result));
-  OK(um_compare_synth_create(context, model, precomputed, result, &noise, "made", &m));
+  measured_make(context, path, &options, &m);
   for (size_t i = 0; i < m->count; i++)
     m->row[i].flag = strcmp(m->channel[m->row[i].channel].of, "vis") == 0 ? 0 : 1;
-  um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
-  um_model_destroy(context, &model);
   return m;
 }
 

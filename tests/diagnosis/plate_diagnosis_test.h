@@ -5,11 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/synth.h"
 #include "diagnosis/diagnose.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "tests/diagnosis/measured_test.h"
 #include "tests/diagnosis/plate_test.h"
 
 struct lists {
@@ -43,25 +40,15 @@ static inline void measure(const struct lists *lists, struct um_compare_measurem
   size_t n = 0;
   for (size_t i = 0; i < count(lists->set); i++) set[n++] = lists->set[i];
   for (size_t i = 0; i < count(lists->truth); i++) set[n++] = lists->truth[i];
-  const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
   const struct um_model_options options = {
       .overrides = set, .noverride = n, .with = lists->with, .nwith = count(lists->with)};
-  struct um_model *model;
-  struct um_model_precomputed *precomputed;
-  struct um_model_result *result;
-  OK(um_model_create(context, path, &options, &model));
-  OK(um_model_precompute(context, model, &precomputed));
-  OK(um_model_run(context, model, precomputed, &result));
-  OK(um_compare_synth_create(context, model, precomputed, result, &noise, "made", out));
+  double first = measured_make(context, path, &options, out);
   for (size_t i = 0; i < (*out)->count; i++) {
     struct um_compare_measurement *row = &(*out)->row[i];
-    double since = row->t_tai - precomputed->t_obs[0];
+    double since = row->t_tai - first;
     bool in = lists->of == NULL || strcmp((*out)->channel[row->channel].of, lists->of) == 0;
     row->flag = in && (lists->to == 0.0 || (since >= lists->from && since <= lists->to)) ? 0 : 1;
   }
-  um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
-  um_model_destroy(context, &model);
 }
 
 static inline struct diagnosed diagnose(const struct lists *lists)

@@ -6,11 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/synth.h"
 #include "diagnosis/diagnose.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "tests/diagnosis/measured_test.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =
@@ -40,29 +37,14 @@ static struct um_context *context;
     if ((call) != UM_OK) fail_msg("%s: %s", #call, um_core_message(context));                      \
   } while (0)
 
-static void measure(const char *path, struct um_compare_measurements **out)
-{
-  static const char *const with = "attitude_offset,x_deg=3,y_deg=-2";
-  const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
-  const struct um_model_options options = {.with = &with, .nwith = 1};
-  struct um_model *model;
-  struct um_model_precomputed *precomputed;
-  struct um_model_result *result;
-  OK(um_model_create(context, path, &options, &model));
-  OK(um_model_precompute(context, model, &precomputed));
-  OK(um_model_run(context, model, precomputed, &result));
-  OK(um_compare_synth_create(context, model, precomputed, result, &noise, "made", out));
-  um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
-  um_model_destroy(context, &model);
-}
-
 static void parameter_that_does_nothing(void **state)
 {
   (void)state;
   static const char *const only[] = {"attitude_offset", "zero_point"};
   const struct um_diagnosis_options options = {
       .candidates = {.only = only, .nonly = 2}, .no_next = true, .no_heat = true};
+  static const char *const with = "attitude_offset,x_deg=3,y_deg=-2";
+  const struct um_model_options changes = {.with = &with, .nwith = 1};
   struct um_compare_measurements *measured;
   struct um_sensitivity_forward *forward;
   struct um_sensitivity_candidates *candidates;
@@ -75,7 +57,7 @@ static void parameter_that_does_nothing(void **state)
   assert_non_null(file);
   fputs(scenario, file);
   assert_int_equal(fclose(file), 0);
-  measure(path, &measured);
+  measured_make(context, path, &changes, &measured);
   OK(um_sensitivity_forward_create(context, path, NULL, measured, UM_SENSITIVITY_TOLERANCE_FACTOR,
                                    &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
