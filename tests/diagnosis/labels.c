@@ -145,6 +145,29 @@ static void ties_are_fitted(void **state)
   end(&c);
 }
 
+/* Both bands read low, by 10 and 15 %: a scale of each, or the size and a scale of either, which
+ * differ by their priors alone, less than 2 in BIC. What was added stays, and what would do a
+ * little better in its place is named behind it. */
+static void added_effect_leads_a_better_one(void **state)
+{
+  (void)state;
+  const struct lists lists = {.with =
+                                  LIST("zero_point:vis,factor=0.9", "zero_point:lwir,factor=0.85"),
+                              .only = LIST("zero_point", "area:wing")};
+  struct diagnosed c = diagnose(&lists);
+  size_t better = 0;
+  assert_int_equal(c.d->naddition, 2);
+  for (size_t s = 0; s < c.d->nstep; s++) {
+    const struct um_diagnosis_alternative *own = &c.d->step[s].alternative[0];
+    assert_true(own->candidate == c.d->step[s].candidate);
+    assert_false(own->indistinguishable);
+    for (size_t i = 1; i < c.d->step[s].nalternative; i++)
+      better += c.d->step[s].alternative[i].fitted && c.d->step[s].alternative[i].bic < own->bic;
+  }
+  assert_true(better > 0);
+  end(&c);
+}
+
 /* Of the visible band alone nothing is said by the heat of the wing, and the Sun is a disc already:
  * both are named with the reason, and nothing is claimed of them. */
 static void what_is_not_tried_is_named(void **state)
@@ -172,9 +195,11 @@ static void what_is_not_tried_is_named(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(near_nothing_is_not_certain), cmocka_unit_test(not_tried_is_no_tie),
-      cmocka_unit_test(effect_leads_its_alternatives), cmocka_unit_test(ties_are_fitted),
-      cmocka_unit_test(what_is_not_tried_is_named)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(near_nothing_is_not_certain),
+                                     cmocka_unit_test(not_tried_is_no_tie),
+                                     cmocka_unit_test(effect_leads_its_alternatives),
+                                     cmocka_unit_test(ties_are_fitted),
+                                     cmocka_unit_test(added_effect_leads_a_better_one),
+                                     cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
