@@ -274,19 +274,21 @@ static enum um_status find_of_step(struct um_context *context, const struct um_d
   enum um_status status = UM_OK;
   struct um_sensitivity_forward_run run[2] = {{0}, {0}};
   struct um_model_addition *addition = NULL;
-  size_t looked = 0;
+  size_t tied = 0, looked = 0;
+  for (size_t i = 1; i < d->step[s].nalternative; i++)
+    tied += d->step[s].alternative[i].indistinguishable;
+  if (tied == 0) return UM_OK; /* what was not tried has no values to compute with */
+  um_core_progress_begin(context, "looking for the next measurement", tied);
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
   um_diagnosis_state_additions(state, addition);
   UM_CHECK(
       um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[0]));
-  um_core_progress_begin(context, "looking for the next measurement", NEAREST);
   for (size_t i = 1; i < d->step[s].nalternative; i++) {
     const struct um_diagnosis_alternative *alternative = &d->step[s].alternative[i];
     if (!alternative->indistinguishable) continue;
+    UM_CHECK(find_one(context, work, state, d, s, alternative, looked < NEAREST ? run : NULL));
+    looked++;
     UM_CHECK(um_core_progress_step(context, 1));
-    bool computed = alternative->fitted && looked < NEAREST;
-    UM_CHECK(find_one(context, work, state, d, s, alternative, computed ? run : NULL));
-    looked += computed;
   }
 done:
   um_core_progress_end(context);
