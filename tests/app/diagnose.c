@@ -155,6 +155,25 @@ static void test_complete(void **state)
   command_release(&c);
 }
 
+/* Standard error is a pipe here: a diagnosis that lasts longer than a second, as one of 1000
+ * observations and the whole catalogue does, says there how far it is, one line a time. */
+static void test_progress(void **state)
+{
+  (void)state;
+  static const char fine[] = "time.step_s=0.5", from[] = "time.start_utc=2016-09-06T18:08:00Z";
+  command_expect(0, "synth", "box.yaml", "--set", fine, "--set", from, "--noise", "0.01,0.001",
+                 "--seed", "6", "-o", "m.csv", NULL);
+  struct command c = command_run("diagnose", "box.yaml", "m.csv", "--set", fine, "--set", from,
+                                 "--no-plots", NULL);
+  size_t done, total, lines = 0;
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  for (const char *line = c.err; *line != '\0'; line += strcspn(line, "\n"), line += *line == '\n')
+    lines += sscanf(line, "%*[a-z ]: %zu of %zu", &done, &total) == 2 && done < total;
+  if (lines == 0) fail_msg("no progress in: %s", c.err);
+  assert_null(strchr(c.err, '\r')); /* no bar that is drawn over itself */
+  command_release(&c);
+}
+
 /* A chosen effect beside a nuisance: both in the improved scenario. */
 static void test_fit(void **state)
 {
@@ -227,6 +246,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_worse, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_group, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_progress, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
