@@ -85,18 +85,18 @@ static void print_parameters(const struct um_diagnosis *d, const struct um_effec
   }
 }
 
+/* One that was fitted, with its values. */
 static void print_alternative(const struct um_diagnosis *d,
                               const struct um_diagnosis_alternative *alternative)
 {
   const struct um_sensitivity_candidate *c = &d->candidates->candidate[alternative->candidate];
-  char text[UM_DIAGNOSIS_WORDS] = "";
-  if (alternative->fitted)
-    um_diagnosis_values_text(d->forward, c->effect, c->target, alternative->value,
-                             alternative->sigma, text);
+  char text[UM_DIAGNOSIS_WORDS];
+  um_diagnosis_values_text(d->forward, c->effect, c->target, alternative->value, alternative->sigma,
+                           text);
   printf("%s%s%s", c->name, text[0] != '\0' ? " " : "", text);
 }
 
-/* How an alternative stands to the winner; NULL: too far behind to be named. */
+/* How an alternative stands to the winner; NULL: not fitted, or too far behind to be named. */
 static const char *relation(const struct um_diagnosis_alternative *r, double behind)
 {
   if (r->indistinguishable) return "cannot be told from";
@@ -111,16 +111,11 @@ static const char *relation(const struct um_diagnosis_alternative *r, double beh
  * the winner. */
 static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
-  double chosen = NAN;
   size_t shown = 0, more = 0;
-  for (size_t r = 0; r < step->nalternative; r++)
-    if (step->alternative[r].candidate == step->candidate) chosen = step->alternative[r].bic;
-  for (size_t r = 0; r < step->nalternative; r++) {
+  for (size_t r = 1; r < step->nalternative; r++) {
     const struct um_diagnosis_alternative *alternative = &step->alternative[r];
-    double behind = alternative->bic - chosen;
-    if (!alternative->fitted || !isfinite(behind) || relation(alternative, behind) != NULL ||
-        alternative->candidate == step->candidate)
-      continue;
+    double behind = alternative->bic - step->alternative[0].bic;
+    if (!alternative->fitted || relation(alternative, behind) != NULL) continue;
     if (shown == WORSE) {
       more++;
       continue;
@@ -148,9 +143,8 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
     if (how == NULL) continue;
     printf("  %s ", how);
     print_alternative(d, alternative);
-    if (alternative->fitted && isfinite(behind)) printf(", BIC %+.1f", behind);
-    printf(", expected chi-square difference %.3g%s\n", alternative->chi2_difference,
-           alternative->implausible ? ", not a plausible value" : "");
+    printf(", BIC %+.1f, expected chi-square difference %.3g%s\n", behind,
+           alternative->chi2_difference, alternative->implausible ? ", not a plausible value" : "");
   }
   if (step->by_prior) printf("  only the priors of the effects tell them apart\n");
   size_t n = 0;

@@ -26,12 +26,14 @@ static const char *untested(const struct um_sensitivity_candidate *c,
 
 /* Tested, and no fit was worth it. */
 static void unworthy(const struct um_sensitivity_candidate *c,
-                     const struct um_inference_score *score, double level, char why[160])
+                     const struct um_inference_score *score, double level,
+                     struct um_diagnosis_missed *missed)
 {
+  size_t size = sizeof missed->why;
   if (score->p >= 0.5)
-    snprintf(why, 160, "it would have to go beyond the end of its range");
+    snprintf(missed->why, size, "it would have to go beyond the end of its range");
   else
-    snprintf(why, 160, "explains a chi-square of %.3g%s, %s", score->statistic,
+    snprintf(missed->why, size, "explains a chi-square of %.3g%s, %s", score->statistic,
              c->nunidentified > 0 ? " at the values where its search begins" : "",
              score->p_corrected < level ? "too little for a fit" : "as noise does");
 }
@@ -48,7 +50,7 @@ static void judge(const struct um_diagnosis_work *work, size_t i, struct um_diag
   if (why != NULL)
     snprintf(missed.why, sizeof missed.why, "%s", why);
   else
-    unworthy(c, score, work->level, missed.why);
+    unworthy(c, score, work->level, &missed);
   d->missed[d->nmissed++] = missed;
 }
 

@@ -47,15 +47,12 @@ static void add_addition(struct text *text, const struct um_diagnosis *d,
   add_use(text, d, a->effect, a->target, a->value, sigma);
 }
 
-/* With its values where it was fitted. */
+/* One that was fitted, with its values. */
 static void add_alternative(struct text *text, const struct um_diagnosis *d,
                             const struct um_diagnosis_alternative *r)
 {
   const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
-  if (r->fitted)
-    add_use(text, d, c->effect, c->target, r->value, r->sigma);
-  else
-    add(text, "%s", c->name);
+  add_use(text, d, c->effect, c->target, r->value, r->sigma);
 }
 
 /* ---- what stands beside one effect ---- */
@@ -67,7 +64,7 @@ static void add_excluded(struct text *text, const struct um_diagnosis *d,
   for (size_t i = 1; i < step->nalternative; i++) {
     const struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
-    bool tied = step->by_prior && r->indistinguishable && r->fitted;
+    bool tied = step->by_prior && r->indistinguishable;
     if (!tied && !r->excluded_by_prior && !r->excluded_by_range) continue;
     add(text, "; only the %s of %s keeps out ", r->excluded_by_range ? "range" : "prior", c->name);
     add_alternative(text, d, r);
