@@ -148,13 +148,27 @@ static enum um_status judge_all(struct um_context *context, const struct um_diag
   return UM_OK;
 }
 
+/* Whether the steps that stand are those of the effects. A pair that took the place of others has
+ * no steps yet; one of it may be left alone. */
+static bool is_told(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
+{
+  size_t standing = 0, known = 0;
+  for (size_t s = 0; s < d->nstep; s++) {
+    if (d->step[s].removed) continue;
+    standing++;
+    for (size_t b = state->nnuisance; b < state->nblock; b++)
+      known += d->step[s].candidate == state->block[b].candidate;
+  }
+  return standing == known && known == state->nblock - state->nnuisance;
+}
+
 enum um_status um_diagnosis_leave_one_out(struct um_context *context,
                                           const struct um_diagnosis_work *work,
                                           struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   double *cost = NULL;
   size_t effects = state->nblock - state->nnuisance;
-  if (effects < 2) return UM_OK;
+  if (effects == 0 || (effects == 1 && is_told(state, d))) return UM_OK;
   UM_TRY(um_core_allocate(context, effects, sizeof *cost, &cost));
   enum um_status status = UM_OK;
   for (int pass = 0; pass < PASSES; pass++) {

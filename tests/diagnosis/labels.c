@@ -1,8 +1,11 @@
 /* A verdict claims no more than was done: what is near nothing is not certain, what was not fitted
  * is not tied, what was not tried is named, an effect is no alternative to itself. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "diagnosis/alternatives_impl.h"
+#include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
 #include "diagnosis/sentence_impl.h"
 #include "diagnosis/state_impl.h"
@@ -168,6 +171,49 @@ static void added_effect_leads_a_better_one(void **state)
   end(&c);
 }
 
+/* A pair took the place of two effects, and one of the pair was taken out again: what is left has
+ * a step of its own, and those of the others are gone. */
+static void what_is_left_of_a_pair_has_its_step(void **state)
+{
+  (void)state;
+  const struct lists lists = {.with = LIST("zero_point:vis,factor=0.9"),
+                              .only = LIST("zero_point", "area:wing")};
+  struct diagnosed c = diagnose(&lists);
+  const struct um_diagnosis_options options = {0};
+  size_t n = c.forward->observations.count, left = c.d->step[0].candidate;
+  size_t *fold = calloc(n, sizeof *fold);
+  enum um_diagnosis_fate *fate = calloc(c.candidates->count, sizeof *fate);
+  assert_true(fold != NULL && fate != NULL && c.candidates->count == 3);
+  for (size_t j = 0; j < n; j++) fold[j] = j % 2;
+  const struct um_diagnosis_work work = {.forward = c.forward,
+                                         .candidates = c.candidates,
+                                         .options = &options,
+                                         .level = 0.01,
+                                         .alternatives = 8,
+                                         .fold = fold,
+                                         .nfold = 2,
+                                         .fate = fate};
+  struct um_diagnosis_state bare = {0}, alone = {0};
+  struct um_diagnosis d = {.candidates = c.candidates};
+  OK(um_core_allocate(context, 2, sizeof *d.step, &d.step));
+  d.nstep = 2;
+  d.step[0].candidate = (left + 1) % 3;
+  d.step[1].candidate = (left + 2) % 3;
+  OK(um_diagnosis_state_fit(context, &work, &bare, c.candidates->base, NULL));
+  OK(um_diagnosis_with(context, &work, &bare, &left, 1, INFINITY, &alone));
+  OK(um_diagnosis_leave_one_out(context, &work, &alone, &d));
+  assert_int_equal(d.nstep, 1);
+  assert_true(d.step[0].candidate == left && !d.step[0].removed);
+  assert_true(fabs(d.step[0].delta_bic - c.d->step[0].delta_bic) <= 0.1); /* as a fit converges */
+  um_diagnosis_steps_clear(context, &d);
+  um_core_free(context, d.step);
+  um_diagnosis_state_release(context, &alone);
+  um_diagnosis_state_release(context, &bare);
+  free(fold);
+  free(fate);
+  end(&c);
+}
+
 /* Of the visible band alone nothing is said by the heat of the wing, and the Sun is a disc already:
  * both are named with the reason, and nothing is claimed of them. */
 static void what_is_not_tried_is_named(void **state)
@@ -200,6 +246,7 @@ int main(void)
                                      cmocka_unit_test(effect_leads_its_alternatives),
                                      cmocka_unit_test(ties_are_fitted),
                                      cmocka_unit_test(added_effect_leads_a_better_one),
+                                     cmocka_unit_test(what_is_left_of_a_pair_has_its_step),
                                      cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
