@@ -9,8 +9,8 @@
  * nothing asks for 1 s the process ends all the same. SIGXFSZ is ignored, so that a file too
  * large is an error. */
 void um_app_terminal_attach(struct um_context *context);
-/* From now on progress is told where stderr is no terminal, too: a line of its own every 10 s. For
- * work of hours that is watched through a file. */
+/* From now on progress is told where stderr is no terminal, too: a line of its own, the first after
+ * 1 s, then every 10 s. For work of minutes and more that is watched through a file. */
 void um_app_terminal_progress_in_pipes(void);
 /* The signal that asked to stop, or 0. */
 int um_app_terminal_signal(void);
