@@ -14,7 +14,8 @@
 
 /* The axis of time from t_tai `first` to `last`. */
 struct um_plot_time um_diagnosis_report_plot_time(double first, double last);
-/* The verdict and what was added: "not identifiable: emittance of white (drawn) or albedo". */
+/* The verdict, what was added and what leaves it in doubt: "not identifiable: emittance of white
+ * (drawn) or albedo". */
 void um_diagnosis_report_plot_verdict(const struct um_diagnosis *diagnosis, char *out, size_t size);
 
 #endif
