@@ -18,7 +18,9 @@ struct um_node_place {
 struct um_node {
   enum um_node_kind kind;
   struct um_mark at;
-  const char *text;           /* of a scalar */
+  const char *text; /* of a scalar */
+  bool typed;       /* a scalar whose value is `number`, and `text` how it is written */
+  double number;
   bool plain;                 /* a scalar without quotes that is not a block */
   bool flow;                  /* a collection in brackets */
   bool set;                   /* came from an override */

@@ -1,4 +1,4 @@
-/* "--set key.path=value" applied to the tree of a document.
+/* "--set key.path=value", or a change, applied to the tree of a document.
  *
  * A path is walked from the root. In a mapping the longest key that fits is taken, in a list the
  * longest label (name, effect:target, effect) that fits, or a position counted from 0; so names
@@ -180,30 +180,9 @@ static enum um_status find_target(struct walk *w, struct um_node **out)
   return UM_OK;
 }
 
-enum um_status um_document_set(struct um_document *document, const char *override)
+/* The target keeps its place among its siblings and takes over the value's content. */
+static void replace(struct um_node *target, const struct um_node *value)
 {
-  struct um_context *context = document->context;
-  const char *equals = strchr(override, '=');
-  if (equals == NULL || equals == override)
-    return um_core_fail(context, UM_ERR_INPUT, "--set: '%s'; accepted: KEY=VALUE", override);
-  const char *key, *name;
-  size_t length = strlen(equals + 1);
-  UM_TRY(um_document_check_text(context, "--set", override, (size_t)(equals - override)));
-  UM_TRY(um_document_copy_text(document, override, (size_t)(equals - override), &key));
-  UM_TRY(um_document_check_text(context, "--set", key, strlen(key)));
-  char *text;
-  UM_TRY(um_document_allocate(context, document, strlen(key) + 8, 1, &text));
-  snprintf(text, strlen(key) + 8, "--set: %s", key);
-  name = text;
-  /* libfyaml reads from this copy while the tree is made */
-  const char *value_text;
-  UM_TRY(um_document_copy_text(document, equals + 1, length, &value_text));
-  UM_TRY(um_document_check_text(context, name, value_text, length));
-  struct um_node *value = NULL, *target = document->root;
-  UM_TRY(um_document_yaml_load(document, name, false, value_text, length, &value));
-  struct walk w = {document, key, key, false};
-  UM_TRY(find_target(&w, &target));
-  /* the target keeps its place among its siblings and takes over the value's content */
   struct um_node old = *target;
   *target = *value;
   target->key = old.key;
@@ -211,6 +190,58 @@ enum um_status um_document_set(struct um_document *document, const char *overrid
   target->key_place = old.key_place;
   target->place = old.place;
   target->next = old.next;
+}
+
+/* YAML text at a key; both are the document's own. libfyaml reads from them while the tree is made.
+ */
+static enum um_status set_text(struct um_document *document, const char *key, const char *value)
+{
+  struct um_context *context = document->context;
+  struct um_node *node = NULL, *target = document->root;
+  char *name;
+  UM_TRY(um_document_check_text(context, "--set", key, strlen(key)));
+  UM_TRY(um_document_allocate(context, document, strlen(key) + 8, 1, &name));
+  snprintf(name, strlen(key) + 8, "--set: %s", key);
+  UM_TRY(um_document_check_text(context, name, value, strlen(value)));
+  UM_TRY(um_document_yaml_load(document, name, false, value, strlen(value), &node));
+  struct walk w = {document, key, key, false};
+  UM_TRY(find_target(&w, &target));
+  replace(target, node);
+  return UM_OK;
+}
+
+enum um_status um_document_set(struct um_document *document, const char *override)
+{
+  struct um_context *context = document->context;
+  const char *equals = strchr(override, '='), *key, *value;
+  if (equals == NULL || equals == override)
+    return um_core_fail(context, UM_ERR_INPUT, "--set: '%s'; accepted: KEY=VALUE", override);
+  UM_TRY(um_document_copy_text(document, override, (size_t)(equals - override), &key));
+  UM_TRY(um_document_copy_text(document, equals + 1, strlen(equals + 1), &value));
+  return set_text(document, key, value);
+}
+
+enum um_status um_document_set_change(struct um_document *document,
+                                      const struct um_document_change *change)
+{
+  char digits[32];
+  const char *key, *text = change->text;
+  struct um_node *target = document->root;
+  UM_TRY(um_document_copy_text(document, change->key, strlen(change->key), &key));
+  if (text == NULL) snprintf(digits, sizeof digits, "%.17g", change->number);
+  if (text == NULL) text = digits;
+  UM_TRY(um_document_copy_text(document, text, strlen(text), &text));
+  if (isnan(change->number)) return set_text(document, key, text);
+  struct walk w = {document, key, key, false};
+  UM_TRY(find_target(&w, &target));
+  const struct um_node value = {.kind = UM_NODE_SCALAR,
+                                .at.file = "--set",
+                                .text = text,
+                                .typed = true,
+                                .number = change->number,
+                                .plain = true,
+                                .set = true};
+  replace(target, &value);
   return UM_OK;
 }
 
@@ -263,6 +294,7 @@ double um_document_number(struct um_document *document, const char *key)
     return NAN;
   }
   if (node == NULL || node->kind != UM_NODE_SCALAR || !node->plain || w.rest[0] != '\0') return NAN;
+  if (node->typed) return node->number;
   double value = strtod(node->text, &end);
   return end == node->text || *end != '\0' ? (double)NAN : value;
 }

@@ -1,4 +1,5 @@
-/* From YAML text to a bound document: check the text, parse, override, name the paths, bind. */
+/* From YAML text, or from a document that is at hand, to a bound one: check the text, parse,
+ * override, name the paths, bind. */
 #include <string.h>
 
 #include "core/file.h"
@@ -98,5 +99,57 @@ enum um_status um_document_read(struct um_context *context, const char *path,
   enum um_status status =
       parse_bytes(context, path, text, length, schema, overrides, noverride, out, root);
   um_core_free(context, text);
+  return status;
+}
+
+/* A tree of its own in the document's memory; texts stay those of the origin. */
+static enum um_status copy_tree(struct um_document *document, const struct um_node *from,
+                                struct um_node **out)
+{
+  struct um_node *copy, **link;
+  UM_TRY(um_document_allocate(document->context, document, 1, sizeof *copy, &copy));
+  *copy = *from;
+  copy->first = copy->last = copy->next = NULL;
+  link = &copy->first;
+  for (const struct um_node *child = from->first; child != NULL; child = child->next) {
+    UM_TRY(copy_tree(document, child, link));
+    copy->last = *link;
+    link = &(*link)->next;
+  }
+  *out = copy;
+  return UM_OK;
+}
+
+static enum um_status change_into(struct um_document *document, const struct um_document *origin,
+                                  const struct um_schema_object *schema,
+                                  const struct um_document_change *change, size_t nchange,
+                                  void **root)
+{
+  document->path = origin->path;
+  document->source = origin->source;
+  document->source_length = origin->source_length;
+  document->set_count = origin->set_count + nchange;
+  UM_TRY(copy_tree(document, origin->root, &document->root));
+  for (size_t i = 0; i < nchange; i++) UM_TRY(um_document_set_change(document, &change[i]));
+  UM_TRY(set_paths(document, document->root, ""));
+  return um_document_bind(document, schema, root);
+}
+
+enum um_status um_document_change(struct um_context *context, const struct um_document *origin,
+                                  const struct um_schema_object *schema,
+                                  const struct um_document_change *change, size_t nchange,
+                                  struct um_document **out, void **root)
+{
+  struct um_document *document;
+  *out = NULL;
+  *root = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *document, &document));
+  document->context = context;
+  enum um_status status = change_into(document, origin, schema, change, nchange, root);
+  if (status != UM_OK) {
+    *root = NULL;
+    um_document_destroy(&document);
+  }
+  *out = document;
   return status;
 }

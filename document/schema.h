@@ -120,6 +120,20 @@ enum um_status um_document_parse(struct um_context *context, const char *path, c
                                  const struct um_schema_object *schema,
                                  const char *const *overrides, size_t noverride,
                                  struct um_document **out, void **root);
+/* One key with another value. Borrowed while it is applied. */
+struct um_document_change {
+  const char *key; /* path of an override */
+  double number;   /* in the unit of the field; of a parsed one in that of what it is parsed into (a
+                      UTC: t_tai [s]); NaN: `text` is YAML */
+  const char *text; /* how the number is written in um_document_text; NULL: 17 digits */
+};
+/* A document with changes, from the tree of `origin`: nothing is read or parsed but YAML texts of
+ * the changes. `origin` outlives it. Checks, binding and errors of um_document_read; a field of
+ * text takes a number as it is written. */
+enum um_status um_document_change(struct um_context *context, const struct um_document *origin,
+                                  const struct um_schema_object *schema,
+                                  const struct um_document_change *change, size_t nchange,
+                                  struct um_document **out, void **root);
 void um_document_destroy(struct um_document **document);
 /* The document as YAML text after its overrides, comments kept where libfyaml keeps them; the
  * caller frees. Used for the copy in results and for improved scenarios. */

@@ -57,7 +57,10 @@ static enum um_status check_count(struct binder *b, const struct um_schema_field
 static enum um_status bind_number(struct binder *b, const struct um_schema_field *field,
                                   const struct um_node *node, double *out)
 {
-  if (node->kind != UM_NODE_SCALAR || !node->plain || !um_core_number_parse(node->text, out))
+  if (node->kind == UM_NODE_SCALAR && node->typed && isfinite(node->number))
+    *out = node->number;
+  else if (node->kind != UM_NODE_SCALAR || !node->plain || node->typed ||
+           !um_core_number_parse(node->text, out))
     return fail_type(b, field, node);
   if (in_range(field, *out)) return UM_OK;
   char accepted[512];
@@ -70,7 +73,8 @@ static enum um_status bind_integer(struct binder *b, const struct um_schema_fiel
                                    const struct um_node *node, int *out)
 {
   double value;
-  if (node->kind == UM_NODE_SCALAR && strpbrk(node->text, ".eE") != NULL)
+  if (node->kind == UM_NODE_SCALAR &&
+      (node->typed ? node->number != trunc(node->number) : strpbrk(node->text, ".eE") != NULL))
     return fail_type(b, field, node);
   UM_TRY(bind_number(b, field, node, &value));
   if (!(fabs(value) <= INT_MAX)) return fail_type(b, field, node);
@@ -153,6 +157,10 @@ static enum um_status bind_parsed(struct binder *b, const struct um_schema_field
 {
   if (node->kind != UM_NODE_SCALAR) return fail_type(b, field, node);
   char why[256] = "";
+  if (node->typed && field->length == sizeof node->number) {
+    memcpy(out, &node->number, sizeof node->number);
+    return UM_OK;
+  }
   if (field->parse(node->text, out, why, sizeof why)) return UM_OK;
   return um_document_mark_fail(b->context, &node->at, "'%.100s' is not accepted; accepted: %s",
                                node->text, why);

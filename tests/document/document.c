@@ -1,5 +1,6 @@
 /* Documents that are written again elsewhere: new elements of lists keep comments and layout, and
  * names of files lead to the same files. The expected texts are written by hand. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -164,10 +165,72 @@ static void test_numbers(void **state)
   }
 }
 
+/* A number arrives with all its bits, a time too; the origin stays; the text says what was set. */
+static void test_changes(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"verbose=true"};
+  const double third = 1.0 / 3.0, instant = nextafter(2.0, 3.0);
+  const struct um_document_change changes[] = {
+      {.key = "altitude_km", .number = third},
+      {.key = "time.start", .number = instant, .text = "T0+2"},
+      {.key = "orbits", .number = 3.0},
+      {.key = "effects.+", .number = NAN, .text = "{effect: x, target: t}"}};
+  struct um_document *origin = parse("s.yaml", HEAD, set, 1), *document;
+  void *root;
+  assert_int_equal(
+      um_document_change(context, origin, &sample_schema, changes, 4, &document, &root), UM_OK);
+  const struct sample *sample = root;
+  assert_memory_equal(&sample->altitude, &third, sizeof third);
+  assert_memory_equal(&sample->time->start, &instant, sizeof instant);
+  assert_int_equal(sample->orbits, 3);
+  assert_true(sample->verbose);
+  assert_int_equal(sample->effects.count, 1);
+  assert_true(um_document_number(document, "altitude_km") == third);
+  assert_true(um_document_number(origin, "altitude_km") == 1.0);
+  expect_text(document, "name: a\naltitude_km: 0.33333333333333331\nverbose: true\n"
+                        "orbits: 3\ntime: {start: T0+2}\neffects:\n  - {effect: x, target: t}\n");
+  expect_text(origin, "name: a\naltitude_km: 1\nverbose: true\ntime: {start: T0+1}\n");
+}
+
+/* What a text would be refused for, a number is refused for; nothing is left behind. */
+static void test_changes_refused(void **state)
+{
+  (void)state;
+  static const struct {
+    struct um_document_change change;
+    const char *message;
+  } cases[] = {
+      {{"name", 2.0, NULL}, NULL},
+      {{"time.step_s", -1.0, NULL}, "--set: time.step_s: -1 is out of range; accepted: "},
+      {{"altitude_km", INFINITY, NULL}, "--set: altitude_km: 'inf' is not accepted; accepted: "},
+      {{"orbits", 2.5, NULL}, "--set: orbits: '2.5' is not accepted; accepted: "},
+      {{"altitude", 2.0, NULL}, "--set: altitude: unknown key"},
+      {{"name.part", 2.0, NULL}, "--set: name.part: leads into a single value"}};
+  struct um_document *origin = parse("s.yaml", HEAD, NULL, 0), *document;
+  void *root;
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    um_core_message_clear(context);
+    enum um_status status =
+        um_document_change(context, origin, &sample_schema, &cases[i].change, 1, &document, &root);
+    if (cases[i].message == NULL) { /* a name may look like a number */
+      assert_int_equal(status, UM_OK);
+      um_document_destroy(&document);
+      continue;
+    }
+    assert_int_equal(status, UM_ERR_INPUT);
+    assert_null(document);
+    if (strstr(um_core_message(context), cases[i].message) == NULL)
+      fail_msg("'%s', not '%s'", um_core_message(context), cases[i].message);
+  }
+  um_document_destroy(&origin);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_elements),
-                                     cmocka_unit_test(test_element_refusal),
-                                     cmocka_unit_test(test_move), cmocka_unit_test(test_numbers)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_elements), cmocka_unit_test(test_element_refusal),
+      cmocka_unit_test(test_move),     cmocka_unit_test(test_numbers),
+      cmocka_unit_test(test_changes),  cmocka_unit_test(test_changes_refused)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
