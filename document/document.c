@@ -1,4 +1,5 @@
 /* A YAML document as it is kept: its memory, its nodes, marks of what stands where. */
+#include <stdio.h>
 #include <string.h>
 
 #include "document/document_impl.h"
@@ -32,12 +33,29 @@ bool um_document_node_equal(const struct um_node *a, const struct um_node *b)
   if (a->kind != b->kind || a->count != b->count) return false;
   if ((a->key == NULL) != (b->key == NULL)) return false;
   if (a->key != NULL && strcmp(a->key, b->key) != 0) return false;
-  if (a->kind == UM_NODE_SCALAR && (a->plain != b->plain || strcmp(a->text, b->text) != 0))
+  if (a->kind == UM_NODE_SCALAR && (a->plain != b->plain || a->typed != b->typed)) return false;
+  if (a->kind == UM_NODE_SCALAR &&
+      (a->typed ? a->number != b->number : strcmp(a->text, b->text) != 0))
     return false;
   const struct um_node *p = a->first, *q = b->first;
   for (; p != NULL && q != NULL; p = p->next, q = q->next)
     if (!um_document_node_equal(p, q)) return false;
   return p == NULL && q == NULL;
+}
+
+bool um_document_same(const struct um_document *a, const struct um_document *b, const char *path)
+{
+  const struct um_node *p = a->root, *q = b->root;
+  if (a == b) return true;
+  while (path[0] != '\0' && p != NULL && q != NULL) {
+    char key[64];
+    size_t length = strcspn(path, ".");
+    snprintf(key, sizeof key, "%.*s", (int)length, path);
+    p = p->kind == UM_NODE_MAP ? um_document_node_child(p, key) : NULL;
+    q = q->kind == UM_NODE_MAP ? um_document_node_child(q, key) : NULL;
+    path += path[length] == '.' ? length + 1 : length;
+  }
+  return p == NULL || q == NULL ? p == q : um_document_node_equal(p, q);
 }
 
 static const char *scalar_text(const struct um_node *map, const char *key)

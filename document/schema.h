@@ -149,6 +149,9 @@ enum um_status um_document_move(struct um_context *context, struct um_document *
 /* The number at a key path (that of an override), after overrides; NaN where the document has none
  * there. */
 double um_document_number(struct um_document *document, const char *key);
+/* Do both documents say the same at a path of keys alone ("environment.earth"), number for number?
+ * Absent in both counts as the same. */
+bool um_document_same(const struct um_document *a, const struct um_document *b, const char *path);
 /* Where a key path (that of an override) leads, in one spelling: an element of a list by its
  * position, ".parts.0.shell". out: [size], cut where it is full. */
 void um_document_place(struct um_document *document, const char *key, char *out, size_t size);

@@ -18,6 +18,8 @@
 #include "environment/sky_light.h"
 
 #include <math.h>
+#include <stddef.h>
+#include <string.h>
 
 #include "core/constants.h"
 #include "environment/shadow_light.h"
@@ -58,26 +60,46 @@ static double henyey_greenstein(double cosine)
   return (1.0 - g * g) / (4.0 * UM_PI) * pow(1.0 + g * g - 2.0 * g * cosine, -1.5);
 }
 
+/* What the light is made of, without the orders of scattering. */
+static void begin(const struct um_environment *environment, double height, double from, double to,
+                  struct um_environment_sky_light *light)
+{
+  const double *known = um_environment_sky_wavelengths;
+  size_t last = 0;
+  um_environment_slant_make(&environment->limb->air, environment->shadow_radius, &light->slant);
+  light->height = height;
+  light->ozone = environment->sky.ozone_dobson;
+  light->haze = environment->sky.aerosol;
+  light->angstrom = environment->sky.angstrom;
+  light->aerosol = environment->aerosol;
+  while (light->first + 2 < UM_SKY_LIGHT_WAVELENGTHS && known[light->first + 1] <= from)
+    light->first++;
+  while (last + 1 < UM_SKY_LIGHT_WAVELENGTHS && known[last] < to) last++;
+  if (to > UM_SKY_LIGHT_SHORTEST && from < UM_SKY_LIGHT_LONGEST)
+    light->count = last < light->first + 1 ? 2 : last - light->first + 1;
+}
+
 enum um_status um_environment_sky_light_make(struct um_context *context,
                                              const struct um_environment *environment,
                                              double height, double from, double to,
                                              struct um_environment_sky_light **out)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
-  struct um_environment_sky_light *light = *out;
-  const double *known = um_environment_sky_wavelengths;
-  um_environment_slant_make(&environment->limb->air, environment->shadow_radius, &light->slant);
-  light->height = height;
-  size_t last = 0;
-  while (light->first + 2 < UM_SKY_LIGHT_WAVELENGTHS && known[light->first + 1] <= from)
-    light->first++;
-  while (last + 1 < UM_SKY_LIGHT_WAVELENGTHS && known[last] < to) last++;
-  if (to > UM_SKY_LIGHT_SHORTEST && from < UM_SKY_LIGHT_LONGEST)
-    light->count = last < light->first + 1 ? 2 : last - light->first + 1;
-  enum um_status status = um_environment_sky_orders(context, environment, light);
-  if (status != UM_OK) um_core_free(context, light);
+  begin(environment, height, from, to, *out);
+  enum um_status status = um_environment_sky_orders(context, environment, *out);
+  if (status != UM_OK) um_core_free(context, *out);
   if (status != UM_OK) *out = NULL;
   return status;
+}
+
+bool um_environment_sky_light_is_of(const struct um_environment_sky_light *light,
+                                    const struct um_environment *environment, double height,
+                                    double from, double to)
+{
+  struct um_environment_sky_light other;
+  memset(&other, 0, sizeof other);
+  begin(environment, height, from, to, &other);
+  return memcmp(&other, light, offsetof(struct um_environment_sky_light, again)) == 0;
 }
 
 /* A cell of the line of sight from a height to another, seen at an elevation. */

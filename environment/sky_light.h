@@ -14,8 +14,9 @@
 /* What scatters above a station; made once, never written afterwards. */
 struct um_environment_sky_light {
   struct um_environment_slant slant;
-  double height;       /* of the station [m] */
-  size_t first, count; /* wavelengths for which orders are known */
+  double height;                         /* of the station [m] */
+  double ozone, haze, angstrom, aerosol; /* of the environment it was made of: units there */
+  size_t first, count;                   /* wavelengths for which orders are known */
   /* ln of the mean radiance that is scattered again, over irradiance above the air [1/sr] */
   double again[UM_SKY_LIGHT_WAVELENGTHS][UM_SKY_LIGHT_HEIGHTS][UM_SKY_LIGHT_ANGLES];
 };
@@ -34,6 +35,11 @@ enum um_status um_environment_sky_light_make(struct um_context *context,
                                              const struct um_environment *environment,
                                              double height, double from, double to,
                                              struct um_environment_sky_light **out);
+
+/* Would um_environment_sky_light_make give the same, number for number? */
+bool um_environment_sky_light_is_of(const struct um_environment_sky_light *light,
+                                    const struct um_environment *environment, double height,
+                                    double from, double to);
 
 /* A line of sight: cells of air on it, and how the lamp lights them. */
 struct um_environment_sky_path {

@@ -26,6 +26,8 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
   enum um_status status;
   struct um_sensitivity_forward *f = base->forward;
   struct um_model *model = NULL;
+  const struct um_model_changes changes = {.addition = base->addition,
+                                           .naddition = base->naddition};
   struct um_model_thermal_solution *heat = NULL;
   struct um_model_result *result = NULL;
   double t[] = {from, from, to, to}, watts[] = {0.0, power, power, 0.0};
@@ -35,7 +37,7 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
                                            .t = t,
                                            .power = watts,
                                            .nrow = 4};
-  UM_CHECK(um_model_variant_create(context, f->model, base->addition, base->naddition, &model));
+  UM_CHECK(um_model_variant_create(context, f->model, &changes, &model));
   UM_CHECK(um_thermal_network_source_add(model->body->network, &source));
   UM_CHECK(um_model_thermal_solution_create(context, model, base->precomputed, base->heat,
                                             f->tolerance_factor, &heat));

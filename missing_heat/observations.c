@@ -128,6 +128,7 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
                                            const struct um_model_addition *addition,
                                            size_t naddition, struct um_missing_heat_base *out)
 {
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   *out = (struct um_missing_heat_base){.forward = forward,
                                        .addition = addition,
                                        .naddition = naddition,
@@ -135,7 +136,7 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
                                        .precomputed = forward->precomputed,
                                        .heat = forward->thermal_solution};
   if (naddition > 0) {
-    UM_TRY(um_model_variant_create(context, forward->model, addition, naddition, &out->own_model));
+    UM_TRY(um_model_variant_create(context, forward->model, &changes, &out->own_model));
     out->model = out->own_model;
     UM_TRY(um_compare_plan_trace(context, out->model, forward->plan, &out->own_trace));
     out->precomputed = out->own_trace;

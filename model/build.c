@@ -1,8 +1,6 @@
 /* Building a model: the order of the steps. */
 #include "model/build.h"
 
-#include <string.h>
-
 #include "effects/effects.h"
 #include "environment/map.h"
 #include "environment/sky_table.h"
@@ -14,8 +12,10 @@
 #include "model/build_thermal_impl.h"
 #include "model/effects_impl.h"
 #include "model/limits_impl.h"
+#include "model/origin_impl.h"
 #include "model/scenario_read.h"
 #include "model/sky_light.h"
+#include "model/words_impl.h"
 
 /* What hangs on the sky: parts, heat. */
 static enum um_status build_body(struct um_context *context, struct um_model *model)
@@ -39,11 +39,7 @@ static enum um_status create_sky(struct um_context *context, const char *path,
   UM_CHECK(um_model_scenario_read(context, path, options == NULL ? NULL : options->overrides,
                                   options == NULL ? 0 : options->noverride, &model->document,
                                   &model->scenario));
-  model->borrows_ephemeris = options != NULL && options->ephemeris != NULL;
-  if (model->borrows_ephemeris)
-    model->ephemeris = options->ephemeris;
-  else
-    UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
+  UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
   UM_CHECK(um_model_build_effects(context, model, options));
   UM_CHECK(um_model_build_environment(context, model));
   UM_CHECK(um_model_build_orbit(context, model));
@@ -73,33 +69,55 @@ done:
   return status;
 }
 
+static enum um_status variant_make(struct um_context *context,
+                                   const struct um_model_changes *changes, struct um_model *model)
+{
+  static const char *const code[] = {"effect_files", NULL};
+  const struct um_model *origin = model->origin;
+  if (changes->nkey > 0)
+    UM_TRY(um_model_scenario_change(context, origin->document, changes->key, changes->nkey,
+                                    &model->document, &model->scenario));
+  if (!um_model_origin_says(model, code))
+    return um_model_fail(context, &model->scenario->at, code[0],
+                         "cannot change with the scenario; accepted: a scenario of its own");
+  UM_TRY(um_model_vary_effects(context, model, changes));
+  UM_TRY(um_model_build_environment(context, model));
+  UM_TRY(um_model_build_orbit(context, model));
+  return build_body(context, model);
+}
+
 enum um_status um_model_variant_create(struct um_context *context, const struct um_model *origin,
-                                       const struct um_model_addition *addition, size_t naddition,
+                                       const struct um_model_changes *changes,
                                        struct um_model **out)
 {
-  enum um_status status;
   struct um_model *model = NULL;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *model, &model));
-  model->origin = origin->origin != NULL ? origin->origin : origin;
+  model->origin = origin;
   model->document = origin->document;
   model->scenario = origin->scenario;
   model->registry = origin->registry;
-  model->earth_map = origin->earth_map;
-  model->sky_table = origin->sky_table;
-  model->limb = origin->limb;
   model->ephemeris = origin->ephemeris;
-  UM_CHECK(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
-  memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
-  model->neffect = origin->neffect;
-  UM_CHECK(um_model_add_effects(context, model, addition, naddition));
-  UM_CHECK(um_model_build_environment(context, model));
-  UM_CHECK(um_model_build_orbit(context, model));
-  UM_CHECK(build_body(context, model));
-done:
+  model->options = origin->options;
+  enum um_status status = variant_make(context, changes, model);
   if (status != UM_OK) um_model_destroy(context, &model);
   *out = model;
   return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
+}
+
+/* What a variant has the same belongs to its origin. */
+static void destroy_owned(struct um_context *context, struct um_model *m)
+{
+  static const struct um_model nothing = {0};
+  const struct um_model *of = m->origin != NULL ? m->origin : &nothing;
+  if (m->library != of->library) um_materials_library_destroy(&m->library);
+  if (m->earth_map != of->earth_map) um_environment_map_destroy(context, &m->earth_map);
+  if (m->sky_table != of->sky_table) um_environment_sky_table_destroy(context, &m->sky_table);
+  if (m->limb != of->limb) um_core_free(context, m->limb);
+  if (m->sky_light != of->sky_light) um_core_free(context, m->sky_light);
+  if (m->registry != of->registry) um_effects_registry_destroy(context, &m->registry);
+  if (m->document != of->document) um_document_destroy(&m->document);
+  if (m->ephemeris != of->ephemeris) um_orbit_ephemeris_destroy(context, &m->ephemeris);
 }
 
 void um_model_destroy(struct um_context *context, struct um_model **model)
@@ -112,8 +130,6 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
       um_materials_record_destroy(&m->thickened[i]);
   um_core_free(context, m->thickened);
   um_geometry_destroy(&m->geometry);
-  if (m->origin == NULL || m->library != m->origin->library)
-    um_materials_library_destroy(&m->library);
   um_orbit_attitude_destroy(&m->attitude);
   um_orbit_trajectory_destroy(&m->trajectory);
   um_orbit_trajectory_destroy(&m->observer_trajectory);
@@ -126,15 +142,7 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_core_free(context, m->creasing);
   um_core_free(context, m->start_offset);
   um_core_arena_release(context, &m->memory);
-  if (m->origin == NULL) {
-    um_environment_map_destroy(context, &m->earth_map);
-    um_environment_sky_table_destroy(context, &m->sky_table);
-    um_core_free(context, m->limb);
-    um_core_free(context, m->sky_light);
-    if (!m->borrows_ephemeris) um_orbit_ephemeris_destroy(context, &m->ephemeris);
-    um_effects_registry_destroy(context, &m->registry);
-    um_document_destroy(&m->document);
-  }
+  destroy_owned(context, m);
   um_core_free(context, m);
   *model = NULL;
 }

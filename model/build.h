@@ -7,12 +7,13 @@
 /* Build from a scenario folder or file. UM_ERR_INPUT with file, line, key. The caller destroys. */
 enum um_status um_model_create(struct um_context *context, const char *path,
                                const struct um_model_options *options, struct um_model **out);
-/* The same scenario with additions: built from the parsed scenario of `origin`, which outlives it,
+/* The same scenario with changes: built from the parsed scenario of `origin`, which outlives it,
  * without a look at its YAML; files that it names are read again unless they are held
- * (um_core_files_hold). What the origin was built from was good, so that what is refused is refused
- * because of the additions: UM_ERR_REFUSED. The caller destroys. */
+ * (um_core_files_hold). It has the bits of a model of its own from a file that says the same. What
+ * the origin was built from was good, so that what is refused is refused because of the changes:
+ * UM_ERR_REFUSED. Effects of shared objects stay those of the origin. The caller destroys. */
 enum um_status um_model_variant_create(struct um_context *context, const struct um_model *origin,
-                                       const struct um_model_addition *addition, size_t naddition,
+                                       const struct um_model_changes *changes,
                                        struct um_model **out);
 /* Only what orbits need (for `umbra passes`): no parts, no materials. */
 enum um_status um_model_create_orbit(struct um_context *context, const char *path,

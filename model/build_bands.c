@@ -6,6 +6,7 @@
 
 #include "instrument/filter.h"
 #include "model/bands.h"
+#include "model/origin_impl.h"
 #include "model/words_impl.h"
 
 /* --- bands ----------------------------------------------------------------------------------- */
@@ -94,9 +95,10 @@ enum um_status um_model_build_bands(struct um_context *context, struct um_model 
 {
   static const struct um_optics_band standard[2] = {{"vis", 0.38e-6, 0.78e-6, 80, NULL},
                                                     {"lwir", 8e-6, 12e-6, 40, NULL}};
+  static const char *const said[] = {"bands", "sensors", "observer.air", "time.exposure_s", NULL};
   const struct um_schema_list *list = &model->scenario->bands;
   const struct um_scenario_band *from = list->items;
-  if (model->origin != NULL) {
+  if (um_model_origin_says(model, said)) {
     model->band = model->origin->band;
     model->vega_ab = model->origin->vega_ab;
     model->sensor = model->origin->sensor;

@@ -8,6 +8,7 @@
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
 #include "model/effects_impl.h"
+#include "model/origin_impl.h"
 #include "model/scenario_environment_impl.h"
 #include "model/words_impl.h"
 
@@ -63,6 +64,7 @@ static enum um_status build_region(struct um_context *context, struct um_model *
 /* The ground: which model, and its file, which a variant has from its origin. */
 static enum um_status build_earth(struct um_context *context, struct um_model *model)
 {
+  static const char *const said[] = {"environment.earth", "time.start_utc", NULL};
   const struct um_scenario_earth *from = model->scenario->environment->earth;
   const char *path = NULL;
   UM_TRY(build_region(context, model));
@@ -70,7 +72,9 @@ static enum um_status build_earth(struct um_context *context, struct um_model *m
   if (from->file == NULL && model->environment.earth == UM_EARTH_MAP)
     return um_model_fail(context, &from->at, "model",
                          "map wants a file; accepted: file, a CSV or netCDF of monthly grids");
-  if (from->file != NULL && model->origin == NULL) {
+  if (um_model_origin_says(model, said)) {
+    model->earth_map = model->origin->earth_map;
+  } else if (from->file != NULL) {
     UM_TRY(um_model_resolve(context, model, &from->at, from->file, &path));
     UM_TRY(um_model_blame(
         context, &from->at, "file",
@@ -85,6 +89,7 @@ static double or_else(double value, double other) { return isnan(value) ? other 
 /* The air above the station; that of a file a variant has from its origin. */
 static enum um_status build_sky(struct um_context *context, struct um_model *model)
 {
+  static const char *const said[] = {"observer.air", NULL};
   const struct um_scenario_observer *observer = model->scenario->observer;
   const struct um_scenario_air *from = observer != NULL ? observer->air : NULL;
   struct um_environment_clear_sky *to = &model->environment.sky;
@@ -103,7 +108,9 @@ static enum um_status build_sky(struct um_context *context, struct um_model *mod
   to->angstrom = from->angstrom_exponent;
   to->cirrus = from->cirrus;
   to->cirrus_temperature = from->cirrus_temperature_K;
-  if (from->file != NULL && model->origin == NULL) {
+  if (um_model_origin_says(model, said)) {
+    model->sky_table = model->origin->sky_table;
+  } else if (from->file != NULL) {
     UM_TRY(um_model_resolve(context, model, &from->at, from->file, &path));
     UM_TRY(um_model_blame(context, &from->at, "file",
                           um_environment_sky_table_read(context, path, &model->sky_table)));
@@ -112,10 +119,14 @@ static enum um_status build_sky(struct um_context *context, struct um_model *mod
   return UM_OK;
 }
 
-/* The air of the Earth's limb; an effect may want it that the scenario withholds. */
+/* The air of the Earth's limb, of the scenario's environment alone; an effect may want it that the
+ * scenario withholds. */
 static enum um_status build_limb(struct um_context *context, struct um_model *model)
 {
-  if (model->limb == NULL) {
+  static const char *const said[] = {"environment", NULL};
+  if (um_model_origin_says(model, said)) {
+    model->limb = model->origin->limb;
+  } else {
     UM_TRY(um_core_allocate(context, 1, sizeof *model->limb, &model->limb));
     um_environment_limb_make(&model->environment, model->limb);
   }

@@ -12,6 +12,7 @@
 #include "model/build_coincident_impl.h"
 #include "model/effects_impl.h"
 #include "model/interior_names_impl.h"
+#include "model/origin_impl.h"
 #include "model/words_impl.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
@@ -197,10 +198,12 @@ static enum um_status check_parent(struct um_context *context, const struct um_m
  * origin. */
 static enum um_status build_library(struct um_context *context, struct um_model *model)
 {
+  static const char *const said[] = {"material_files", NULL};
   char *folder = NULL;
   struct um_materials_sun sun;
   um_environment_sun_shares(&model->environment, &sun);
-  if (model->origin != NULL && um_materials_library_is_of(model->origin->library, &sun)) {
+  if (um_model_origin_says(model, said) &&
+      um_materials_library_is_of(model->origin->library, &sun)) {
     model->library = model->origin->library;
     return UM_OK;
   }

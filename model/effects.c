@@ -15,6 +15,7 @@
 #include "model/bands.h"
 #include "model/effect_files.h"
 #include "model/effect_files_impl.h"
+#include "model/origin_impl.h"
 #include "model/scenario_environment_impl.h"
 #include "model/words_impl.h"
 
@@ -191,20 +192,50 @@ static enum um_status take_defaults(struct um_context *context, struct um_model 
   return UM_OK;
 }
 
-enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
-                                      const struct um_model_options *options)
+/* Those of the scenario, then those of the options. */
+static enum um_status take_all(struct um_context *context, struct um_model *model,
+                               const struct um_model_options *options)
 {
   const struct um_scenario_effect *uses = model->scenario->effects.items;
-  UM_TRY(um_model_build_effect_files(context, model, options));
   UM_TRY(take_defaults(context, model));
   for (size_t k = 0; k < model->scenario->effects.count; k++) {
     UM_TRY(check_listed_once(context, uses, k));
     UM_TRY(take_scenario(context, model, &uses[k]));
   }
-  for (size_t k = 0; options != NULL && k < options->nwith; k++)
+  for (size_t k = 0; k < options->nwith; k++)
     UM_TRY(take_option(context, model, "--with", options->with[k], false));
-  for (size_t k = 0; options != NULL && k < options->nwithout; k++)
+  for (size_t k = 0; k < options->nwithout; k++)
     UM_TRY(take_option(context, model, "--without", options->without[k], true));
+  return UM_OK;
+}
+
+static enum um_status keep_texts(struct um_context *context, struct um_model *model,
+                                 const char *const *from, size_t n, const char *const **out)
+{
+  const char **texts = NULL;
+  UM_TRY(um_core_arena_allocate(context, &model->memory, n, sizeof *texts, &texts));
+  for (size_t i = 0; i < n; i++) {
+    char *copy;
+    UM_TRY(um_core_arena_allocate(context, &model->memory, strlen(from[i]) + 1, 1, &copy));
+    strcpy(copy, from[i]);
+    texts[i] = copy;
+  }
+  *out = texts;
+  return UM_OK;
+}
+
+enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
+                                      const struct um_model_options *options)
+{
+  struct um_model_options *kept = &model->options;
+  UM_TRY(um_model_build_effect_files(context, model, options));
+  if (options != NULL) {
+    kept->nwith = options->nwith;
+    kept->nwithout = options->nwithout;
+    UM_TRY(keep_texts(context, model, options->with, kept->nwith, &kept->with));
+    UM_TRY(keep_texts(context, model, options->without, kept->nwithout, &kept->without));
+  }
+  UM_TRY(take_all(context, model, kept));
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
     if (e->effect->on_by_default ? !e->off : e->off) continue;
@@ -215,8 +246,8 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
   return UM_OK;
 }
 
-enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
-                                    const struct um_model_addition *addition, size_t naddition)
+static enum um_status add_effects(struct um_context *context, struct um_model *model,
+                                  const struct um_model_addition *addition, size_t naddition)
 {
   size_t listed = model->neffect;
   for (size_t i = 0; i < naddition; i++) {
@@ -235,6 +266,25 @@ enum um_status um_model_add_effects(struct um_context *context, struct um_model 
   }
   um_model_effects_sort(model, model->effect + listed, model->neffect - listed);
   return UM_OK;
+}
+
+enum um_status um_model_vary_effects(struct um_context *context, struct um_model *model,
+                                     const struct um_model_changes *changes)
+{
+  static const char *const listed[] = {"effects", "environment", NULL};
+  const struct um_model *origin = model->origin;
+  if (um_model_origin_says(model, listed)) {
+    UM_TRY(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
+    memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
+    model->neffect = origin->neffect;
+  } else {
+    UM_TRY(take_all(context, model, &model->options));
+  }
+  for (size_t k = 0; k < changes->nwith; k++)
+    UM_TRY(take_option(context, model, "--with", changes->with[k], false));
+  for (size_t k = 0; k < changes->nwithout; k++)
+    UM_TRY(take_option(context, model, "--without", changes->without[k], true));
+  return add_effects(context, model, changes->addition, changes->naddition);
 }
 
 /* The names that an effect can act on, in words and beside what was typed. Parts, materials and

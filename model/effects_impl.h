@@ -7,9 +7,10 @@
 /* effect: the scenario's list, --with and --without. */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,
                                       const struct um_model_options *options);
-/* Additions to the effects of a variant, behind those in the order of the catalogue. */
-enum um_status um_model_add_effects(struct um_context *context, struct um_model *model,
-                                    const struct um_model_addition *addition, size_t naddition);
+/* Effects of a variant: those of its origin, or of its own scenario where that lists others, then
+ * those of the changes; additions in the order of the catalogue. */
+enum um_status um_model_vary_effects(struct um_context *context, struct um_model *model,
+                                     const struct um_model_changes *changes);
 /* Every target names something that the built parts have (after um_model_build_parts). */
 enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model);
 /* The next effect that is on, from *index, which moves behind it; false at the end. */

@@ -39,8 +39,6 @@ struct um_model_options {
   const char *const *effect_files; /* shared objects beside those of the scenario */
   size_t neffect_file;
   bool allow_effects; /* load what the scenario's effect_files name though effect_files does not */
-  struct um_orbit_ephemeris *ephemeris; /* that models of the same instants share; outlives the
-                                           model. NULL: the model has its own */
 };
 
 /* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
@@ -62,10 +60,22 @@ struct um_model_addition {
   double value[UM_EFFECT_PARAMETERS_MAX]; /* in the parameters' units */
 };
 
+/* What makes a variant of a scenario. Borrowed while it is built; targets while it lives. */
+struct um_model_changes {
+  const struct um_document_change *key; /* [nkey] of the scenario */
+  size_t nkey;
+  const char *const *with, *const
+                               *without; /* "effect[:target][,name=value]" as a user typed them */
+  size_t nwith, nwithout;
+  const struct um_model_addition *addition; /* [naddition] behind them */
+  size_t naddition;
+};
+
 /* Everything built from a scenario; read it, do not change it. */
 struct um_model {
-  const struct um_model *origin; /* of a variant: owns document, scenario and registry; else NULL */
-  struct um_core_arena memory;   /* of what building keeps */
+  const struct um_model *origin;   /* of a variant, which borrows what it has the same; else NULL */
+  struct um_model_options options; /* with and without alone, for variants of the scenario */
+  struct um_core_arena memory;     /* of what building keeps */
   struct um_document *document;
   struct um_scenario *scenario;
   struct um_effects_registry *registry; /* effects that it may use */
@@ -73,7 +83,6 @@ struct um_model {
   size_t neffect;
   struct um_environment environment;
   struct um_orbit_ephemeris *ephemeris; /* pole and Earth; of the origin likewise */
-  bool borrows_ephemeris;               /* um_model_options */
   struct um_orbit_earth_orientation orientation;
   struct um_orbit_trajectory *trajectory, *observer_trajectory;
   double orbit_age, orbit_error,

@@ -56,6 +56,14 @@ static enum um_status check_parts(struct um_context *context, const struct um_sc
   return UM_OK;
 }
 
+/* What one mapping cannot know of another. */
+static enum um_status check_scenario(struct um_context *context, const struct um_scenario *scenario)
+{
+  UM_TRY(check_name(context, scenario));
+  UM_TRY(check_time(context, scenario));
+  return check_parts(context, scenario);
+}
+
 /* A name that is not here but is one of the scenarios that come with the program. */
 static enum um_status point_to_shipped(struct um_context *context, const char *path)
 {
@@ -94,13 +102,27 @@ enum um_status um_model_scenario_read(struct um_context *context, const char *pa
     UM_TRY(um_core_strdup(context, path, &file));
   UM_CHECK(um_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
                             document, &root));
-  struct um_scenario *scenario = root;
-  UM_CHECK(check_name(context, scenario));
-  UM_CHECK(check_time(context, scenario));
-  UM_CHECK(check_parts(context, scenario));
-  *out = scenario;
+  UM_CHECK(check_scenario(context, root));
+  *out = root;
 done:
   um_core_free(context, file);
   if (status != UM_OK) um_document_destroy(document);
+  return status;
+}
+
+enum um_status um_model_scenario_change(struct um_context *context,
+                                        const struct um_document *origin,
+                                        const struct um_document_change *change, size_t nchange,
+                                        struct um_document **document, struct um_scenario **out)
+{
+  void *root = NULL;
+  *out = NULL;
+  UM_TRY(um_document_change(context, origin, &um_model_scenario_schema, change, nchange, document,
+                            &root));
+  enum um_status status = check_scenario(context, root);
+  if (status == UM_OK)
+    *out = root;
+  else
+    um_document_destroy(document);
   return status;
 }

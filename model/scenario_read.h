@@ -10,4 +10,11 @@ enum um_status um_model_scenario_read(struct um_context *context, const char *pa
                                       const char *const *overrides, size_t noverride,
                                       struct um_document **document, struct um_scenario **out);
 
+/* The scenario of a document with changes, which outlives the new one (um_document_change); the
+ * same checks. */
+enum um_status um_model_scenario_change(struct um_context *context,
+                                        const struct um_document *origin,
+                                        const struct um_document_change *change, size_t nchange,
+                                        struct um_document **document, struct um_scenario **out);
+
 #endif

@@ -8,8 +8,7 @@
 
 /* What observer.air scatters in the wavelengths of the model's bands, into model->sky_light; left
  * NULL without air, with air of a file, whose radiance is the file's, and where no band is known.
- * A variant borrows that of its origin, so that light scattered more than once is that of the air
- * which the origin had. After the bands. UM_ERR_MEMORY. */
+ * A variant borrows that of its origin where it is the same. After the bands. UM_ERR_MEMORY. */
 enum um_status um_model_build_sky_light(struct um_context *context, struct um_model *model);
 
 #define UM_MODEL_SKY_NODES 91

@@ -126,8 +126,9 @@ static enum um_status variant_make(struct um_context *context,
   struct um_sensitivity_cached *cached = NULL;
   struct um_model_addition *key = NULL;
   size_t nkey;
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   *v = (struct variant){0};
-  UM_CHECK(um_model_variant_create(context, forward->model, addition, naddition, &v->model));
+  UM_CHECK(um_model_variant_create(context, forward->model, &changes, &v->model));
   v->used = v->model;
   UM_CHECK(um_core_allocate(context, naddition, sizeof *key, &key));
   nkey = um_sensitivity_variant_key(forward->model, v->model, addition, naddition, key);
@@ -384,9 +385,10 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
 {
   enum um_status status;
   struct um_model_thermal_solution *heat = NULL;
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   *out = (struct um_sensitivity_forward_run){0};
   um_core_quiet_begin(context);
-  UM_CHECK(um_model_variant_create(context, forward->model, addition, naddition, &out->model));
+  UM_CHECK(um_model_variant_create(context, forward->model, &changes, &out->model));
   if (grid && !out->model->points) /* points have no window of their own */
     UM_CHECK(um_model_precompute(context, out->model, &out->precomputed));
   else

@@ -30,13 +30,14 @@ static enum um_status move_build(struct um_context *context, struct um_sensitivi
                                  struct um_sensitivity_cached *to, double *share)
 {
   struct um_model_addition a = addition_of(move, SMALL), key;
+  const struct um_model_changes changes = {.addition = &a, .naddition = 1};
   *share = SMALL;
-  UM_TRY(um_model_variant_create(context, forward->model, &a, 1, &to->model));
+  UM_TRY(um_model_variant_create(context, forward->model, &changes, &to->model));
   if (um_sensitivity_variant_key(forward->model, to->model, &a, 1, &key) == 0) return UM_OK;
   um_model_destroy(context, &to->model);
   *share = 1.0;
   a = addition_of(move, 1.0);
-  UM_TRY(um_model_variant_create(context, forward->model, &a, 1, &to->model));
+  UM_TRY(um_model_variant_create(context, forward->model, &changes, &to->model));
   UM_TRY(um_core_allocate(context, 1, sizeof *to->key, &to->key));
   to->nkey = um_sensitivity_variant_key(forward->model, to->model, &a, 1, to->key);
   return um_compare_plan_trace(context, to->model, forward->plan, &to->precomputed);

@@ -1,5 +1,5 @@
-/* What a value of a parameter does to the scenario: it becomes an override or the parameter of an
- * effect, with all its digits (%.17g), so that `umbra run --set` or `--with` is the same point. */
+/* What a value of a parameter does to the scenario: a key takes it, or the parameter of an effect.
+ * `umbra run --set` or `--with` with 17 digits is the same point. */
 #include "study/parameter_impl.h"
 
 #include <math.h>
@@ -119,18 +119,7 @@ bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
   return way->effect == NULL || value_in(a, way) == value_in(b, way);
 }
 
-/* --- options of a point ---------------------------------------------------------------------- */
-
-/* Has the scenario this effect on this target? Its other parameters then stay as they are. */
-static bool has_use(const struct um_model *model, const struct um_study_way *way)
-{
-  for (size_t i = 0; i < model->neffect; i++) {
-    const struct um_model_effect *e = &model->effect[i];
-    if (!e->off && e->effect == way->effect && um_core_words_same(e->target, way->target))
-      return true;
-  }
-  return false;
-}
+/* --- changes of a point ---------------------------------------------------------------------- */
 
 static bool same_use(const struct um_study_way *a, const struct um_study_way *b)
 {
@@ -145,80 +134,45 @@ static double effect_value(const struct um_study_way *way, double value)
                                                    : value - way->of_record;
 }
 
-/* "effect:target,name=value" with those of its parameters that ways move, the others where they
- * vanish unless the scenario has them. */
-static enum um_status with_text(struct um_context *context, const struct um_model *nominal,
-                                const struct um_study_way *way, size_t nway, const double *value,
-                                size_t first, char **out)
+/* The effect of a way: parameters that ways move, the others as the scenario has them. */
+static struct um_model_addition addition_of(const struct um_model *nominal,
+                                            const struct um_study_way *way, size_t nway,
+                                            const double *value, size_t first)
 {
-  const struct um_effect *effect = way[first].effect;
-  bool has = has_use(nominal, &way[first]);
-  char text[1024];
-  size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s", effect->name,
-                              way[first].target != NULL ? ":" : "",
-                              way[first].target != NULL ? way[first].target : "");
-  for (size_t p = 0; p < effect->nparameter && n < sizeof text; p++) {
-    double number = effect->parameters[p].null_value;
-    bool moved = false;
-    for (size_t i = first; i < nway; i++)
-      if (same_use(&way[first], &way[i]) && way[i].which == p) {
-        number = effect_value(&way[i], value[i]);
-        moved = true;
-      }
-    if (moved || !has)
-      n += (size_t)snprintf(text + n, sizeof text - n, ",%s=%.17g", effect->parameters[p].name,
-                            number);
-  }
-  return um_core_strdup(context, text, out);
+  struct um_model_addition a = {.effect = way[first].effect, .target = way[first].target};
+  struct um_study_way each = way[first];
+  for (each.which = 0; each.which < a.effect->nparameter; each.which++)
+    a.value[each.which] = value_in(nominal, &each);
+  for (size_t i = first; i < nway; i++)
+    if (same_use(&way[first], &way[i])) a.value[way[i].which] = effect_value(&way[i], value[i]);
+  return a;
 }
 
-enum um_status um_study_options_make(struct um_context *context,
-                                     const struct um_model_options *user,
-                                     const struct um_model *nominal, const struct um_study_way *way,
-                                     size_t nway, const double *value, struct um_study_options *out)
+enum um_status um_study_changes_make(struct um_context *context, const struct um_model *nominal,
+                                     const struct um_study_way *way, size_t nway,
+                                     const double *value, struct um_study_changes *out)
 {
-  *out = (struct um_study_options){0};
-  UM_TRY(
-      um_core_allocate(context, user->noverride + nway, sizeof *out->overrides, &out->overrides));
-  UM_TRY(um_core_allocate(context, user->nwith + nway, sizeof *out->with, &out->with));
-  UM_TRY(um_core_allocate(context, nway, sizeof *out->text, &out->text));
-  for (size_t i = 0; i < user->noverride; i++)
-    out->overrides[out->noverride++] = user->overrides[i];
-  for (size_t i = 0; i < user->nwith; i++) out->with[out->nwith++] = user->with[i];
+  *out = (struct um_study_changes){0};
+  UM_TRY(um_core_allocate(context, nway, sizeof *out->key, &out->key));
+  UM_TRY(um_core_allocate(context, nway, sizeof *out->addition, &out->addition));
   for (size_t i = 0; i < nway; i++) {
-    char **text = &out->text[out->ntext];
     bool done = false;
     for (size_t j = 0; j < i; j++) done = done || same_use(&way[j], &way[i]);
     if (done) continue;
     if (way[i].effect == NULL)
-      UM_TRY(um_core_asprintf(context, text, "%s=%.17g", way[i].file->key, value[i]));
+      out->key[out->all.nkey++] =
+          (struct um_document_change){.key = way[i].file->key, .number = value[i]};
     else
-      UM_TRY(with_text(context, nominal, way, nway, value, i, text));
-    out->ntext++;
-    if (way[i].effect == NULL)
-      out->overrides[out->noverride++] = *text;
-    else
-      out->with[out->nwith++] = *text;
+      out->addition[out->all.naddition++] = addition_of(nominal, way, nway, value, i);
   }
+  out->all.key = out->key;
+  out->all.addition = out->addition;
   return UM_OK;
 }
 
-void um_study_options_clear(struct um_context *context, struct um_study_options *options)
+void um_study_changes_clear(struct um_context *context, struct um_study_changes *changes)
 {
-  for (size_t i = 0; i < options->ntext; i++) um_core_free(context, options->text[i]);
-  um_core_free(context, (void *)options->text);
-  um_core_free(context, (void *)options->overrides);
-  um_core_free(context, (void *)options->with);
-  *options = (struct um_study_options){0};
-}
-
-struct um_model_options um_study_options_of(const struct um_study_options *options,
-                                            const struct um_model_options *user)
-{
-  struct um_model_options all = *user;
-  all.overrides = options->overrides;
-  all.noverride = options->noverride;
-  all.with = options->with;
-  all.nwith = options->nwith;
-  return all;
+  um_core_free(context, changes->key);
+  um_core_free(context, changes->addition);
+  *changes = (struct um_study_changes){0};
 }

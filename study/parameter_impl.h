@@ -7,13 +7,13 @@
 #include "study/file.h"
 #include "uncertainty/distribution.h"
 
-/* What a value becomes: an override, or an effect's parameter. */
+/* What a value becomes: that of a key, or of an effect's parameter. */
 struct um_study_way {
   const struct um_study_file_parameter *file;
   struct um_uncertainty_distribution distribution;
   char name[UM_STUDY_NAME];
   const char *unit;               /* "" where none is known */
-  const struct um_effect *effect; /* NULL: an override of file->key */
+  const struct um_effect *effect; /* NULL: of file->key */
   const char *target;             /* of the effect; NULL: none */
   size_t which;                   /* its parameter */
   double of_record;               /* of a material: the property that its record has; else NaN */
@@ -24,7 +24,7 @@ struct um_study_way {
 enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
                                  const struct um_study_file_parameter *parameter,
                                  struct um_study_way *out);
-/* Have two models the same value of the effect's parameter? True of an override. */
+/* Have two models the same value of the effect's parameter? True of a key. */
 bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
                        const struct um_model *b);
 
@@ -39,22 +39,17 @@ enum um_status um_study_ways_check_moved(struct um_context *context, const struc
                                          const struct um_model *moved,
                                          const struct um_study_way *way, size_t nway, size_t at);
 
-/* Options of a model at parameter values; texts owned. */
-struct um_study_options {
-  const char **overrides, **with; /* [noverride], [nwith]: the user's, then those of the values */
-  char **text;                    /* [ntext] owned */
-  size_t noverride, nwith, ntext;
+/* Changes of the scenario at parameter values. */
+struct um_study_changes {
+  struct um_document_change *key;     /* owned */
+  struct um_model_addition *addition; /* owned */
+  struct um_model_changes all;
 };
-/* user: of the command line. way, value: [nway]. UM_ERR_MEMORY. Cleared by the caller, after a
- * failure too. */
-enum um_status um_study_options_make(struct um_context *context,
-                                     const struct um_model_options *user,
-                                     const struct um_model *nominal, const struct um_study_way *way,
-                                     size_t nway, const double *value,
-                                     struct um_study_options *out);
-void um_study_options_clear(struct um_context *context, struct um_study_options *options);
-/* As um_model_create takes them, the rest as the user's. */
-struct um_model_options um_study_options_of(const struct um_study_options *options,
-                                            const struct um_model_options *user);
+/* way, value: [nway], borrowed while the changes are used. UM_ERR_MEMORY. Cleared by the caller,
+ * after a failure too. */
+enum um_status um_study_changes_make(struct um_context *context, const struct um_model *nominal,
+                                     const struct um_study_way *way, size_t nway,
+                                     const double *value, struct um_study_changes *out);
+void um_study_changes_clear(struct um_context *context, struct um_study_changes *changes);
 
 #endif

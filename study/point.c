@@ -21,16 +21,13 @@ enum um_status um_study_model(struct um_context *context, const struct um_study 
                               struct um_model **out)
 {
   enum um_status status;
-  struct um_study_options options = {0};
+  struct um_study_changes changes = {0};
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
-  UM_CHECK(um_study_options_make(context, &study->options.model, study->model, way, nway, value,
-                                 &options));
-  struct um_model_options all = um_study_options_of(&options, &study->options.model);
-  all.ephemeris = study->model->ephemeris;
-  UM_CHECK(um_model_create(context, study->scenario, &all, out));
+  UM_CHECK(um_study_changes_make(context, study->model, way, nway, value, &changes));
+  UM_CHECK(um_model_variant_create(context, study->model, &changes.all, out));
 done:
   um_core_quiet_end(context);
-  um_study_options_clear(context, &options);
+  um_study_changes_clear(context, &changes);
   return status;
 }
 

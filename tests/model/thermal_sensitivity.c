@@ -67,7 +67,8 @@ static struct world variant(const struct world *base, const struct moved *m, dou
   assert_non_null(a.effect);
   for (size_t p = 0; p < a.effect->nparameter; p++) a.value[p] = a.effect->parameters[p].null_value;
   a.value[m->parameter] = value_of(m, a.effect) + by;
-  assert_int_equal(um_model_variant_create(context, base->model, &a, 1, &w.model), UM_OK);
+  const struct um_model_changes changes = {.addition = &a, .naddition = 1};
+  assert_int_equal(um_model_variant_create(context, base->model, &changes, &w.model), UM_OK);
   w.borrowed = (um_effects_reach(a.effect) & (UM_REACH_PRECOMPUTED | UM_REACH_LIGHT)) == 0;
   w.precomputed = base->precomputed;
   if (!w.borrowed) assert_int_equal(um_model_precompute(context, w.model, &w.precomputed), UM_OK);
