@@ -29,11 +29,14 @@ static double own_run(const struct bench *bench, const struct um_study *study,
                       const double *parameter, double *value)
 {
   struct um_context *context = bench->context;
+  struct um_study_changes changes;
   struct um_model *model = NULL;
   struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
+  bench_must(bench, um_study_changes_make(context, study->model, study->way, study->nway, parameter,
+                                          &changes));
   double begin = bench_cpu();
-  bench_must(bench, um_study_model(context, study, study->way, study->nway, parameter, &model));
+  bench_must(bench, um_model_variant_create(context, study->model, &changes.all, &model));
   bench_must(bench, um_model_precompute(context, model, &precomputed));
   bench_must(bench, um_model_run(context, model, precomputed, &result));
   double seconds = bench_cpu() - begin;
@@ -41,6 +44,7 @@ static double own_run(const struct bench *bench, const struct um_study *study,
   um_model_result_destroy(context, &result);
   um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
+  um_study_changes_clear(context, &changes);
   return seconds;
 }
 
@@ -103,7 +107,7 @@ int main(int argc, char **argv)
   if (study->noutput > QUANTITIES) return 1;
   double preparing = bench_cpu() - begin;
   bench_must(&bench, um_study_run(bench.context, study, &result));
-  double all = bench_cpu() - begin, surrogate_factor = study->tolerance_factor;
+  double all = bench_cpu() - begin, surrogate_factor = study->tolerance.factor;
   study->file->mode = UM_STUDY_EXACT;
   bench_must(&bench, um_study_tolerance(bench.context, study));
   um_study_records_remove(bench.context, records);
@@ -114,7 +118,7 @@ int main(int argc, char **argv)
   bench_number(&bench, "of it the scenario as it stands", "s", preparing, own, NAN);
   bench_number(&bench, "points solved for it", "1", (double)result->exact, NAN, NAN);
   bench_number(&bench, "factor on their tolerances", "1", surrogate_factor, NAN, NAN);
-  bench_number(&bench, "and of an exact study", "1", study->tolerance_factor, NAN, NAN);
+  bench_number(&bench, "and of an exact study", "1", study->tolerance.factor, NAN, NAN);
   bench_time(&bench, "an exact point", "s", &point, &run, 0.1);
   report(&bench, study, result, &d);
   um_study_result_destroy(bench.context, &result);

@@ -168,19 +168,34 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
   return status;
 }
 
+enum um_status um_model_points_plan(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_instants *instants,
+                                    struct um_model_precomputed **out)
+{
+  enum um_status status;
+  struct um_model_precomputed *precomputed = NULL;
+  *out = NULL;
+  UM_TRY(check_points(context, model, instants->point, instants->count));
+  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
+  *precomputed = (struct um_model_precomputed){
+      .nobs = instants->count, .nsub = 1, .points = true, .period = NAN};
+  UM_CHECK(trace_points(context, model, instants->point, precomputed));
+  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
+done:
+  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
+  *out = precomputed;
+  return status;
+}
+
 enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
                                           const struct um_model_point *points, size_t npoint,
                                           struct um_model_precomputed **out)
 {
   enum um_status status;
+  const struct um_model_instants instants = {.point = points, .count = npoint};
   struct um_model_precomputed *precomputed = NULL;
   *out = NULL;
-  UM_TRY(check_points(context, model, points, npoint));
-  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
-  *precomputed =
-      (struct um_model_precomputed){.nobs = npoint, .nsub = 1, .points = true, .period = NAN};
-  UM_CHECK(trace_points(context, model, points, precomputed));
-  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
+  UM_CHECK(um_model_points_plan(context, model, &instants, &precomputed));
   UM_CHECK(trace_loads(context, model, precomputed));
   UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample, npoint,
                                 model->scenario->optics->samples,

@@ -3,8 +3,15 @@
 #define UMBRA_MODEL_POINTS_IMPL_H
 
 #include "model/model.h"
+#include "model/precompute.h"
 
 /* stations of orbit.points, and what such a scenario cannot have. */
 enum um_status um_model_build_points(struct um_context *context, struct um_model *model);
+
+/* Observations of points alone: no loads, no lines of sight. Errors of um_model_precompute_points;
+ * the caller destroys. */
+enum um_status um_model_points_plan(struct um_context *context, const struct um_model *model,
+                                    const struct um_model_instants *instants,
+                                    struct um_model_precomputed **out);
 
 #endif

@@ -4,6 +4,15 @@
 
 #include "model/model.h"
 #include "model/precomputed.h"
+#include "model/timeline.h"
+
+/* When a model is looked at. */
+struct um_model_instants {
+  const double *time;                 /* [count] t_tai [s], as um_model_precompute_at takes them */
+  const double *exposure;             /* [count] [s]; NULL: the scenario's */
+  const struct um_model_point *point; /* [count] of a scenario with orbit.points; NULL: an orbit */
+  size_t count;
+};
 
 /* Times of the scenario's own observations, every step from start to stop, t_tai [s]; the caller
  * frees *times. UM_ERR_MEMORY. */
@@ -18,6 +27,13 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
                                       struct um_model_precomputed **out);
+/* Whichever of um_model_precompute, um_model_precompute_at and um_model_precompute_points goes with
+ * the instants; NULL: the scenario's own window. */
+enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_precomputed **out);
+/* Memory that it takes, but for some per cent [bytes]. */
+size_t um_model_precomputed_bytes(const struct um_model_precomputed *precomputed);
 /* Look again: lines of sight of the geometry precomputation with another number of points per
  * facet, everything else of it as it was. The model's own optics.samples is set, and
  * optics.interreflection_samples where it is not 0, so that what is built from the model later

@@ -9,6 +9,7 @@
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "model/mirrors.h"
+#include "model/points_impl.h"
 #include "model/precompute.h"
 #include "model/precompute_exchange_impl.h"
 #include "model/precompute_impl.h"
@@ -87,35 +88,58 @@ static bool events_equal(const struct um_model_precomputed *a, const struct um_m
   return true;
 }
 
-/* Observations, the span of the heat and its grid. */
+/* The same observations. */
+static bool observations_equal(const struct um_model_precomputed *a,
+                               const struct um_model_precomputed *b)
+{
+  size_t n = a->nobs * a->nsub;
+  return a->nobs == b->nobs && a->nsub == b->nsub && a->t_first == b->t_first &&
+         a->t_start == b->t_start && same(a->t_obs, b->t_obs, a->nobs, sizeof *a->t_obs) &&
+         same(a->look, b->look, n, sizeof *a->look) &&
+         same(a->sample, b->sample, n, sizeof *a->sample) &&
+         same(a->hidden, b->hidden, a->nobs, sizeof *a->hidden);
+}
+
+/* The span of the heat and its grid, too. */
 static bool plan_equal(const struct um_model_precomputed *a,
                        const struct um_model_precompute_plan *p)
 {
   const struct um_model_precomputed *b = p->precomputed;
-  size_t n = a->nobs * a->nsub;
-  return a->nobs == b->nobs && a->nsub == b->nsub && a->loads->ntime == p->ngrid &&
-         same(a->t_obs, b->t_obs, a->nobs, sizeof *a->t_obs) &&
-         same(a->look, b->look, n, sizeof *a->look) &&
-         same(a->sample, b->sample, n, sizeof *a->sample) &&
-         same(a->hidden, b->hidden, a->nobs, sizeof *a->hidden) &&
-         same_number(a->period, b->period) && a->t_first == b->t_first &&
-         a->t_start == b->t_start && a->t_periodic_end == b->t_periodic_end &&
+  return observations_equal(a, b) && a->loads->ntime == p->ngrid &&
+         same_number(a->period, b->period) && a->t_periodic_end == b->t_periodic_end &&
          a->turn_period == b->turn_period && events_equal(a, b) &&
          same(a->loads->t, p->grid, p->ngrid, sizeof *p->grid) && a->loads->nedge == b->nevent &&
          same(a->loads->edge, p->edge, b->nevent, sizeof *p->edge);
 }
 
+static enum um_status same_points(struct um_context *context,
+                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_instants *instants,
+                                  const struct um_model *model, bool *out)
+{
+  struct um_model_precomputed *plan = NULL;
+  um_core_quiet_begin(context);
+  enum um_status status = um_model_points_plan(context, model, instants, &plan);
+  um_core_quiet_end(context);
+  if (status == UM_OK) *out = observations_equal(precomputed, plan);
+  um_model_precomputed_destroy(context, &plan);
+  return status;
+}
+
 static enum um_status same_times(struct um_context *context,
                                  const struct um_model_precomputed *precomputed,
+                                 const struct um_model_instants *instants,
                                  const struct um_model *model, bool *out)
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
+  struct um_model_instants of = {.count = 0};
   double *times = NULL;
-  size_t n = 0;
   um_core_quiet_begin(context);
-  UM_CHECK(um_model_scenario_times(context, model, &times, &n));
-  UM_CHECK(um_model_precompute_plan(context, model, times, NULL, n, &plan));
+  if (instants != NULL) of = *instants;
+  if (instants == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
+  if (instants == NULL) of.time = times;
+  UM_CHECK(um_model_precompute_plan(context, model, of.time, of.exposure, of.count, &plan));
   *out = plan_equal(precomputed, &plan);
 done:
   um_core_quiet_end(context);
@@ -178,13 +202,15 @@ done:
 
 enum um_status um_model_precomputed_serves(struct um_context *context, const struct um_model *made,
                                            const struct um_model_precomputed *precomputed,
+                                           const struct um_model_instants *instants,
                                            const struct um_model *model, bool *out)
 {
-  *out = !made->points && !model->points && made->has_observer == model->has_observer &&
+  *out = made->points == model->points && made->has_observer == model->has_observer &&
          um_geometry_equal(made->geometry, model->geometry) && rooms_equal(made, model) &&
          options_equal(made, model) && um_model_light_serves(made, model);
+  if (*out && model->points) return same_points(context, precomputed, instants, model, out);
   if (*out) UM_TRY(same_mirrors(context, made, model, out));
-  if (*out) UM_TRY(same_times(context, precomputed, model, out));
+  if (*out) UM_TRY(same_times(context, precomputed, instants, model, out));
   if (*out) UM_TRY(same_scene(context, precomputed, model, out));
   return UM_OK;
 }

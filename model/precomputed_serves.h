@@ -3,7 +3,7 @@
 #define UMBRA_MODEL_PRECOMPUTED_SERVES_H
 
 #include "model/model.h"
-#include "model/precomputed.h"
+#include "model/precompute.h"
 
 /* Would the Sun and the Earth of both models load the same surfaces alike, number for number? What
  * `made` has beyond what `model` asks for (angular moments, paths by mirrors) does not count. A
@@ -11,14 +11,15 @@
  * (earthshine, reflected Earth radiation, switches of the heat loads) may differ. */
 bool um_model_light_serves(const struct um_model *made, const struct um_model *model);
 
-/* *out: is `precomputed`, by um_model_precompute from `made`, what um_model_precompute would give
- * for `model`, so far as a run of `model` looks at it? By comparing what both are built of, number
- * for number: surfaces and joints, times, places, attitudes and directions at every instant and row
- * of the loads, light, mirrors, rooms, and the numbers of rays. false: it may not. Costs some 30 us
- * a row. Points (orbit.points) are never served. Errors of um_model_precompute for `model`, before
- * it traces. Test: unit_model_precomputed_serves, by tracing anew. */
+/* *out: is `precomputed`, by um_model_precompute_over from `made`, what it would give for `model`
+ * over `instants`, so far as a run of `model` looks at it? By comparing what both are built of,
+ * number for number: surfaces and joints, times, places, attitudes and directions at every instant
+ * and row of the loads, light, mirrors, rooms, and the numbers of rays. false: it may not. Costs
+ * some 30 us a row. Errors of um_model_precompute_over for `model`, before it traces. Test:
+ * unit_model_precomputed_serves, by tracing anew. */
 enum um_status um_model_precomputed_serves(struct um_context *context, const struct um_model *made,
                                            const struct um_model_precomputed *precomputed,
+                                           const struct um_model_instants *instants,
                                            const struct um_model *model, bool *out);
 
 #endif

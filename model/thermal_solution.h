@@ -5,6 +5,8 @@
 #include "model/model.h"
 #include "model/precomputed.h"
 
+#define UM_MODEL_PERIODIC_TOLERANCE 0.01 /* of the repeating state of a run [K] */
+
 /* The heat half of a run, kept: models that differ in what heat does not feel (calibration,
  * roughness, emissivity in a band) share it. Model and geometry precomputation outlive it. */
 struct um_model_thermal_solution;

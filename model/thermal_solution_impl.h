@@ -27,7 +27,6 @@ struct um_model_thermal_solution {
   struct um_model_heat_run run;
 };
 
-#define UM_MODEL_PERIODIC_TOLERANCE 0.01 /* of the repeating state [K] */
 /* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
  * as built, and heat->setting.exchange for what follows. warm: NULL, or heat of a model with the
  * same nodes: a periodic state is looked for from there, and surfaces exchange as they do there

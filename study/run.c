@@ -19,7 +19,7 @@
 static enum um_status identify(struct um_context *context, struct um_study *study)
 {
   uint64_t ways = UM_CORE_DIGEST_BEGIN, outputs = UM_CORE_DIGEST_BEGIN;
-  const double tolerance[] = {study->tolerance_factor, study->periodic_tolerance};
+  const double tolerance[] = {study->tolerance.factor, study->tolerance.periodic};
   for (size_t i = 0; i < study->nway; i++) {
     const struct um_study_way *w = &study->way[i];
     const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
@@ -249,7 +249,7 @@ static enum um_status describe(struct um_context *context, const struct um_study
   }
   UM_TRY(um_model_scenario_times(context, study->model, &r->time, &r->ntime));
   UM_TRY(um_core_allocate(context, r->ntime, sizeof(double), &r->sunlit));
-  memcpy(r->sunlit, study->precomputed->sunlit, r->ntime * sizeof(double));
+  memcpy(r->sunlit, study->base.precomputed->sunlit, r->ntime * sizeof(double));
   UM_TRY(um_core_allocate(context, r->nvalue, sizeof(double), &r->nominal));
   memcpy(r->nominal, study->nominal, r->nvalue * sizeof(double));
   UM_TRY(describe_quantities(context, study, r));

@@ -2,13 +2,11 @@
  * built from it is compared, number for number. */
 #include <string.h>
 
-#include "model/build.h"
-#include "model/precomputed_serves.h"
 #include "study/study_impl.h"
 
-/* What of the scenario's own holds at one end. */
+/* The scenario with a way at one end, and what of its own holds there. */
 struct end {
-  struct um_model *model;
+  struct um_variant variant;
   bool serves, matches; /* geometry; heat, where the geometry is the same */
 };
 
@@ -16,32 +14,32 @@ static enum um_status try_end(struct um_context *context, const struct um_study 
                               double value, struct end *end)
 {
   const struct um_mark *at = &study->way[i].file->at;
-  enum um_status status = um_study_model(context, study, &study->way[i], 1, &value, &end->model);
+  struct um_variant *v = &end->variant;
+  enum um_status status = um_study_open(context, study, &study->way[i], 1, &value, v);
   if (status == UM_ERR_INPUT || status == UM_ERR_REFUSED) {
     um_core_message_prefix(context, "%s:%d: %s: '%s' at %.10g", at->file, at->line, at->path,
                            study->way[i].name, value);
     return UM_ERR_INPUT;
   }
   UM_TRY(status);
-  UM_TRY(um_study_ways_check_moved(context, study->model, end->model, study->way, study->nway, i));
-  UM_TRY(um_model_precomputed_serves(context, study->model, study->precomputed, end->model,
-                                     &end->serves));
+  UM_TRY(um_study_ways_check_moved(context, study->model, v->model, study->way, study->nway, i));
+  end->serves = v->precomputed == study->base.precomputed;
   if (!end->serves) return UM_OK;
-  return um_model_thermal_solution_matches(context, study->heat, end->model, study->precomputed,
+  return um_model_thermal_solution_matches(context, study->base.heat, v->model, v->precomputed,
                                            &end->matches);
 }
 
 /* Same geometry and same heat: does the light differ? */
 static enum um_status check_light(struct um_context *context, const struct um_study *study,
-                                  size_t i, const struct end *end)
+                                  size_t i, struct end *end)
 {
   enum um_status status;
   double *value = NULL;
   const struct um_mark *at = &study->way[i].file->at;
   UM_TRY(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   for (int e = 0; e < 2; e++)
-    UM_CHECK(um_study_values(context, study, end[e].model, study->precomputed, false,
-                             value + (size_t)e * study->nvalue));
+    UM_CHECK(
+        um_study_values(context, study, &end[e].variant, false, value + (size_t)e * study->nvalue));
   if (memcmp(value, value + study->nvalue, study->nvalue * sizeof *value) == 0)
     status = um_document_mark_fail(
         context, at,
@@ -58,7 +56,7 @@ enum um_status um_study_share(struct um_context *context, struct um_study *study
                           &study->moves_geometry));
   UM_TRY(um_core_allocate(context, study->nway, sizeof *study->moves_heat, &study->moves_heat));
   for (size_t i = 0; i < study->nway; i++) {
-    struct end end[2] = {{0}, {0}};
+    struct end end[2] = {{.serves = false}, {.serves = false}};
     double value[2];
     enum um_status status = UM_OK;
     um_uncertainty_distribution_ends(&study->way[i].distribution, &value[0], &value[1]);
@@ -68,8 +66,8 @@ enum um_status um_study_share(struct um_context *context, struct um_study *study
     study->moves_heat[i] = !(end[0].matches && end[1].matches);
     if (status == UM_OK && !study->moves_geometry[i] && !study->moves_heat[i])
       status = check_light(context, study, i, end);
-    um_model_destroy(context, &end[0].model);
-    um_model_destroy(context, &end[1].model);
+    um_variant_close(context, &end[0].variant);
+    um_variant_close(context, &end[1].variant);
     UM_TRY(status);
   }
   return UM_OK;

@@ -24,22 +24,18 @@ static enum um_status find_ways(struct um_context *context, struct um_study *stu
   return um_study_ways_check(context, study->model, study->way, study->nway);
 }
 
-/* The scenario as it stands, with the time that each part of it takes. */
+/* The scenario as it stands, with the time that it takes. */
 static enum um_status solve_nominal(struct um_context *context, struct um_study *study)
 {
+  const struct um_variant_settings settings = {
+      .base = {1.0, UM_STUDY_PERIODIC}, .photons = true, .lead = true};
+  const struct um_variant *base = &study->base;
   struct um_model_result *result = NULL;
   double begin = omp_get_wtime();
-  UM_TRY(um_model_precompute(context, study->model, &study->precomputed));
-  UM_TRY(um_model_precompute_photons(context, study->model, study->precomputed));
-  study->seconds_geometry = omp_get_wtime() - begin;
-  begin = omp_get_wtime();
-  UM_TRY(um_model_thermal_solution_near(context, study->model, study->precomputed, NULL, 1.0,
-                                        UM_STUDY_PERIODIC, &study->heat));
-  UM_TRY(um_model_thermal_solution_lead(context, study->heat));
-  study->seconds_heat = omp_get_wtime() - begin;
-  begin = omp_get_wtime();
-  UM_TRY(um_model_run_observed(context, study->model, study->precomputed, study->heat, &result));
-  study->seconds_run = study->seconds_geometry + study->seconds_heat + omp_get_wtime() - begin;
+  UM_TRY(um_variant_evaluator_create(context, study->model, &settings, &study->evaluator));
+  UM_TRY(um_variant_base(context, study->evaluator, &study->base));
+  UM_TRY(um_model_run_observed(context, base->model, base->precomputed, base->heat, &result));
+  study->seconds_run = omp_get_wtime() - begin;
   enum um_status status =
       um_study_outputs_take(context, study, study->model, result, study->nominal);
   um_model_result_destroy(context, &result);
@@ -123,8 +119,7 @@ enum um_status um_study_create(struct um_context *context, const char *path,
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *study, &study));
   study->options = *options;
-  study->tolerance_factor = 6.0;
-  study->periodic_tolerance = 0.02;
+  study->tolerance = (struct um_variant_tolerance){6.0, 0.02};
   enum um_status status = prepare(context, path, study);
   if (status != UM_OK) um_study_destroy(context, &study);
   *out = study;
@@ -135,12 +130,7 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
 {
   if (study == NULL || *study == NULL) return;
   struct um_study *s = *study;
-  for (size_t i = 0; i < UM_STUDY_GEOMETRIES; i++) {
-    um_model_precomputed_destroy(context, &s->kept[i].precomputed);
-    um_model_destroy(context, &s->kept[i].model);
-  }
-  um_model_thermal_solution_destroy(context, &s->heat);
-  um_model_precomputed_destroy(context, &s->precomputed);
+  um_variant_evaluator_destroy(context, &s->evaluator);
   um_model_destroy(context, &s->model);
   um_study_identity_destroy(context, &s->identity);
   if (s->holds_files) um_core_files_let_go(context);

@@ -3,25 +3,13 @@
 #ifndef UMBRA_STUDY_STUDY_IMPL_H
 #define UMBRA_STUDY_STUDY_IMPL_H
 
-#include "model/precomputed.h"
-#include "model/result.h"
-#include "model/thermal_solution.h"
 #include "study/identity.h"
 #include "study/parameter_impl.h"
 #include "study/study.h"
-
-/* Geometries kept beside the scenario's own, in each process. Points come sorted by them. */
-#define UM_STUDY_GEOMETRIES 2
+#include "variant/evaluator.h"
 
 /* Of the periodic state with the scenario's own tolerances, as a run has it [K]. */
 #define UM_STUDY_PERIODIC 0.01
-
-/* A geometry precomputation, and the model it was made from. */
-struct um_study_geometry {
-  struct um_model *model; /* NULL: empty */
-  struct um_model_precomputed *precomputed;
-  size_t used; /* number of the point that used it last */
-};
 
 /* What is wanted of a point. */
 enum um_study_wanted { UM_STUDY_IRRADIANCE, UM_STUDY_MAGNITUDE, UM_STUDY_TEMPERATURE };
@@ -37,8 +25,9 @@ struct um_study {
   char *scenario;         /* its path */
   char *measurements;     /* their path, NULL: none */
   struct um_model *model; /* the scenario as it stands */
-  struct um_model_precomputed *precomputed;
-  struct um_model_thermal_solution *heat;
+  struct um_variant_evaluator
+      *evaluator;         /* of it, in each process; points come sorted by geometry */
+  struct um_variant base; /* geometry and heat of the scenario as it stands */
   bool holds_files;
   struct um_study_identity *identity; /* of the scenario; of the points once they are run */
   struct um_study_way *way;           /* [nway] */
@@ -52,11 +41,9 @@ struct um_study {
                                         curves, of light a factor; NULL: not known (point.c) */
   double *taken_off;                 /* [noutput] the largest of it, as differences are [1], [K] */
   double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
-  double tolerance_factor, periodic_tolerance; /* of a point's heat [1], [K] (tolerance.c) */
-  struct um_study_geometry kept[UM_STUDY_GEOMETRIES];
-  size_t npoint;                                      /* computed by this process */
-  size_t lost;                                        /* by the batch */
-  double seconds_geometry, seconds_heat, seconds_run; /* wall time of the nominal's [s] */
+  struct um_variant_tolerance tolerance; /* of a point's heat (tolerance.c) */
+  size_t lost;                           /* by the batch */
+  double seconds_run; /* wall time of the nominal's geometry, heat and light [s] */
 };
 
 /* --- outputs.c --- */
@@ -83,16 +70,15 @@ enum um_status um_study_limits_make(struct um_context *context, const struct um_
  * the study. */
 enum um_status um_study_point(struct um_context *context, void *user, const double *parameter,
                               double *value);
-/* The model with some ways at values. */
-enum um_status um_study_model(struct um_context *context, const struct um_study *study,
-                              const struct um_study_way *way, size_t nway, const double *value,
-                              struct um_model **out);
-/* Values of a model on a geometry precomputation: heat from the nominal's with the study's factor,
- * or tight, with the scenario's own tolerances. */
+/* The scenario with some ways at values, with its geometry; closed by the caller, after a failure
+ * too. */
+enum um_status um_study_open(struct um_context *context, const struct um_study *study,
+                             const struct um_study_way *way, size_t nway, const double *value,
+                             struct um_variant *out);
+/* Values of an open variant: heat from the nominal's with the study's tolerance, or tight, with the
+ * scenario's own. */
 enum um_status um_study_values(struct um_context *context, const struct um_study *study,
-                               const struct um_model *model,
-                               const struct um_model_precomputed *precomputed, bool tight,
-                               double *value);
+                               struct um_variant *variant, bool tight, double *value);
 /* What the tolerances as they are now do to the scenario as it stands, into looseness and
  * taken_off. */
 enum um_status um_study_looseness(struct um_context *context, struct um_study *study);

@@ -4,8 +4,6 @@
  * so that little is left of it. */
 #include <math.h>
 
-#include "model/build.h"
-#include "model/precomputed_serves.h"
 #include "study/study_impl.h"
 
 /* Of the asked error that tolerances may use up at the place where they are measured. A surrogate
@@ -29,13 +27,12 @@ static const struct {
 
 static void choose(struct um_study *study, size_t i)
 {
-  study->tolerance_factor = choices[i].factor;
-  study->periodic_tolerance = choices[i].periodic;
+  study->tolerance = (struct um_variant_tolerance){choices[i].factor, choices[i].periodic};
 }
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
-static enum um_status corner_model(struct um_context *context, const struct um_study *study,
-                                   struct um_model **out)
+static enum um_status corner_open(struct um_context *context, const struct um_study *study,
+                                  struct um_variant *out)
 {
   enum um_status status;
   struct um_study_way *way = NULL;
@@ -49,7 +46,7 @@ static enum um_status corner_model(struct um_context *context, const struct um_s
     um_uncertainty_distribution_ends(&way[n].distribution, &least, &value[n]);
     n++;
   }
-  UM_CHECK(um_study_model(context, study, way, n, value, out));
+  UM_CHECK(um_study_open(context, study, way, n, value, out));
 done:
   um_core_free(context, way);
   um_core_free(context, value);
@@ -72,13 +69,13 @@ static bool good_enough(const struct um_study *study)
   return true;
 }
 
-/* What the tolerances chosen leave of a model whose values with the scenario's own are own[nvalue];
- * value [nvalue] is scratch. */
+/* What the tolerances chosen leave of a variant whose values with the scenario's own are
+ * own[nvalue]; value [nvalue] is scratch. */
 static enum um_status measure(struct um_context *context, struct um_study *study,
-                              const struct um_model *model, const double *own, double *value)
+                              struct um_variant *variant, const double *own, double *value)
 {
   UM_TRY(um_study_looseness(context, study));
-  UM_TRY(um_study_values(context, study, model, study->precomputed, false, value));
+  UM_TRY(um_study_values(context, study, variant, false, value));
   um_study_differences(study, value, own, study->measured);
   for (size_t q = 0; q < study->noutput; q++)
     study->measured[q] += SHARE_LEFT * study->taken_off[q];
@@ -88,25 +85,23 @@ static enum um_status measure(struct um_context *context, struct um_study *study
 enum um_status um_study_tolerance(struct um_context *context, struct um_study *study)
 {
   enum um_status status = UM_OK;
-  struct um_model *model = NULL;
+  struct um_variant corner = {0};
   double *value = NULL, *own;
-  bool serves = false;
   const size_t loosest = study->file->mode == UM_STUDY_SURROGATE ? LOOSEST_OF_SURROGATE : 0;
   choose(study, loosest);
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
-  UM_CHECK(corner_model(context, study, &model));
+  UM_CHECK(corner_open(context, study, &corner));
   /* what two parameters do together may need another geometry though neither does alone */
-  UM_CHECK(um_model_precomputed_serves(context, study->model, study->precomputed, model, &serves));
-  if (!serves) {
+  if (corner.precomputed != study->base.precomputed) {
     choose(study, CHOICES - 1);
     goto done;
   }
-  UM_CHECK(um_study_values(context, study, model, study->precomputed, true, own));
+  UM_CHECK(um_study_values(context, study, &corner, true, own));
   for (size_t i = loosest; i < CHOICES; i++) {
     choose(study, i);
-    status = measure(context, study, model, own, value);
+    status = measure(context, study, &corner, own, value);
     if (status == UM_ERR_NUMERIC && i + 1 < CHOICES) { /* too loose to find a state that repeats */
       um_core_message_clear(context);
       continue;
@@ -115,7 +110,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
     if (good_enough(study)) break;
   }
 done:
-  um_model_destroy(context, &model);
+  um_variant_close(context, &corner);
   um_core_free(context, value);
   return status;
 }

@@ -162,7 +162,7 @@ static void test_serves_as_traced(void **state)
     if (um_model_create(context, FILE_NAME, &options, &model) != UM_OK)
       fail_msg("%s: %s", name, um_core_message(context));
     need(um_model_precompute(context, model, &anew));
-    need(um_model_precomputed_serves(context, made, own, model, &serves));
+    need(um_model_precomputed_serves(context, made, own, NULL, model, &serves));
     bool equal = traced_equal(own, anew);
     if (serves != (changes[i].expected == SERVES) || equal != (changes[i].expected != ANOTHER)) {
       print_error("%s: serves %d, traced anew %d\n", name, serves, equal);

@@ -127,24 +127,23 @@ static void test_taken_off(void **state)
 {
   (void)state;
   struct um_study *study = NULL;
-  struct um_model *model = NULL;
+  struct um_variant variant;
   const struct um_study_run_options options = world_options(1, false);
   const double parameter[3] = {0.7, 60.0, 0.25};
   double off[2][4], *known;
   world_clear(context);
   world_put(PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n");
   need(um_study_create(context, WORLD_STUDY, &options, &study));
-  study->tolerance_factor = 1000.0;
-  study->periodic_tolerance = 0.01;
+  study->tolerance = (struct um_variant_tolerance){1000.0, 0.01};
   need(um_study_looseness(context, study));
   double *value = malloc(2 * study->nvalue * sizeof *value), *own = value + study->nvalue;
   assert_non_null(value);
-  need(um_study_model(context, study, study->way, study->nway, parameter, &model));
-  need(um_study_values(context, study, model, study->precomputed, true, own));
+  need(um_study_open(context, study, study->way, study->nway, parameter, &variant));
+  need(um_study_values(context, study, &variant, true, own));
   known = study->looseness;
   for (int taken = 0; taken < 2; taken++) {
     study->looseness = taken ? known : NULL;
-    need(um_study_values(context, study, model, study->precomputed, false, value));
+    need(um_study_values(context, study, &variant, false, value));
     um_study_differences(study, value, own, off[taken]);
   }
   for (size_t q = 1; q < 4; q++) {
@@ -153,7 +152,7 @@ static void test_taken_off(void **state)
     assert_true(study->taken_off[q] > 0.0 && off[1][q] < 0.5 * off[0][q]);
   }
   free(value);
-  um_model_destroy(context, &model);
+  um_variant_close(context, &variant);
   um_study_destroy(context, &study);
   world_clear(context);
 }

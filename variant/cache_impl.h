@@ -1,0 +1,39 @@
+/* Geometries that are kept, least recently used ones given up first. Private to variant/. */
+#ifndef UMBRA_VARIANT_CACHE_IMPL_H
+#define UMBRA_VARIANT_CACHE_IMPL_H
+
+#include "model/model.h"
+#include "model/precompute.h"
+#include "variant/evaluator.h"
+
+/* A geometry, the model it was traced of, and heat on it. */
+struct um_variant_kept {
+  struct um_model *model;
+  struct um_model_precomputed *precomputed;
+  struct um_model_thermal_solution *heat; /* of `model`; NULL: not asked for, or that of another */
+  struct um_variant_tolerance tolerance;  /* of that heat */
+  size_t bytes;
+  size_t used;  /* when it was asked for last */
+  size_t users; /* variants that are open on it: it is not given up */
+  struct um_variant_kept *next;
+};
+struct um_variant_cache {
+  struct um_variant_kept *first;
+  size_t bytes, most; /* that they take, and may take */
+  size_t clock;
+};
+
+/* The one whose geometry serves the model (um_model_precomputed_serves); *out NULL: none does. */
+enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
+                                     const struct um_model *model,
+                                     const struct um_model_instants *instants,
+                                     struct um_variant_kept **out);
+/* Takes model and geometry, and gives up others for them; what is larger than all that may be kept
+ * stays until the next. UM_ERR_MEMORY: they stay the caller's. */
+enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
+                                    struct um_model **model,
+                                    struct um_model_precomputed **precomputed,
+                                    struct um_variant_kept **out);
+void um_variant_cache_clear(struct um_context *context, struct um_variant_cache *cache);
+
+#endif

@@ -1,0 +1,240 @@
+/* One scenario, computed again and again with something changed. */
+#include "variant/evaluator.h"
+
+#include <omp.h>
+
+#include "effects/effects.h"
+#include "model/build.h"
+#include "model/precomputed_serves.h"
+#include "variant/cache_impl.h"
+
+struct um_variant_evaluator {
+  const struct um_model *model; /* the scenario as it stands */
+  struct um_variant_settings settings;
+  struct um_model_precomputed *precomputed; /* its geometry; NULL: not yet */
+  struct um_model_thermal_solution *heat;   /* and heat */
+  struct um_variant_costs costs;            /* of both */
+  struct um_variant_cache cache;            /* of variants */
+};
+
+enum um_status um_variant_evaluator_create(struct um_context *context, const struct um_model *model,
+                                           const struct um_variant_settings *settings,
+                                           struct um_variant_evaluator **out)
+{
+  UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
+  (*out)->model = model;
+  (*out)->settings = *settings;
+  (*out)->cache.most = settings->bytes > 0 ? settings->bytes : UM_VARIANT_BYTES;
+  return UM_OK;
+}
+
+void um_variant_evaluator_destroy(struct um_context *context,
+                                  struct um_variant_evaluator **evaluator)
+{
+  struct um_variant_evaluator *e = *evaluator;
+  if (e == NULL) return;
+  um_variant_cache_clear(context, &e->cache);
+  um_model_thermal_solution_destroy(context, &e->heat);
+  um_model_precomputed_destroy(context, &e->precomputed);
+  um_core_free(context, e);
+  *evaluator = NULL;
+}
+
+struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator *evaluator)
+{
+  return evaluator->costs;
+}
+
+struct um_model_precomputed *um_variant_base_precomputed(struct um_variant_evaluator *evaluator)
+{
+  return evaluator->precomputed;
+}
+
+/* --- geometry -------------------------------------------------------------------------------- */
+
+static enum um_status base_geometry(struct um_context *context, struct um_variant_evaluator *e)
+{
+  double begin = omp_get_wtime();
+  if (e->precomputed != NULL) return UM_OK;
+  UM_TRY(um_model_precompute_over(context, e->model, e->settings.instants, &e->precomputed));
+  if (e->settings.photons) UM_TRY(um_model_precompute_photons(context, e->model, e->precomputed));
+  e->costs.geometry = omp_get_wtime() - begin;
+  return UM_OK;
+}
+
+/* Do the effects of the changes act behind the geometry, by what they declare? */
+static bool acts_behind(const struct um_model_changes *changes)
+{
+  const uint32_t reached = UM_REACH_PRECOMPUTED | UM_REACH_LIGHT;
+  if (changes->nkey + changes->nwith + changes->nwithout > 0) return false;
+  for (size_t i = 0; i < changes->naddition; i++)
+    if ((um_effects_reach(changes->addition[i].effect) & reached) != 0) return false;
+  return true;
+}
+
+/* The geometry of the variant's model: the scenario's own, one that is kept, or a new one, which
+ * takes the model. The scenario's own is looked at only once it is traced. */
+static enum um_status find_geometry(struct um_context *context, struct um_variant_evaluator *e,
+                                    const struct um_model_changes *changes, struct um_variant *v)
+{
+  const struct um_model_instants *instants = e->settings.instants;
+  struct um_model_precomputed *traced = NULL;
+  bool serves = e->precomputed != NULL && acts_behind(changes);
+  if (e->precomputed != NULL && !serves)
+    UM_TRY(um_model_precomputed_serves(context, e->model, e->precomputed, instants, v->model,
+                                       &serves));
+  v->precomputed = e->precomputed;
+  if (serves) return UM_OK;
+  UM_TRY(um_variant_cache_find(context, &e->cache, v->model, instants, &v->kept));
+  if (v->kept == NULL) {
+    v->fresh_geometry = true;
+    UM_TRY(um_model_precompute_over(context, v->model, instants, &traced));
+    enum um_status status =
+        um_variant_cache_add(context, &e->cache, &v->own_model, &traced, &v->kept);
+    um_model_precomputed_destroy(context, &traced);
+    UM_TRY(status);
+  }
+  v->kept->users++;
+  v->precomputed = v->kept->precomputed;
+  return UM_OK;
+}
+
+/* --- heat ------------------------------------------------------------------------------------ */
+
+static enum um_status base_heat(struct um_context *context, struct um_variant_evaluator *e)
+{
+  if (e->heat != NULL) return UM_OK;
+  UM_TRY(base_geometry(context, e));
+  double begin = omp_get_wtime();
+  UM_TRY(um_model_thermal_solution_near(context, e->model, e->precomputed, NULL,
+                                        e->settings.base.factor, e->settings.base.periodic,
+                                        &e->heat));
+  if (e->settings.lead) UM_TRY(um_model_thermal_solution_lead(context, e->heat));
+  e->costs.heat = omp_get_wtime() - begin;
+  return UM_OK;
+}
+
+/* May heat of the model start from the scenario's own? Same nodes on the same number of surfaces.
+ */
+static bool starts_warm(const struct um_variant_evaluator *e, const struct um_model *model)
+{
+  return um_geometry_mesh(e->model->geometry)->nsurface ==
+             um_geometry_mesh(model->geometry)->nsurface &&
+         um_thermal_network_nodes(e->model->body->network) ==
+             um_thermal_network_nodes(model->body->network);
+}
+
+static enum um_status solve(struct um_context *context, const struct um_variant_evaluator *e,
+                            const struct um_variant_heat *how, const struct um_variant *v,
+                            struct um_model_thermal_solution **out)
+{
+  const struct um_model_thermal_solution *warm = starts_warm(e, v->model) ? e->heat : NULL;
+  switch (how->start) {
+  case UM_VARIANT_EXTRAPOLATED:
+    return um_model_thermal_solution_move(context, e->heat, how->sensitivity, how->which, how->step,
+                                          v->model, v->precomputed, out);
+  case UM_VARIANT_WARM:
+    return um_model_thermal_solution_near(context, v->model, v->precomputed, warm,
+                                          how->tolerance.factor, how->tolerance.periodic, out);
+  case UM_VARIANT_COLD:
+    break;
+  }
+  return um_model_thermal_solution_create(context, v->model, v->precomputed, NULL, 1.0, out);
+}
+
+static bool tolerances_equal(const struct um_variant_tolerance *a,
+                             const struct um_variant_tolerance *b)
+{
+  return a->factor == b->factor && a->periodic == b->periodic;
+}
+
+/* Heat at hand that is the variant's, number for number. */
+static enum um_status look_for_heat(struct um_context *context,
+                                    const struct um_variant_evaluator *e,
+                                    const struct um_variant_heat *how, struct um_variant *v)
+{
+  const struct um_variant_kept *kept = v->kept;
+  const struct um_model_thermal_solution *at_hand[] = {
+      kept != NULL && tolerances_equal(&kept->tolerance, &how->tolerance) ? kept->heat : NULL,
+      e->heat};
+  for (size_t i = 0; i < sizeof at_hand / sizeof at_hand[0] && v->heat == NULL; i++) {
+    bool matches = false;
+    if (at_hand[i] == NULL) continue;
+    UM_TRY(
+        um_model_thermal_solution_matches(context, at_hand[i], v->model, v->precomputed, &matches));
+    if (matches) v->heat = at_hand[i];
+  }
+  return UM_OK;
+}
+
+enum um_status um_variant_heat_again(struct um_context *context, struct um_variant_evaluator *e,
+                                     const struct um_variant_heat *how, struct um_variant *v)
+{
+  double begin = omp_get_wtime();
+  if (how->start != UM_VARIANT_COLD) UM_TRY(base_heat(context, e));
+  um_model_thermal_solution_destroy(context, &v->own_heat);
+  um_core_quiet_begin(context);
+  enum um_status status = solve(context, e, how, v, &v->own_heat);
+  um_core_quiet_end(context);
+  UM_TRY(status);
+  v->heat = v->own_heat;
+  v->fresh_heat = true;
+  v->seconds_heat = omp_get_wtime() - begin;
+  return UM_OK;
+}
+
+enum um_status um_variant_find_heat(struct um_context *context, struct um_variant_evaluator *e,
+                                    const struct um_variant_heat *how, struct um_variant *v)
+{
+  struct um_variant_kept *kept = v->kept;
+  v->heat = NULL;
+  v->fresh_heat = false;
+  if (how->start != UM_VARIANT_COLD) UM_TRY(base_heat(context, e));
+  if (how->start != UM_VARIANT_COLD) UM_TRY(look_for_heat(context, e, how, v));
+  if (v->heat != NULL) return UM_OK;
+  UM_TRY(um_variant_heat_again(context, e, how, v));
+  /* new heat of a model that is kept stays with it */
+  if (how->start != UM_VARIANT_WARM || kept == NULL || kept->model != v->model ||
+      kept->heat != NULL)
+    return UM_OK;
+  kept->heat = v->own_heat;
+  kept->tolerance = how->tolerance;
+  v->own_heat = NULL;
+  return UM_OK;
+}
+
+/* --- variants -------------------------------------------------------------------------------- */
+
+enum um_status um_variant_base(struct um_context *context, struct um_variant_evaluator *evaluator,
+                               struct um_variant *out)
+{
+  UM_TRY(base_heat(context, evaluator));
+  *out = (struct um_variant){
+      .model = evaluator->model, .precomputed = evaluator->precomputed, .heat = evaluator->heat};
+  return UM_OK;
+}
+
+enum um_status um_variant_open(struct um_context *context, struct um_variant_evaluator *evaluator,
+                               const struct um_model_changes *changes,
+                               const struct um_variant_heat *heat, struct um_variant *out)
+{
+  enum um_status status;
+  *out = (struct um_variant){0};
+  um_core_quiet_begin(context); /* what is to say of the scenario was said once */
+  UM_CHECK(um_model_variant_create(context, evaluator->model, changes, &out->own_model));
+  out->model = out->own_model;
+  if (heat == NULL || heat->start != UM_VARIANT_COLD) UM_CHECK(base_geometry(context, evaluator));
+  UM_CHECK(find_geometry(context, evaluator, changes, out));
+  if (heat != NULL) UM_CHECK(um_variant_find_heat(context, evaluator, heat, out));
+done:
+  um_core_quiet_end(context);
+  return status;
+}
+
+void um_variant_close(struct um_context *context, struct um_variant *variant)
+{
+  if (variant->kept != NULL) variant->kept->users--;
+  um_model_thermal_solution_destroy(context, &variant->own_heat);
+  um_model_destroy(context, &variant->own_model);
+  *variant = (struct um_variant){0};
+}

@@ -1,0 +1,100 @@
+/* One scenario, computed again and again with something changed. What a change leaves the same,
+ * number for number, is not computed again: geometry, then heat. Every question about a changed
+ * scenario goes this way: studies, forecasts, cases, sensitivities, missing heat, error in space.
+ */
+#ifndef UMBRA_VARIANT_EVALUATOR_H
+#define UMBRA_VARIANT_EVALUATOR_H
+
+#include "model/model.h"
+#include "model/precompute.h"
+#include "model/result.h"
+#include "model/thermal_sensitivity.h"
+#include "model/thermal_solution.h"
+
+/* How accurately heat is solved. */
+struct um_variant_tolerance {
+  double factor;   /* >= 1, on the scenario's tolerances of the integration [1] */
+  double periodic; /* of the state that repeats [K] */
+};
+
+struct um_variant_settings {
+  const struct um_model_instants *instants; /* when all are looked at; borrowed while the evaluator
+                                               lives. NULL: each over its own window */
+  struct um_variant_tolerance base;         /* of the scenario as it stands */
+  bool photons; /* sunlight from mirror to mirror is kept with the scenario's geometry */
+  bool lead;    /* what many warm starts would find anew is found once */
+  size_t bytes; /* that geometries beside the scenario's may take; 0: UM_VARIANT_BYTES */
+};
+#define UM_VARIANT_BYTES ((size_t)1 << 30)
+
+/* From where the heat of a variant is looked for. */
+enum um_variant_start {
+  UM_VARIANT_COLD, /* as a run of its own, whose bits it has */
+  UM_VARIANT_WARM, /* from the heat of the scenario as it stands, never from another variant's: a
+                      variant has the same bits in any order and process */
+  UM_VARIANT_EXTRAPOLATED /* T + step dT/dp, T of the scenario as it stands */
+};
+struct um_variant_heat {
+  enum um_variant_start start;
+  struct um_variant_tolerance tolerance; /* WARM */
+  /* EXTRAPOLATED: parameter `which` of the sensitivity, moved by `step` [its unit] */
+  const struct um_model_thermal_sensitivity *sensitivity;
+  size_t which;
+  double step;
+};
+
+/* A variant that is computed; all but what is said to be private may be looked at until it is
+ * closed. */
+struct um_variant {
+  const struct um_model *model;
+  const struct um_model_precomputed *precomputed;
+  const struct um_model_thermal_solution *heat;
+  bool fresh_geometry, fresh_heat; /* computed for it: nothing at hand served */
+  double seconds_heat;             /* wall time of fresh heat, 0 without [s] */
+  /* private */
+  struct um_variant_kept *kept;
+  struct um_model *own_model;
+  struct um_model_thermal_solution *own_heat;
+};
+
+struct um_variant_evaluator;
+/* model: the scenario as it stands; it, and its own origin, outlive the evaluator. Nothing is
+ * computed yet. UM_ERR_MEMORY. The caller destroys, after every variant is closed. */
+enum um_status um_variant_evaluator_create(struct um_context *context, const struct um_model *model,
+                                           const struct um_variant_settings *settings,
+                                           struct um_variant_evaluator **out);
+void um_variant_evaluator_destroy(struct um_context *context,
+                                  struct um_variant_evaluator **evaluator);
+
+/* The scenario as it stands: its geometry is traced and its heat solved when they are first asked
+ * for, and stay. Errors of um_model_precompute_over and of the thermal solvers. */
+enum um_status um_variant_base(struct um_context *context, struct um_variant_evaluator *evaluator,
+                               struct um_variant *out);
+/* Wall time of its geometry and of its heat [s]; 0 before they are asked for. */
+struct um_variant_costs {
+  double geometry, heat;
+};
+struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator *evaluator);
+/* Its geometry, for who traces lines of sight again (um_model_precomputed_resample); NULL before
+ * um_variant_base. */
+struct um_model_precomputed *um_variant_base_precomputed(struct um_variant_evaluator *evaluator);
+
+/* The scenario with changes, its geometry and, with `heat`, its heat; heat NULL: none is asked for.
+ * What is refused because of the changes is UM_ERR_REFUSED. Errors of um_model_variant_create,
+ * um_model_precompute_over and the thermal solvers. Closed by the caller, after a failure too. */
+enum um_status um_variant_open(struct um_context *context, struct um_variant_evaluator *evaluator,
+                               const struct um_model_changes *changes,
+                               const struct um_variant_heat *heat, struct um_variant *out);
+/* Heat of a variant that was opened without, or with another tolerance: some that is at hand and is
+ * the same number for number, or solved. */
+enum um_status um_variant_find_heat(struct um_context *context,
+                                    struct um_variant_evaluator *evaluator,
+                                    const struct um_variant_heat *heat, struct um_variant *variant);
+/* Heat is solved though some is at hand: to hold tolerances against each other. */
+enum um_status um_variant_heat_again(struct um_context *context,
+                                     struct um_variant_evaluator *evaluator,
+                                     const struct um_variant_heat *heat,
+                                     struct um_variant *variant);
+void um_variant_close(struct um_context *context, struct um_variant *variant);
+
+#endif
