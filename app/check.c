@@ -8,8 +8,6 @@
 #include "model/timeline.h"
 #include "orbit/time.h"
 
-#define ROOM 300.0 /* temperature of the emittances [K] */
-
 static double altitude_km(const struct um_model *model, const struct um_environment_sample *s)
 {
   return (um_vec3_norm(s->r) - model->environment.earth_radius) * 1e-3;
@@ -52,7 +50,7 @@ static void print_materials(const struct um_model *model)
   for (size_t m = 0; m < um_geometry_material_count(g); m++) {
     printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m), material_area(model, m),
            um_materials_solar_absorptance(model->material[m], NULL),
-           um_materials_emittance(model->material[m], NULL, ROOM));
+           um_materials_emittance(model->material[m], NULL, UM_REFERENCE_TEMPERATURE));
   }
 }
 
@@ -82,7 +80,7 @@ static void json_materials(const struct um_model *model)
     um_core_json_field(stdout, ", ", "solar_absorptance",
                        um_materials_solar_absorptance(model->material[m], NULL));
     um_core_json_field(stdout, ", ", "emittance",
-                       um_materials_emittance(model->material[m], NULL, ROOM));
+                       um_materials_emittance(model->material[m], NULL, UM_REFERENCE_TEMPERATURE));
     printf("}");
   }
   printf("]");

@@ -3,11 +3,10 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "core/constants.h"
 #include "environment/environment.h"
 #include "materials/lobe.h"
 #include "materials/measured.h"
-
-#define ROOM 300.0 /* temperature of the emittances [K] */
 
 static void print_value(const char *format, double value)
 {
@@ -23,8 +22,8 @@ static void print_row(const struct um_materials_record *r)
   printf("%-26s", um_materials_name(r));
   print_value("%10.3f", um_materials_solar_absorptance(r, NULL));
   print_value("%10.3f", c.solar_absorptance);
-  print_value("%10.3f", um_materials_emittance(r, NULL, ROOM));
-  print_value("%10.3f", um_materials_normal_emittance(r, NULL, ROOM));
+  print_value("%10.3f", um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
+  print_value("%10.3f", um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
   print_value("%10.3f", c.emittance);
   printf("  %s\n", um_materials_is_grey(r) ? "grey" : "spectral");
 }
@@ -39,8 +38,9 @@ static void print_one(const struct um_materials_record *r)
   if (!isnan(c.solar_absorptance))
     printf(" (catalogue %.3f +- %.3f, %s)", c.solar_absorptance, c.solar_absorptance_tolerance,
            c.source);
-  printf("\n  emittance at %.0f K: hemispherical %.4f, normal %.4f", ROOM,
-         um_materials_emittance(r, NULL, ROOM), um_materials_normal_emittance(r, NULL, ROOM));
+  printf("\n  emittance at %.0f K: hemispherical %.4f, normal %.4f", UM_REFERENCE_TEMPERATURE,
+         um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE),
+         um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
   if (!isnan(c.emittance))
     printf(" (catalogue %.3f +- %.3f, %s)", c.emittance, c.emittance_tolerance, c.source);
   printf("\n  normal emissivity at 8, 9, 10, 11, 12 um:");
@@ -93,9 +93,9 @@ static void json_record(const struct um_materials_record *r)
   printf(", \"solar_absorptance\": ");
   um_core_json_number(stdout, um_materials_solar_absorptance(r, NULL));
   printf(", \"emittance\": ");
-  um_core_json_number(stdout, um_materials_emittance(r, NULL, ROOM));
+  um_core_json_number(stdout, um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
   printf(", \"normal_emittance\": ");
-  um_core_json_number(stdout, um_materials_normal_emittance(r, NULL, ROOM));
+  um_core_json_number(stdout, um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
   printf(", \"catalogue_solar_absorptance\": ");
   um_core_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
   printf(", \"catalogue_emittance\": ");
@@ -123,7 +123,7 @@ static void print_table(const struct um_materials_library *library)
     print_row(um_materials_library_at(library, i));
   printf("Solar absorptance over ASTM E490 at normal incidence; emittance hemispherical and normal "
          "at %.0f K.\n",
-         ROOM);
+         UM_REFERENCE_TEMPERATURE);
 }
 
 int um_app_materials(struct um_context *context, const struct um_app_options *options)

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "compare/statistics_impl.h"
+#include "core/constants.h"
 
 /* Observations in linear flux, gathered for one segment, and room for what is sorted. */
 struct observations {
@@ -103,7 +104,7 @@ static void set_ratios(struct observations *data, struct um_compare_metrics *out
 /* Of magnitudes, by the logarithms of the fluxes. */
 static void set_magnitudes(struct observations *data, struct um_compare_metrics *out)
 {
-  const double magnitude = -2.5 / log(10.0); /* of one unit of ln(flux) */
+  const double magnitude = -UM_POGSON; /* of one unit of ln(flux) */
   double *x = data->work, *y = data->work + data->n, sum = 0.0, squares = 0.0;
   size_t n = 0;
   for (size_t i = 0; i < data->n; i++) {

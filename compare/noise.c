@@ -6,9 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "model/scenario.h"
-
-static const double LN10 = 2.30258509299404568402;
 
 _Static_assert((int)UM_SCENARIO_BAND_IRRADIANCE == (int)UM_QUANTITY_BAND_IRRADIANCE &&
                    (int)UM_SCENARIO_RADIANT_INTENSITY == (int)UM_QUANTITY_RADIANT_INTENSITY,
@@ -17,7 +16,7 @@ _Static_assert((int)UM_SCENARIO_BAND_IRRADIANCE == (int)UM_QUANTITY_BAND_IRRADIA
 double um_compare_noise_sigma(enum um_compare_quantity quantity,
                               const struct um_compare_noise *noise, double value)
 {
-  double scale = um_compare_is_magnitude(quantity) ? 2.5 / LN10 : value;
+  double scale = um_compare_is_magnitude(quantity) ? UM_POGSON : value;
   return hypot(noise->relative * scale, noise->floor);
 }
 

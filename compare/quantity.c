@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-static const double LN10 = 2.30258509299404568402;
+#include "core/constants.h"
 
 static const char *const quantity_names[UM_QUANTITY_COUNT] = {
     [UM_QUANTITY_BAND_IRRADIANCE] = "band_irradiance",
@@ -60,6 +60,6 @@ void um_compare_linear(enum um_compare_quantity quantity, double value, double s
   *flux = value;
   *flux_sigma = sigma;
   if (!um_compare_is_magnitude(quantity)) return;
-  *flux = exp(-0.4 * LN10 * value);
-  *flux_sigma = 0.4 * LN10 * *flux * sigma;
+  *flux = exp(-0.4 * UM_LN10 * value);
+  *flux_sigma = 0.4 * UM_LN10 * *flux * sigma;
 }

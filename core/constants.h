@@ -29,9 +29,15 @@
  * body of 300 K. */
 #define UM_INFRARED_FROM 2.5e-6 /* [m] */
 
+/* What a record or a network states holds here: emittances, capacities, conductances. By
+ * convention, near the room temperature at which they are measured. */
+#define UM_REFERENCE_TEMPERATURE 300.0 /* [K] */
+
 #define UM_ZERO_CELSIUS      273.15 /* 0 C [K], SI exact */
 #define UM_SPACE_TEMPERATURE 2.7    /* deep space [K], Fixsen 2009 rounded */
-#define UM_AB_ZERO_JY        3631.0 /* AB zero point [Jy], Oke & Gunn 1983 */
+#define UM_LN10              2.30258509299404568402
+#define UM_POGSON            (2.5 / UM_LN10) /* one unit of ln(flux) [mag], Pogson 1856 */
+#define UM_AB_ZERO_JY        3631.0          /* AB zero point [Jy], Oke & Gunn 1983 */
 
 /* What is called umbra, penumbra and sunlight, by the sunlit fraction [1]. The Earth's air has no
  * edge: from both sides it leads to exactly 0 and 1 over half a minute of next to nothing. */

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-static const double POGSON = 1.08573620475812959; /* 2.5/ln 10 */
+#include "core/constants.h"
 
 #define SPREAD          1e-3  /* of airmass, below which they are all the same */
 #define EXTINCTION_MOST 10.0  /* [mag per airmass] */
@@ -37,7 +37,7 @@ static enum um_status check(struct um_context *context, const struct um_instrume
 /* A star's -2.5 log10(measured/predicted) and its weight, one over its variance. */
 static double magnitude(const struct um_instrument_star *star, double *weight)
 {
-  double sigma = POGSON * star->sigma / star->measured;
+  double sigma = UM_POGSON * star->sigma / star->measured;
   *weight = 1.0 / (sigma * sigma);
   return -2.5 * (log10(star->measured) - log10(star->predicted));
 }
@@ -82,7 +82,7 @@ enum um_status um_instrument_calibrate(struct um_context *context,
   double a = y - k * x; /* of both fits */
   double a_sigma = known ? 1.0 / sqrt(w) : sqrt(1.0 / w + x * x / xx);
   out->kappa = pow(10.0, -0.4 * a);
-  out->kappa_sigma = out->kappa * a_sigma / POGSON;
+  out->kappa_sigma = out->kappa * a_sigma / UM_POGSON;
   out->extinction = k;
   out->extinction_sigma = known ? 0.0 : sqrt(1.0 / xx);
   out->correlation = known ? 0.0 : -x / sqrt(x * x + xx / w);
@@ -97,7 +97,7 @@ enum um_status um_instrument_calibrate(struct um_context *context,
 double um_instrument_calibration_factor(const struct um_instrument_calibration *c, double airmass,
                                         double *relative)
 {
-  double a = POGSON * c->kappa_sigma / c->kappa, k = airmass * c->extinction_sigma; /* [mag] */
-  *relative = sqrt(fmax(a * a + 2.0 * c->correlation * a * k + k * k, 0.0)) / POGSON;
+  double a = UM_POGSON * c->kappa_sigma / c->kappa, k = airmass * c->extinction_sigma; /* [mag] */
+  *relative = sqrt(fmax(a * a + 2.0 * c->correlation * a * k + k * k, 0.0)) / UM_POGSON;
   return c->kappa * pow(10.0, -0.4 * c->extinction * airmass);
 }

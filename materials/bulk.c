@@ -3,10 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
-
-#define STATED 300.0 /* [K] of the record's own numbers */
 
 static double table_at(const struct um_materials_table *table, double temperature)
 {
@@ -115,5 +114,5 @@ double um_materials_bulk_ratio(const struct um_materials_record *record,
   const struct um_materials_table *table =
       property == UM_BULK_SPECIFIC_HEAT ? &record->specific_heat : &record->conductivity;
   if (table->n == 0) return 1.0;
-  return table_at(table, temperature) / table_at(table, STATED);
+  return table_at(table, temperature) / table_at(table, UM_REFERENCE_TEMPERATURE);
 }

@@ -13,11 +13,11 @@
  * mirrored adds up to what falls in, whatever changes the absorptance. */
 #include <math.h>
 
+#include "core/constants.h"
 #include "core/planck.h"
 #include "materials/record_impl.h"
 
-#define WIDEST      0.1   /* Beckmann alpha of a lobe that is taken as a mirror [1], at most */
-#define INFRARED_OF 300.0 /* [K] */
+#define WIDEST 0.1 /* Beckmann alpha of a lobe that is taken as a mirror [1], at most */
 
 /* Reflected and mirrored at a wavelength, added to sums with a weight. */
 static void add(const struct um_materials_record *record, double wavelength, double weight,
@@ -59,7 +59,7 @@ void um_materials_mirror_build(const struct um_materials_sun *sun,
   reflected = mirrored = 0.0;
   const struct um_materials_spectrum *s = &record->spectrum;
   for (size_t i = 0; i < s->n; i++) { /* shares of Planck's law between the nodes */
-    double fraction = um_core_planck_fraction(s->wavelength[i] * INFRARED_OF);
+    double fraction = um_core_planck_fraction(s->wavelength[i] * UM_REFERENCE_TEMPERATURE);
     add(record, s->wavelength[i], fraction - before, &reflected, &mirrored);
     before = fraction;
   }

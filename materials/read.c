@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "document/schema.h"
 #include "materials/bsdf.h"
 #include "materials/measured.h"
@@ -127,8 +128,9 @@ static void compare_catalogue(struct um_context *context, const struct um_materi
   const struct um_materials_catalogue *c = &record->catalogue;
   if (c->source == NULL) return;
   double absorptance = um_materials_solar_absorptance(record, NULL);
-  double emittance = c->emittance_is_normal ? um_materials_normal_emittance(record, NULL, 300.0)
-                                            : um_materials_emittance(record, NULL, 300.0);
+  double emittance = c->emittance_is_normal
+                         ? um_materials_normal_emittance(record, NULL, UM_REFERENCE_TEMPERATURE)
+                         : um_materials_emittance(record, NULL, UM_REFERENCE_TEMPERATURE);
   if (sun->measured &&
       !(fabs(absorptance - c->solar_absorptance) <= c->solar_absorptance_tolerance))
     um_core_log(context, UM_LOG_WARNING,

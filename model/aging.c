@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "core/constants.h"
 #include "model/effects_impl.h"
 
 enum um_status um_model_materials_at(struct um_context *context, const struct um_model *model,
@@ -61,8 +62,8 @@ static enum um_status aging_row(struct um_context *context, const struct um_mode
   for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
     const struct um_materials_record *record = model->material[m];
     const struct um_materials_adjustment *then = &model->adjustment[m];
-    double at_start = um_materials_emittance(record, then, UM_MODEL_EMITTANCE_TEMPERATURE);
-    double emitted = um_materials_emittance(record, &now[m], UM_MODEL_EMITTANCE_TEMPERATURE);
+    double at_start = um_materials_emittance(record, then, UM_REFERENCE_TEMPERATURE);
+    double emitted = um_materials_emittance(record, &now[m], UM_REFERENCE_TEMPERATURE);
     absorptance[m] = um_materials_solar_absorptance(record, &now[m]) -
                      um_materials_solar_absorptance(record, then);
     emittance[m] = emitted == at_start ? 1.0 : emitted / at_start;

@@ -6,8 +6,6 @@
 #include "model/model.h"
 #include "thermal/solve_options.h"
 
-#define UM_MODEL_EMITTANCE_TEMPERATURE 300.0 /* total emittances are taken here [K] */
-
 /* Adjustments [material of the geometry] that the effects make at t_tai [s]. */
 enum um_status um_model_materials_at(struct um_context *context, const struct um_model *model,
                                      double t_tai, struct um_materials_adjustment *out);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/words.h"
 #include "model/aging_impl.h"
 #include "model/build_interiors_impl.h"
@@ -35,7 +36,7 @@ static void optics_of(const struct um_model *model, uint32_t material, double *a
   const struct um_materials_record *record = model->material[material];
   const struct um_materials_adjustment *adjustment = &model->adjustment[material];
   *absorptance = um_materials_solar_absorptance(record, adjustment);
-  *emittance = um_materials_emittance(record, adjustment, UM_MODEL_EMITTANCE_TEMPERATURE);
+  *emittance = um_materials_emittance(record, adjustment, UM_REFERENCE_TEMPERATURE);
   *law = model->surface_law[material];
 }
 

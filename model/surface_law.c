@@ -42,7 +42,7 @@ static void by_temperature(const struct um_materials_record *record,
                            struct um_thermal_surface_law *law)
 {
   const double step = UM_THERMAL_LAW_HOTTEST / (UM_THERMAL_LAW_TEMPERATURES - 1);
-  double stated = um_materials_emittance(record, adjustment, UM_MODEL_EMITTANCE_TEMPERATURE);
+  double stated = um_materials_emittance(record, adjustment, UM_REFERENCE_TEMPERATURE);
   if (!(stated > 0.0)) return;
   for (size_t i = 0; i < UM_THERMAL_LAW_TEMPERATURES; i++)
     law->emittance[i] =
@@ -57,7 +57,7 @@ enum um_status um_model_build_surface_laws(struct um_context *context, struct um
   /* the Earth radiates as a black body of (OLR / sigma)^(1/4) */
   double earth = environment->emittance_by_temperature
                      ? sqrt(sqrt(environment->outgoing_longwave / UM_STEFAN_BOLTZMANN))
-                     : UM_MODEL_EMITTANCE_TEMPERATURE;
+                     : UM_REFERENCE_TEMPERATURE;
   UM_TRY(um_core_arena_allocate(context, &model->memory, n, sizeof *model->surface_law,
                                 &model->surface_law));
   for (size_t m = 0; m < n; m++) {

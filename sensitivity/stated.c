@@ -12,7 +12,6 @@
 #include "core/constants.h"
 
 #define VISIBLE 0.55e-6 /* wavelength that reflectances are said at [m] */
-#define ROOM    300.0   /* temperature that emittances are said at [K] */
 #define CELLS   0.5     /* solar absorptance below which a side is no solar cell */
 #define SAMPLES 16      /* wavelengths of a band */
 
@@ -60,7 +59,8 @@ static void of_material(const struct question *q, enum um_effect_stated which,
   if (which == UM_STATED_ABSORPTANCE)
     say(out, "solar absorptance", "1", um_materials_solar_absorptance(record, adjustment));
   if (which == UM_STATED_EMITTANCE)
-    say(out, "emittance", "1", um_materials_emittance(record, adjustment, ROOM));
+    say(out, "emittance", "1",
+        um_materials_emittance(record, adjustment, UM_REFERENCE_TEMPERATURE));
   if (which == UM_STATED_BAND_EMISSIVITY)
     say(out, "emissivity in the infrared band", "1", band_emissivity(q->model, m));
   if (which == UM_STATED_DIFFUSE_REFLECTANCE)

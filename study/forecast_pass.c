@@ -105,7 +105,7 @@ static struct um_study_forecast_band band_of(const struct um_model_precomputed *
       b.brightest = m;
       b.brightest_at = p->t_obs[k];
       /* m = -2.5 lg f: the flux's standard error, in magnitudes */
-      b.error = 2.5 / log(10.0) * r->magnitude_error[k * r->nband + band] / pow(10.0, -0.4 * m);
+      b.error = UM_POGSON * r->magnitude_error[k * r->nband + band] / pow(10.0, -0.4 * m);
     }
     if (isfinite(e) && !(b.largest >= e)) {
       b.largest = e;

@@ -8,6 +8,7 @@
 
 #include "compare/measurements.h"
 #include "compare/metrics.h"
+#include "core/constants.h"
 #include "uncertainty/statistics.h"
 
 #define SIGMAS 2.0 /* that the study's largest error is taken to be */
@@ -120,7 +121,7 @@ static bool predict(struct channel *c, const double *curve, bool light)
     if (!isfinite(flux)) return false;
     c->model[i] = magnitude ? -2.5 * log10(flux) : flux;
     /* of a magnitude d F / F = 0.4 ln 10 d m */
-    c->model_sigma[i] = magnitude ? 0.4 * log(10.0) * c->error * flux
+    c->model_sigma[i] = magnitude ? 0.4 * UM_LN10 * c->error * flux
                         : light   ? c->error * fabs(flux)
                                   : c->error;
   }

@@ -2,11 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/words.h"
 #include "model/bands.h"
 #include "study/study_impl.h"
-
-#define MAGNITUDE 1.0857362047581296 /* 2.5 / ln 10: of a relative error [mag] */
 
 static void add(struct um_study *study, enum um_study_wanted kind, const char *of)
 {
@@ -116,7 +115,7 @@ double um_study_asked(const struct um_study *study, size_t output)
   case UM_STUDY_TEMPERATURE:
     return error->temperature_K;
   case UM_STUDY_MAGNITUDE:
-    return MAGNITUDE * error->light;
+    return UM_POGSON * error->light;
   case UM_STUDY_IRRADIANCE:
     break;
   }

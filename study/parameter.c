@@ -6,11 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/words.h"
 #include "effects/effects.h"
 #include "model/effects.h"
-
-#define ROOM 300.0 /* temperature of an emittance [K] */
 
 /* --- against the scenario -------------------------------------------------------------------- */
 
@@ -46,8 +45,9 @@ static enum um_status material_way(struct um_context *context, const struct um_m
                um_model_check_target(context, model, out->effect, p->material)));
   for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
     if (strcmp(um_geometry_material_name(model->geometry, m), p->material) != 0) continue;
-    out->of_record = emittance ? um_materials_emittance(model->material[m], NULL, ROOM)
-                               : um_materials_solar_absorptance(model->material[m], NULL);
+    out->of_record =
+        emittance ? um_materials_emittance(model->material[m], NULL, UM_REFERENCE_TEMPERATURE)
+                  : um_materials_solar_absorptance(model->material[m], NULL);
   }
   double had = value_in(model, out), least, largest;
   out->nominal = emittance ? had * out->of_record : had + out->of_record;

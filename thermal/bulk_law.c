@@ -8,6 +8,8 @@
 
 #include "thermal/bulk_law_impl.h"
 
+#include "core/constants.h"
+
 #define LEAST 0.05 /* what a slope leaves of a capacity [1] */
 
 enum um_status um_thermal_bulk_laws(struct um_thermal_builder *b,
@@ -19,7 +21,7 @@ enum um_status um_thermal_bulk_laws(struct um_thermal_builder *b,
     struct um_thermal_ratio ratio;
     for (size_t k = 0; k < UM_THERMAL_LAW_TEMPERATURES; k++) {
       double t = (double)k * UM_THERMAL_LAW_STEP;
-      ratio.at[k] = fmax(LEAST, 1.0 + law->capacity_slope * (t - UM_THERMAL_STATED));
+      ratio.at[k] = fmax(LEAST, 1.0 + law->capacity_slope * (t - UM_REFERENCE_TEMPERATURE));
       if (law->capacity != NULL) ratio.at[k] *= law->capacity->at[k];
     }
     UM_TRY(um_thermal_network_capacity_law_add(b->network, &ratio, &out->capacity));

@@ -4,12 +4,14 @@
 
 #include "thermal/link_law_impl.h"
 
+#include "core/constants.h"
+
 #define COLDEST 1.0 /* [K] of a mean temperature: powers below 0 have no value at 0 K */
 
 /* (t / 300 K)^exponent */
 static double power_of(double t, double exponent)
 {
-  double x = t / UM_THERMAL_STATED;
+  double x = t / UM_REFERENCE_TEMPERATURE;
   if (exponent == 0.0) return 1.0;
   if (exponent == 1.0) return x;
   if (exponent == -2.0) return 1.0 / (x * x);
@@ -38,7 +40,7 @@ static double potential(double power, double t, double *slope)
     *slope = 4.0 * a * a * a;
     return a * a * a * t;
   }
-  double root = pow(a, power - 1.0) * pow(UM_THERMAL_STATED, 4.0 - power);
+  double root = pow(a, power - 1.0) * pow(UM_REFERENCE_TEMPERATURE, 4.0 - power);
   *slope = power * root;
   return root * t;
 }

@@ -48,7 +48,7 @@ static enum um_status couple_node(struct um_thermal_builder *b, uint32_t skin, u
                                   const struct um_thermal_mli *mli, double area, double nodes)
 {
   double radiator = mli->effective_emittance * area / nodes, n = mli->exponent; /* [m^2] */
-  double black = 4.0 * UM_STEFAN_BOLTZMANN * pow(UM_THERMAL_STATED, 3);         /* [W/m^2/K] */
+  double black = 4.0 * UM_STEFAN_BOLTZMANN * pow(UM_REFERENCE_TEMPERATURE, 3);  /* [W/m^2/K] */
   struct um_thermal_link_law law = {.power = 4.0, .factor = {1.0}, .exponent = {n}};
   UM_TRY(link(b, true, skin, wrapped, mli->seam_conductance * area / nodes, NULL));
   switch (mli->law) {

@@ -1,5 +1,6 @@
 /* How what is stored and what is conducted go with temperature: ratios to the numbers that a
- * network states at UM_THERMAL_STATED, one for all nodes or links of a material or blanket. */
+ * network states at UM_REFERENCE_TEMPERATURE, one for all nodes or links of a material or blanket.
+ */
 #ifndef UMBRA_THERMAL_TEMPERATURE_LAW_H
 #define UMBRA_THERMAL_TEMPERATURE_LAW_H
 
@@ -8,7 +9,6 @@
 
 #include "thermal/surface_law.h"
 
-#define UM_THERMAL_STATED 300.0 /* [K] where a ratio is 1 */
 #define UM_THERMAL_LAW_STEP                                                                        \
   (UM_THERMAL_LAW_HOTTEST / (UM_THERMAL_LAW_TEMPERATURES - 1)) /* [K] between nodes of a table */
 #define UM_THERMAL_LAW_TERMS 2

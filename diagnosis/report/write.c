@@ -7,6 +7,7 @@
 
 #include "compare/figures.h"
 #include "compare/time_text.h"
+#include "core/constants.h"
 #include "core/file.h"
 #include "diagnosis/report/channels.h"
 #include "diagnosis/report/improved_impl.h"
@@ -84,7 +85,7 @@ static double row_sigma(const struct um_sensitivity_forward *f, size_t i,
   double given = f->measurements->row[f->observations.row[i]].sigma;
   if (!isnan(given) || !um_compare_is_magnitude(quantity))
     return isnan(given) ? f->observations.stated_sigma[i] : given;
-  return 2.5 / log(10.0) * f->observations.stated_sigma[i] / fabs(f->observations.measured[i]);
+  return UM_POGSON * f->observations.stated_sigma[i] / fabs(f->observations.measured[i]);
 }
 
 static void fit_row(const struct um_diagnosis *d, size_t c, size_t i, FILE *file)

@@ -3,6 +3,7 @@
 #ifndef UMBRA_TESTS_THERMAL_LAW_HELP_H
 #define UMBRA_TESTS_THERMAL_LAW_HELP_H
 
+#include "core/constants.h"
 #include "tests/thermal/box_help.h"
 #include "thermal/network_impl.h"
 
@@ -11,7 +12,8 @@ static inline struct um_thermal_ratio law_line(double slope)
 {
   struct um_thermal_ratio ratio;
   for (size_t k = 0; k < UM_THERMAL_LAW_TEMPERATURES; k++)
-    ratio.at[k] = fmax(0.05, 1.0 + slope * ((double)k * UM_THERMAL_LAW_STEP - UM_THERMAL_STATED));
+    ratio.at[k] =
+        fmax(0.05, 1.0 + slope * ((double)k * UM_THERMAL_LAW_STEP - UM_REFERENCE_TEMPERATURE));
   return ratio;
 }
 

@@ -3,6 +3,7 @@
  * linear interpolation hold exactly, but for the cube of Debye's law. */
 #include <stdlib.h>
 
+#include "core/constants.h"
 #include "tests/thermal/law_help.h"
 #include "thermal/mli_law.h"
 #include "thermal/response.h"
@@ -17,7 +18,8 @@ static struct um_thermal_network *lump(double exponent)
   struct um_thermal_ratio ratio;
   uint32_t node = help_node(network, CAPACITY, 320.0), law;
   for (size_t k = 0; k < UM_THERMAL_LAW_TEMPERATURES; k++)
-    ratio.at[k] = pow(fmax(1e-3, (double)k * UM_THERMAL_LAW_STEP) / UM_THERMAL_STATED, exponent);
+    ratio.at[k] =
+        pow(fmax(1e-3, (double)k * UM_THERMAL_LAW_STEP) / UM_REFERENCE_TEMPERATURE, exponent);
   OK(um_thermal_network_capacity_law_add(network, &ratio, &law));
   OK(um_thermal_network_capacity_follow(network, node, CAPACITY, law));
   OK(um_thermal_network_radiator_add(network, node, UM_THERMAL_SPACE, RADIATOR));
