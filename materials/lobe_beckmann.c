@@ -50,20 +50,18 @@ double um_materials_roughness_alpha(double rq, double tau) { return sqrt(2.0) * 
 
 /* --- the kind -------------------------------------------------------------------------------- */
 
-static double slopes(double r2) { return exp(-r2) / UM_PI; }
+static double um_materials_facet_slopes(double r2) { return exp(-r2) / UM_PI; }
 
-static double smith(double c2, double s2)
+static double um_materials_facet_smith(double c2, double s2)
 {
   if (c2 > 36.0 * s2) return 0.0; /* Lambda < 1e-17 */
   return c2 > 0.0 ? lambda_at(sqrt(c2 / s2)) : INFINITY;
 }
 
 /* For sums over many facets: nothing below 1e-9. */
-static double smith_coarse(double c2, double s2) { return c2 > 16.0 * s2 ? 0.0 : smith(c2, s2); }
-
-static double distribution(const struct um_materials_lobe *lobe, const struct um_materials_pair *p)
+static double um_materials_facet_smith_coarse(double c2, double s2)
 {
-  return um_materials_facet_distribution(lobe, slopes, p->cos_h, p->along_h);
+  return c2 > 16.0 * s2 ? 0.0 : um_materials_facet_smith(c2, s2);
 }
 
 static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
@@ -72,7 +70,7 @@ static double evaluate(const struct um_materials_lobe *lobe, const struct um_mat
     return um_materials_passed_on(lobe, pair->cos_i, 0.0) *
            um_materials_passed_on(lobe, pair->cos_o, 0.0) *
            um_materials_beckmann_lobe(lobe->alpha, pair->cos_h, pair->cos_i, pair->cos_o);
-  return um_materials_facet_lobe(lobe, distribution(lobe, pair), smith, pair);
+  return um_materials_facet_lobe(lobe, um_materials_facet_distribution(lobe, pair), pair);
 }
 
 static double sunlit(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair,
@@ -87,38 +85,14 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_materials_facet_normal(lobe, sqrt(-log1p(-u)), v);
 }
 
-static double toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
-{
-  return um_materials_facet_lambda(lobe, smith_coarse, o.z, o.x);
-}
-
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  double passed = um_materials_passed_on(lobe, o.z, o.x);
-  for (size_t k = 0; k < n; k++)
-    out[k] = um_materials_facet_reflect(lobe, smith_coarse, drawn[k], o, toward, passed);
-}
-
-static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
-{
-  return um_materials_facet_density(distribution(lobe, pair), pair);
-}
-
 const struct um_materials_lobe_kind um_materials_lobe_beckmann = {
     .name = "beckmann",
     .summary = "facets of normally distributed slopes (Cook-Torrance)",
     .reference = "Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007",
-    .rough = true,
-    .masked = true,
-    .anisotropic = true,
     .evaluate = evaluate,
     .sunlit = sunlit,
     .draw = draw,
-    .toward = toward,
-    .reflect = reflect,
-    .slopes = slopes,
-    .density = density,
+    UM_MATERIALS_FACETS,
 };
 
 /* With tan theta_h = alpha r the facets' measure D cos_h dw_h is 2 r exp(-r^2) dr dphi/(2 pi), and

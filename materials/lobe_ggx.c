@@ -15,24 +15,26 @@
 #include "core/constants.h"
 #include "materials/microfacet_impl.h"
 
-static double slopes(double r2) { return 1.0 / (UM_PI * (1.0 + r2) * (1.0 + r2)); }
+static double um_materials_facet_slopes(double r2)
+{
+  return 1.0 / (UM_PI * (1.0 + r2) * (1.0 + r2));
+}
 
-static double smith(double c2, double s2)
+static double um_materials_facet_smith(double c2, double s2)
 {
   if (!(c2 > 0.0)) return INFINITY;
   double x = s2 / c2;
   return 0.5 * x / (sqrt(1.0 + x) + 1.0);
 }
 
-static double distribution(const struct um_materials_lobe *lobe,
-                           const struct um_materials_pair *pair)
+static double um_materials_facet_smith_coarse(double c2, double s2)
 {
-  return um_materials_facet_distribution(lobe, slopes, pair->cos_h, pair->along_h);
+  return um_materials_facet_smith(c2, s2);
 }
 
 static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {
-  return um_materials_facet_lobe(lobe, distribution(lobe, pair), smith, pair);
+  return um_materials_facet_lobe(lobe, um_materials_facet_distribution(lobe, pair), pair);
 }
 
 /* Mean of P over the Sun's disc, back as D. */
@@ -46,7 +48,7 @@ static double widened(const struct um_materials_lobe *lobe, const struct um_mate
     struct um_materials_lobe wide = *lobe;
     wide.alpha = sqrt(a2 + disc2);
     wide.alpha_across = sqrt(lobe->alpha_across * lobe->alpha_across + disc2);
-    return distribution(&wide, pair);
+    return um_materials_facet_distribution(&wide, pair);
   }
   double t2 = fmax(0.0, (1.0 - pair->cos_h) * (1.0 + pair->cos_h)) / c2, t = a2 + t2 - disc2;
   double s = sqrt(fmax(0.0, (t + 2.0 * disc2) * (t + 2.0 * disc2) - 4.0 * t2 * disc2));
@@ -57,7 +59,7 @@ static double widened(const struct um_materials_lobe *lobe, const struct um_mate
 static double sunlit(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair,
                      double sun_radius)
 {
-  return um_materials_facet_lobe(lobe, widened(lobe, pair, sun_radius), smith, pair);
+  return um_materials_facet_lobe(lobe, widened(lobe, pair, sun_radius), pair);
 }
 
 static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, double v)
@@ -65,36 +67,12 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_materials_facet_normal(lobe, sqrt(u / (1.0 - u)), v);
 }
 
-static double toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
-{
-  return um_materials_facet_lambda(lobe, smith, o.z, o.x);
-}
-
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  double passed = um_materials_passed_on(lobe, o.z, o.x);
-  for (size_t k = 0; k < n; k++)
-    out[k] = um_materials_facet_reflect(lobe, smith, drawn[k], o, toward, passed);
-}
-
-static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
-{
-  return um_materials_facet_density(distribution(lobe, pair), pair);
-}
-
 const struct um_materials_lobe_kind um_materials_lobe_ggx = {
     .name = "ggx",
     .summary = "facets with a long tail of steep slopes (Trowbridge-Reitz)",
     .reference = "Trowbridge & Reitz 1975; Walter et al. 2007, EGSR; Heitz 2014, JCGT 3(2)",
-    .rough = true,
-    .masked = true,
-    .anisotropic = true,
     .evaluate = evaluate,
     .sunlit = sunlit,
     .draw = draw,
-    .toward = toward,
-    .reflect = reflect,
-    .slopes = slopes,
-    .density = density,
+    UM_MATERIALS_FACETS,
 };

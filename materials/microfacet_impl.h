@@ -16,11 +16,16 @@
 #include "materials/lobe_impl.h"
 #include "materials/passed_on_impl.h"
 
+/* A file that includes this defines these three, and has what follows of its facets. */
+
 /* D(h) cos_h^4 alpha alpha_across [1/sr] by r^2 = x^2/alpha^2 + y^2/alpha_across^2 of the slopes x,
  * y along and across the grain. */
-typedef double (*um_materials_slopes)(double r2);
-/* Smith's Lambda by a = cot theta/alpha toward a direction, a^2 = c2/s2. */
+static double um_materials_facet_slopes(double r2);
+/* Smith's Lambda by a = cot theta/alpha toward a direction, a^2 = c2/s2; coarse: for sums over many
+ * facets. */
 typedef double (*um_materials_smith)(double c2, double s2);
+static double um_materials_facet_smith(double c2, double s2);
+static double um_materials_facet_smith_coarse(double c2, double s2);
 
 /* r^2 of the half vector. */
 static inline double um_materials_facet_slope2(const struct um_materials_lobe *lobe, double cos_h,
@@ -64,23 +69,24 @@ static inline struct um_vec3 um_materials_facet_normal(const struct um_materials
 
 /* D(h) [1/sr]. */
 static inline double um_materials_facet_distribution(const struct um_materials_lobe *lobe,
-                                                     um_materials_slopes slopes, double cos_h,
-                                                     double along_h)
+                                                     const struct um_materials_pair *pair)
 {
-  if (!(cos_h > 0.0)) return 0.0;
-  double c2 = cos_h * cos_h;
-  return slopes(um_materials_facet_slope2(lobe, cos_h, along_h)) /
+  if (!(pair->cos_h > 0.0)) return 0.0;
+  double c2 = pair->cos_h * pair->cos_h;
+  return um_materials_facet_slopes(um_materials_facet_slope2(lobe, pair->cos_h, pair->along_h)) /
          (lobe->alpha * lobe->alpha_across * c2 * c2);
 }
 
 /* s(i) s(o) D G/(4 cos_i cos_o) [1/sr]; 0 where a cosine is not positive. */
 static inline double um_materials_facet_lobe(const struct um_materials_lobe *lobe,
-                                             double distribution, um_materials_smith smith,
+                                             double distribution,
                                              const struct um_materials_pair *pair)
 {
   if (!(pair->cos_h > 0.0 && pair->cos_i > 0.0 && pair->cos_o > 0.0)) return 0.0;
-  double lambda_i = um_materials_facet_lambda(lobe, smith, pair->cos_i, pair->along_i);
-  double lambda_o = um_materials_facet_lambda(lobe, smith, pair->cos_o, pair->along_o);
+  double lambda_i =
+      um_materials_facet_lambda(lobe, um_materials_facet_smith, pair->cos_i, pair->along_i);
+  double lambda_o =
+      um_materials_facet_lambda(lobe, um_materials_facet_smith, pair->cos_o, pair->along_o);
   double passed = um_materials_passed_on(lobe, pair->cos_i, pair->along_i) *
                   um_materials_passed_on(lobe, pair->cos_o, pair->along_o);
   return passed * distribution /
@@ -89,23 +95,46 @@ static inline double um_materials_facet_lobe(const struct um_materials_lobe *lob
 
 /* i = 2 (o.h) h - o and its weight, of a facet drawn from D cos_h; passed_o: s(o). */
 static inline struct um_materials_reflected
-um_materials_facet_reflect(const struct um_materials_lobe *lobe, um_materials_smith smith,
-                           struct um_vec3 h, struct um_vec3 o, double lambda_o, double passed_o)
+um_materials_facet_reflect_one(const struct um_materials_lobe *lobe, struct um_vec3 h,
+                               struct um_vec3 o, double lambda_o, double passed_o)
 {
   struct um_materials_reflected r = {.cos_d = um_vec3_dot(o, h)};
   r.i = um_vec3_axpy(um_vec3_scale(o, -1.0), 2.0 * r.cos_d, h);
   if (!(r.cos_d > 0.0) || !(r.i.z > 0.0)) return r;
-  double lambda_i = um_materials_facet_lambda(lobe, smith, r.i.z, r.i.x);
+  double lambda_i = um_materials_facet_lambda(lobe, um_materials_facet_smith_coarse, r.i.z, r.i.x);
   double passed = passed_o * um_materials_passed_on(lobe, r.i.z, r.i.x);
   r.weight = passed * r.cos_d / (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * o.z * h.z);
   return r;
 }
 
-/* D cos_h/(4 cos_d) [1/sr]. */
-static inline double um_materials_facet_density(double distribution,
-                                                const struct um_materials_pair *pair)
+/* Members of the kind, as lobe.h has them. */
+
+static double um_materials_facet_toward(const struct um_materials_lobe *lobe, struct um_vec3 o)
 {
-  return pair->cos_d > 0.0 ? distribution * pair->cos_h / (4.0 * pair->cos_d) : 0.0;
+  return um_materials_facet_lambda(lobe, um_materials_facet_smith_coarse, o.z, o.x);
 }
+
+static void um_materials_facet_reflect(const struct um_materials_lobe *lobe,
+                                       const struct um_vec3 *drawn, size_t n, struct um_vec3 o,
+                                       double toward, struct um_materials_reflected *out)
+{
+  double passed = um_materials_passed_on(lobe, o.z, o.x);
+  for (size_t k = 0; k < n; k++)
+    out[k] = um_materials_facet_reflect_one(lobe, drawn[k], o, toward, passed);
+}
+
+/* D cos_h/(4 cos_d) [1/sr]. */
+static double um_materials_facet_density(const struct um_materials_lobe *lobe,
+                                         const struct um_materials_pair *pair)
+{
+  return pair->cos_d > 0.0
+             ? um_materials_facet_distribution(lobe, pair) * pair->cos_h / (4.0 * pair->cos_d)
+             : 0.0;
+}
+
+#define UM_MATERIALS_FACETS                                                                        \
+  .rough = true, .masked = true, .anisotropic = true, .toward = um_materials_facet_toward,         \
+  .reflect = um_materials_facet_reflect, .slopes = um_materials_facet_slopes,                      \
+  .density = um_materials_facet_density
 
 #endif
