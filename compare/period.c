@@ -18,6 +18,7 @@
 #include "compare/period_noise_impl.h"
 #include "compare/statistics_impl.h"
 #include "core/constants.h"
+#include "core/golden.h"
 
 #define FREQUENCIES_MAX  ((size_t)1 << 24)
 #define OVERSAMPLING     10.0
@@ -116,25 +117,14 @@ static double power(const struct um_compare_white *w, double frequency)
 /* The peak of the power between two frequencies, by golden section. */
 static double refine(const struct um_compare_white *w, double low, double high)
 {
-  const double golden = 0.61803398874989484820;
-  double x1 = high - golden * (high - low), x2 = low + golden * (high - low);
-  double p1 = power(w, x1), p2 = power(w, x2);
+  struct um_core_golden g = um_core_golden(low, high);
+  double p[2] = {power(w, g.x[0]), power(w, g.x[1])};
   for (int i = 0; i < REFINEMENT_STEPS; i++) {
-    if (p1 >= p2) {
-      high = x2;
-      x2 = x1;
-      p2 = p1;
-      x1 = high - golden * (high - low);
-      p1 = power(w, x1);
-    } else {
-      low = x1;
-      x1 = x2;
-      p1 = p2;
-      x2 = low + golden * (high - low);
-      p2 = power(w, x2);
-    }
+    int k = um_core_golden_narrow(&g, p[0] >= p[1]);
+    p[1 - k] = p[k];
+    p[k] = power(w, g.x[k]);
   }
-  return 0.5 * (low + high);
+  return 0.5 * (g.from + g.to);
 }
 
 static double false_alarm(const struct um_compare_curve *c, double z, double width)

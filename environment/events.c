@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "core/constants.h"
+#include "core/golden.h"
 #include "environment/environment.h"
 
 #define TIME_TOLERANCE 1e-6 /* [s] */
@@ -90,22 +91,15 @@ static enum um_status crossings_find(struct search *search, struct knot left, st
 static enum um_status extremum_find(struct search *search, double from, double to, int sign,
                                     struct knot *out)
 {
-  const double golden = 0.61803398874989484820;
-  struct knot a, b;
-  UM_TRY(knot_at(search, to - golden * (to - from), &a));
-  UM_TRY(knot_at(search, from + golden * (to - from), &b));
-  while (to - from > 1e-3) { /* an angle of 1e-13 rad at the extremum from a low orbit */
-    if (sign * a.angle < sign * b.angle) {
-      to = b.t;
-      b = a;
-      UM_TRY(knot_at(search, to - golden * (to - from), &a));
-    } else {
-      from = a.t;
-      a = b;
-      UM_TRY(knot_at(search, from + golden * (to - from), &b));
-    }
+  struct um_core_golden g = um_core_golden(from, to);
+  struct knot knot[2];
+  for (int k = 0; k < 2; k++) UM_TRY(knot_at(search, g.x[k], &knot[k]));
+  while (g.to - g.from > 1e-3) { /* an angle of 1e-13 rad at the extremum from a low orbit */
+    int k = um_core_golden_narrow(&g, sign * knot[0].angle < sign * knot[1].angle);
+    knot[1 - k] = knot[k];
+    UM_TRY(knot_at(search, g.x[k], &knot[k]));
   }
-  *out = sign * a.angle < sign * b.angle ? a : b;
+  *out = sign * knot[0].angle < sign * knot[1].angle ? knot[0] : knot[1];
   return UM_OK;
 }
 

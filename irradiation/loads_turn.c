@@ -7,14 +7,13 @@
  * is 0. What is absorbed at an angle is not linear in the cosine, so sunlight is kept by cosine. */
 #include <math.h>
 
+#include "core/golden.h"
 #include "irradiation/loads_impl.h"
-
-#define GOLDEN 0.6180339887498949 /* (sqrt(5) - 1) / 2 */
 
 void um_irradiation_turn_node(const struct um_irradiation_turn *turn, size_t k, size_t j, double *u,
                               double *weight)
 {
-  double n = (double)turn->n, shift = fmod(0.5 + GOLDEN * (double)k, 1.0);
+  double n = (double)turn->n, shift = fmod(0.5 + UM_GOLDEN * (double)k, 1.0);
   double share = ((double)j + (turn->ripple ? 0.5 : shift)) / n;
   *u = share * turn->period;
   *weight = turn->ripple ? turn->period * (share - 0.5) / n : 1.0 / n;

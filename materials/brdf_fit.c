@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "core/golden.h"
 
 #define GRAZING   (85.0 * UM_DEG) /* beyond, a detector sees past the sample */
 #define ROUNDING  1e-9            /* [rad] */
@@ -129,15 +130,14 @@ static double best_alpha(struct task *task, bool *converged)
   }
   double from = low + (best > 0 ? best - 1 : 0) * step,
          to = low + (best < GRID - 1 ? best + 1 : GRID - 1) * step;
-  const double golden = 0.5 * (sqrt(5.0) - 1.0);
-  while (to - from > 1e-6) {
-    double c = to - golden * (to - from), d = from + golden * (to - from);
-    if (cost(task, c, converged) < cost(task, d, converged))
-      to = d;
-    else
-      from = c;
+  struct um_core_golden g = um_core_golden(from, to);
+  double f[2] = {cost(task, g.x[0], converged), cost(task, g.x[1], converged)};
+  while (g.to - g.from > 1e-6) {
+    int k = um_core_golden_narrow(&g, f[0] < f[1]);
+    f[1 - k] = f[k];
+    f[k] = cost(task, g.x[k], converged);
   }
-  return exp(0.5 * (from + to));
+  return exp(0.5 * (g.from + g.to));
 }
 
 static enum um_status fit(struct um_context *context, struct task *task,

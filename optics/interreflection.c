@@ -23,13 +23,13 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/golden.h"
 #include "optics/bundle_impl.h"
 #include "optics/exchange_impl.h"
 #include "optics/sampling_impl.h"
 
 #define LEAST   1e-5 /* [1] */
 #define LONGEST 256  /* surfaces of a path */
-#define GOLDEN  0.6180339887498949
 
 /* Keys that keep the point sequences of different uses apart. */
 enum { KEY_RAY = 0x726179, KEY_WAY = 0x776179 };
@@ -43,7 +43,7 @@ static bool go_on(struct um_optics_bundle *p, int i, int vertex)
     um_optics_sample_4d(p->key, p->sample[i], place);
     u[0] = place[2];
     u[1] = place[3];
-    which = um_core_hash_uniform(um_core_hash(p->key, KEY_WAY)) + GOLDEN * p->sample[i];
+    which = um_core_hash_uniform(um_core_hash(p->key, KEY_WAY)) + UM_GOLDEN * p->sample[i];
     which -= floor(which);
   } else {
     u[0] = um_optics_bundle_number(p, i, vertex, KEY_RAY);
