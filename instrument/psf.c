@@ -6,6 +6,7 @@
 
 #include "core/constants.h"
 #include "core/csv.h"
+#include "core/interpolation.h"
 
 #define HALF_MOST      512  /* cells */
 #define RING_STEP      0.05 /* of v in the quadrature of an obstructed aperture [1] */
@@ -30,19 +31,6 @@ static double moffat_scale(const struct um_instrument_psf *psf)
   return psf->fwhm / (2.0 * sqrt(exp2(1.0 / psf->beta) - 1.0));
 }
 
-static size_t table_place(const struct um_instrument_psf *psf, double radius)
-{
-  size_t low = 0, high = psf->n - 1;
-  while (high - low > 1) {
-    size_t middle = (low + high) / 2;
-    if (psf->radius[middle] <= radius)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
-}
-
 double um_instrument_psf_at(const struct um_instrument_psf *psf, double radius)
 {
   double a = psf->fwhm;
@@ -60,7 +48,7 @@ double um_instrument_psf_at(const struct um_instrument_psf *psf, double radius)
     break;
   }
   if (radius >= psf->radius[psf->n - 1]) return 0.0;
-  size_t i = table_place(psf, radius);
+  size_t i = um_core_interval_find(psf->radius, psf->n, radius);
   double f = (radius - psf->radius[i]) / (psf->radius[i + 1] - psf->radius[i]);
   return psf->value[i] + f * (psf->value[i + 1] - psf->value[i]);
 }

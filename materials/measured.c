@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "core/interpolation.h"
 #include "materials/measured_impl.h"
 
 /* --- interpolation --------------------------------------------------------------------------- */
@@ -21,17 +22,10 @@
 struct um_materials_stencil um_materials_stencil_at(const double *x, size_t n, bool beyond,
                                                     double at)
 {
-  size_t low = 1, high = beyond ? n - 2 : n - 1;
-  double last = x[high];
-  if (!(at > x[low])) at = x[low];
-  if (at > last) at = last;
-  while (high - low > 1) {
-    size_t mid = (low + high) / 2;
-    if (x[mid] <= at)
-      low = mid;
-    else
-      high = mid;
-  }
+  size_t most = beyond ? n - 2 : n - 1;
+  if (!(at > x[1])) at = x[1];
+  if (at > x[most]) at = x[most];
+  size_t low = 1 + um_core_interval_find(x + 1, most, at);
   double a = x[low] - x[low - 1], b = x[low + 1] - x[low], t = (at - x[low]) / b;
   double left = t * (1.0 - t) * (1.0 - t) * b, right = -t * t * (1.0 - t) * b;
   double w[4] = {-left * b / (a * (a + b)), (1.0 - t) * (1.0 - t) * (1.0 + 2.0 * t),

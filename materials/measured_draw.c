@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "core/interpolation.h"
 #include "core/vec.h"
 #include "materials/measured_impl.h"
 
@@ -62,14 +63,7 @@ void um_materials_measured_shares(struct um_materials_measured *m)
 
 double um_materials_measured_draw(const struct um_materials_measured *m, double u)
 {
-  int low = 0, high = BINS;
-  while (high - low > 1) {
-    int mid = (low + high) / 2;
-    if (m->below[mid] <= u)
-      low = mid;
-    else
-      high = mid;
-  }
+  int low = (int)um_core_interval_find(m->below, BINS + 1, u);
   double t = (u - m->below[low]) / (m->below[low + 1] - m->below[low]);
   return edge(low) + t * (edge(low + 1) - edge(low));
 }

@@ -9,6 +9,7 @@
 #include "compare/measurements.h"
 #include "compare/metrics.h"
 #include "core/constants.h"
+#include "core/interpolation.h"
 #include "uncertainty/statistics.h"
 
 #define SIGMAS 2.0 /* that the study's largest error is taken to be */
@@ -59,18 +60,11 @@ static enum um_status find(struct um_context *context, const struct um_study_res
 static bool between(const struct um_study_result *r, const struct um_study_quantity *q, double t,
                     size_t *before, double *part)
 {
-  size_t low = 0, high = r->ntime - 1;
-  if (r->ntime < 2 || !(t >= r->time[0] && t <= r->time[high])) return false;
-  while (high - low > 1) {
-    size_t middle = low + (high - low) / 2;
-    if (r->time[middle] <= t)
-      low = middle;
-    else
-      high = middle;
-  }
-  *before = low;
-  *part = (t - r->time[low]) / (r->time[high] - r->time[low]);
-  return !isnan(r->nominal[q->first + low]) && !isnan(r->nominal[q->first + high]);
+  if (r->ntime < 2 || !(t >= r->time[0] && t <= r->time[r->ntime - 1])) return false;
+  size_t k = um_core_interval_find(r->time, r->ntime, t);
+  *before = k;
+  *part = (t - r->time[k]) / (r->time[k + 1] - r->time[k]);
+  return !isnan(r->nominal[q->first + k]) && !isnan(r->nominal[q->first + k + 1]);
 }
 
 static void release(struct um_context *context, struct channel *c)

@@ -53,7 +53,7 @@ static void columns_scan(const struct um_thermal_system *system, size_t *next, i
   }
 }
 
-static size_t slot_find(const struct um_thermal_system *system, size_t row, size_t column)
+size_t um_thermal_system_slot(const struct um_thermal_system *system, size_t row, size_t column)
 {
   size_t low = (size_t)system->column[column], high = (size_t)system->column[column + 1];
   while (low + 1 < high) {
@@ -74,10 +74,10 @@ static enum um_status slots_build(struct um_thermal_system *system)
   UM_TRY(um_core_allocate(context, system->nunknown, sizeof(size_t), &system->diagonal));
   for (size_t k = 0; k < system->nunknown; k++) {
     size_t i = system->node[k];
-    system->diagonal[k] = slot_find(system, k, k);
+    system->diagonal[k] = um_thermal_system_slot(system, k, k);
     for (size_t e = system->start[i]; e < system->start[i + 1]; e++) {
       uint32_t u = system->unknown[system->other[e]];
-      if (u != UM_THERMAL_NONE) system->link_slot[e] = slot_find(system, k, u);
+      if (u != UM_THERMAL_NONE) system->link_slot[e] = um_thermal_system_slot(system, k, u);
     }
   }
   for (size_t c = 0; c < system->ncluster; c++) {
@@ -85,15 +85,15 @@ static enum um_status slots_build(struct um_thermal_system *system)
     for (size_t b = 0; b < cluster->p; b++)
       for (size_t a = 0; a < cluster->p; a++)
         cluster->slot[b * cluster->p + a] =
-            slot_find(system, cluster->neighbour[a], cluster->neighbour[b]);
+            um_thermal_system_slot(system, cluster->neighbour[a], cluster->neighbour[b]);
   }
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
     for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
       for (size_t i = 0; i < at->n; i++)
-        own->slot[j * at->n + i] =
-            slot_find(system, system->unknown[at->node[i]], system->unknown[sensor->node[j]]);
+        own->slot[j * at->n + i] = um_thermal_system_slot(system, system->unknown[at->node[i]],
+                                                          system->unknown[sensor->node[j]]);
   }
   return UM_OK;
 }

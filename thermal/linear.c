@@ -50,27 +50,15 @@ struct um_thermal_linear {
 
 /* --- the pattern ---------------------------------------------------------------------------- */
 
-static size_t place_find(const struct um_thermal_system *system, size_t row, size_t column)
-{
-  size_t low = (size_t)system->column[column], high = (size_t)system->column[column + 1];
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if ((size_t)system->row[middle] < row)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  bool there = low < (size_t)system->column[column + 1] && (size_t)system->row[low] == row;
-  return there ? low : NO_MIRROR;
-}
-
 static enum um_status mirrors_build(struct um_thermal_linear *linear)
 {
   const struct um_thermal_system *system = linear->system;
   UM_TRY(um_core_allocate(system->context, system->nnonzero, sizeof(size_t), &linear->mirror));
   for (size_t k = 0; k < system->nunknown; k++)
-    for (size_t e = (size_t)system->column[k]; e < (size_t)system->column[k + 1]; e++)
-      linear->mirror[e] = place_find(system, k, (size_t)system->row[e]);
+    for (size_t e = (size_t)system->column[k]; e < (size_t)system->column[k + 1]; e++) {
+      size_t slot = um_thermal_system_slot(system, k, (size_t)system->row[e]);
+      linear->mirror[e] = (size_t)system->row[slot] == k ? slot : NO_MIRROR;
+    }
   return UM_OK;
 }
 

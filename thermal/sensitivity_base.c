@@ -7,6 +7,7 @@
  * steps that meet 2e-7. Only what the present step needs is kept. */
 #include <string.h>
 
+#include "core/interpolation.h"
 #include "thermal/sensitivity_impl.h"
 
 #define POINTS 64 /* kept at first */
@@ -105,15 +106,7 @@ enum um_status um_thermal_base_reach(struct um_thermal_base *base, double t)
 /* The point at or before t that is not the last. */
 static size_t point_find(const struct um_thermal_base *base, double t)
 {
-  size_t low = 0, high = base->npoint - 1;
-  while (low + 1 < high) {
-    size_t middle = (low + high) / 2;
-    if (base->t[middle] <= t)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
+  return um_core_interval_find(base->t, base->npoint, t);
 }
 
 void um_thermal_base_drop(struct um_thermal_base *base, double t)

@@ -234,6 +234,8 @@ enum um_status um_thermal_system_links_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_clusters_build(struct um_thermal_system *system);
 void um_thermal_system_clusters_destroy(struct um_thermal_system *system);
 enum um_status um_thermal_system_pattern_build(struct um_thermal_system *system);
+/* The last entry of a column of the pattern whose row is at most this one. */
+size_t um_thermal_system_slot(const struct um_thermal_system *system, size_t row, size_t column);
 enum um_status um_thermal_system_loads_check(struct um_context *context,
                                              const struct um_thermal_network *network,
                                              const struct um_irradiation_loads *loads,
