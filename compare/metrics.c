@@ -7,6 +7,7 @@
 
 #include "compare/statistics_impl.h"
 #include "core/constants.h"
+#include "inference/distributions.h"
 
 /* Observations in linear flux, gathered for one segment, and room for what is sorted. */
 struct observations {
@@ -142,7 +143,7 @@ static void set_statistics(struct observations *data, double share, struct um_co
     out->dof = (double)weighted - share * (double)weighted;
     if (out->dof > 0.0) {
       out->chi2_reduced = chi2 / out->dof;
-      out->chi2_p = um_compare_chi2_q(chi2, out->dof);
+      out->chi2_p = um_inference_chi2_q(chi2, out->dof);
     }
   }
   if (weighted == data->n)

@@ -22,13 +22,6 @@ double um_compare_pearson(size_t n, const double *x, const double *y)
   return isfinite(r) ? fmin(1.0, fmax(-1.0, r)) : (double)NAN;
 }
 
-double um_compare_chi2_q(double chi2, double dof)
-{
-  if (!(dof > 0.0) || !(chi2 >= 0.0)) return NAN;
-  if (isinf(chi2)) return 0.0;
-  return gsl_cdf_chisq_Q(chi2, dof);
-}
-
 void um_compare_durbin_watson(size_t n, const double *e, double *d, double *p)
 {
   double differences = 0.0, squares = 0.0;

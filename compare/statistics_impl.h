@@ -9,8 +9,6 @@
 double um_compare_median(size_t n, double *x);
 /* Pearson's correlation of x[n] and y[n] in [-1, 1]; NaN for n < 3 or when one is constant. */
 double um_compare_pearson(size_t n, const double *x, const double *y);
-/* P(X > chi2) of the chi-square distribution with dof > 0 degrees of freedom. */
-double um_compare_chi2_q(double chi2, double dof);
 /* Durbin-Watson statistic of e[n] about zero, d = sum (e_i - e_i-1)^2 / sum e_i^2 in [0, 4], and
  * its two-sided p-value for white noise; NaN for n < 3 or when all are zero. */
 void um_compare_durbin_watson(size_t n, const double *e, double *d, double *p);
