@@ -11,46 +11,36 @@
 static enum um_status find_residuals(struct um_context *context, struct um_compare_comparison *c)
 {
   const struct um_compare_measurements *m = c->run.plan->measurements;
-  UM_TRY(um_core_allocate(context, m->count, sizeof *c->model, &c->model));
-  UM_TRY(um_core_allocate(context, m->count, sizeof *c->residual, &c->residual));
-  UM_TRY(um_core_allocate(context, m->count, sizeof *c->sigma, &c->sigma));
-  UM_TRY(um_core_allocate(context, m->count, sizeof *c->model_sigma, &c->model_sigma));
-  um_compare_predict_error(c->run.plan, c->run.result, c->model_sigma);
-  UM_TRY(um_compare_predict(context, c->run.plan, c->run.precomputed, c->run.result, c->model));
-  for (size_t i = 0; i < m->count; i++) {
-    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
-    double measured, model, unused;
-    um_compare_linear(quantity, m->row[i].value, m->row[i].sigma, &measured, &c->sigma[i]);
-    um_compare_linear(quantity, c->model[i], NAN, &model, &unused);
-    c->residual[i] = measured - model; /* NaN where the observation is left out */
-  }
-  return UM_OK;
+  double *model_sigma = NULL;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *c->model, &c->model));
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *c->residual, &c->residual));
+  UM_CHECK(um_core_allocate(context, m->count, sizeof *model_sigma, &model_sigma));
+  um_compare_predict_error(c->run.plan, c->run.result, model_sigma);
+  UM_CHECK(um_compare_predict(context, c->run.plan, c->run.precomputed, c->run.result, c->model));
+  for (size_t i = 0; i < m->count; i++)
+    c->residual[i] = um_compare_residual_make(m, i, c->model[i], model_sigma[i]);
+done:
+  um_core_free(context, model_sigma);
+  return status;
 }
 
-/* Values of one channel in order of time, in the quantity's unit, and the labels of its
- * observations. */
+/* Residuals of one channel in order of time, and the labels of its observations. */
 struct gathered {
-  double *measured, *model, *sigma, *model_sigma; /* [count] */
-  size_t *light, *motion;                         /* [count] */
+  struct um_compare_residual *residual; /* [count] */
+  size_t *light, *motion;               /* [count] */
 };
 
 static enum um_status gather(struct um_context *context, const struct um_compare_comparison *c,
                              const struct um_compare_channel_comparison *channel,
                              struct gathered *g)
 {
-  const struct um_compare_plan *plan = c->run.plan;
-  UM_TRY(um_core_allocate(context, 4 * channel->count, sizeof *g->measured, &g->measured));
+  UM_TRY(um_core_allocate(context, channel->count, sizeof *g->residual, &g->residual));
   UM_TRY(um_core_allocate(context, 2 * channel->count, sizeof *g->light, &g->light));
-  g->model = g->measured + channel->count;
-  g->sigma = g->model + channel->count;
-  g->model_sigma = g->sigma + channel->count;
   g->motion = g->light + channel->count;
   for (size_t i = 0; i < channel->count; i++) {
-    size_t row = channel->row[i], k = plan->observation[row];
-    g->measured[i] = plan->measurements->row[row].value;
-    g->model[i] = c->model[row];
-    g->sigma[i] = plan->measurements->row[row].sigma;
-    g->model_sigma[i] = c->model_sigma[row];
+    size_t row = channel->row[i], k = c->run.plan->observation[row];
+    g->residual[i] = c->residual[row];
     g->light[i] = (size_t)c->light[k];
     g->motion[i] = UM_COMPARE_LABEL_NONE;
     if (c->motion[k] != UM_SEGMENT_COUNT) g->motion[i] = (size_t)(c->motion[k] - UM_SEGMENT_RISING);
@@ -66,19 +56,18 @@ static enum um_status channel_metrics(struct um_context *context,
   enum um_compare_quantity quantity = c->run.plan->measurements->channel[channel->channel].quantity;
   enum um_status status;
   UM_CHECK(gather(context, c, channel, &g));
-  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.measured, g.model,
-                                      g.sigma, g.model_sigma, g.light, UM_SEGMENT_RISING, fitted,
-                                      channel->segment, &channel->all));
+  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.residual, g.light,
+                                      UM_SEGMENT_RISING, fitted, channel->segment, &channel->all));
   /* the parameters' share of rising and setting is that of all observations, as for light */
-  UM_CHECK(um_compare_metrics_compute(
-      context, quantity, channel->count, g.measured, g.model, g.sigma, g.model_sigma, g.motion,
-      UM_SEGMENT_COUNT - UM_SEGMENT_RISING, fitted, channel->segment + UM_SEGMENT_RISING, NULL));
+  UM_CHECK(um_compare_metrics_compute(context, quantity, channel->count, g.residual, g.motion,
+                                      UM_SEGMENT_COUNT - UM_SEGMENT_RISING, fitted,
+                                      channel->segment + UM_SEGMENT_RISING, NULL));
 done:
   if (status != UM_OK)
     um_core_message_prefix(context, "%s: %s '%s'", c->run.plan->measurements->path,
                            um_compare_quantity_name(quantity),
                            c->run.plan->measurements->channel[channel->channel].of);
-  um_core_free(context, g.measured);
+  um_core_free(context, g.residual);
   um_core_free(context, g.light);
   return status;
 }
@@ -106,7 +95,7 @@ static enum um_status correlate(struct um_context *context, const struct um_comp
   for (size_t i = 0; i < channel->count; i++) {
     size_t row = channel->row[i], k = c->run.plan->observation[row];
     x[n] = coordinate == NULL ? c->model[row] : coordinate->value[k];
-    y[n] = um_compare_normalised(c, row);
+    y[n] = um_compare_residual_normalised(&c->residual[row]);
     if (!isnan(x[n])) n++;
   }
   out->name = coordinate == NULL ? "model" : coordinate->name;
@@ -179,10 +168,10 @@ static enum um_status make_channels(struct um_context *context, struct um_compar
   for (size_t i = 0; i < c->nchannel; i++)
     if (!isnan(c->channel[i].all.chi2)) c->chi2 += c->channel[i].all.chi2;
   for (size_t i = 0; i < m->count; i++)
-    if (c->run.plan->observation[i] != UM_COMPARE_NOWHERE && !isnan(c->sigma[i])) {
-      double share = c->model_sigma[i] / hypot(c->sigma[i], c->model_sigma[i]);
-      c->model_share += share * share / (double)weighted;
-    }
+    if (c->run.plan->observation[i] != UM_COMPARE_NOWHERE && !isnan(c->residual[i].sigma))
+      c->model_share +=
+          um_compare_residual_share(c->residual[i].sigma, c->residual[i].model_sigma) /
+          (double)weighted;
   c->dof = (double)weighted - fitted;
   if (c->dof > 0.0) c->chi2_reduced = c->chi2 / c->dof;
   return UM_OK;

@@ -1,14 +1,6 @@
 /* A comparison as it is kept. */
 #include "compare/comparison.h"
 
-#include <math.h>
-
-double um_compare_normalised(const struct um_compare_comparison *comparison, size_t row)
-{
-  double sigma = comparison->sigma[row], residual = comparison->residual[row];
-  return isnan(sigma) ? residual : residual / hypot(sigma, comparison->model_sigma[row]);
-}
-
 void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison)
 {
   if (comparison == NULL || *comparison == NULL) return;
@@ -25,8 +17,6 @@ void um_compare_destroy(struct um_context *context, struct um_compare_comparison
   um_compare_coordinates_destroy(context, &c->coordinates);
   um_core_free(context, c->model);
   um_core_free(context, c->residual);
-  um_core_free(context, c->sigma);
-  um_core_free(context, c->model_sigma);
   um_core_free(context, c->light);
   um_core_free(context, c->motion);
   um_core_free(context, c);

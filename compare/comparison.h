@@ -5,6 +5,7 @@
 #include "compare/coordinates.h"
 #include "compare/metrics.h"
 #include "compare/predict.h"
+#include "compare/residual.h"
 #include "compare/segments.h"
 #include "model/precomputed.h"
 #include "model/result.h"
@@ -65,11 +66,9 @@ struct um_compare_channel_comparison {
 
 struct um_compare_comparison {
   struct um_compare_run run;
-  double *model;       /* [observations] in the quantity's unit; NaN for observations left out */
-  double *residual;    /* [observations] measured - model, linear unit */
-  double *sigma;       /* [observations] of the measurement, linear unit; NaN for none */
-  double *model_sigma; /* [observations] of the model's sampling, linear unit */
-  enum um_compare_segment *light; /* [nobs] */
+  double *model; /* [observations] in the quantity's unit; NaN for observations left out */
+  struct um_compare_residual *residual; /* [observations] model NaN: left out */
+  enum um_compare_segment *light;       /* [nobs] */
   enum um_compare_segment *motion;
   struct um_compare_coordinates *coordinates;
   struct um_compare_channel_comparison *channel; /* [nchannel] of channels in use */
@@ -82,8 +81,5 @@ struct um_compare_comparison {
 
 /* Accepts NULL, sets NULL. */
 void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison);
-
-/* r / sigma of an observation, r where it has no sigma. */
-double um_compare_normalised(const struct um_compare_comparison *comparison, size_t row);
 
 #endif

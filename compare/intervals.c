@@ -6,6 +6,8 @@
 
 #include "compare/intervals_impl.h"
 
+#include "compare/residual.h"
+
 #define WINDOWS  10
 #define SHORTEST 3 /* observations */
 
@@ -88,7 +90,7 @@ static bool next_worst(const struct um_compare_comparison *c,
     double sum = 0.0;
     if (overlaps(channel, a, n)) continue;
     for (size_t i = a; i < a + n; i++) {
-      double z = um_compare_normalised(c, channel->row[i]);
+      double z = um_compare_residual_normalised(&c->residual[channel->row[i]]);
       sum += z * z;
     }
     if (found && !(sum > *chi2)) continue;
@@ -106,11 +108,9 @@ static void describe(const struct um_compare_comparison *c, const size_t *row,
   w->from = m->row[row[0]].t_tai;
   w->to = m->row[row[w->count - 1]].t_tai;
   for (size_t i = 0; i < w->count; i++) {
-    double flux, unused;
-    enum um_compare_quantity quantity = m->channel[m->row[row[i]].channel].quantity;
-    um_compare_linear(quantity, m->row[row[i]].value, NAN, &flux, &unused);
-    w->bias += c->residual[row[i]] / (double)w->count;
-    w->mean_measured += flux / (double)w->count;
+    const struct um_compare_residual *r = &c->residual[row[i]];
+    w->bias += (r->measured - r->model) / (double)w->count;
+    w->mean_measured += r->measured / (double)w->count;
     w->sunlit += c->run.precomputed->sunlit[c->run.plan->observation[row[i]]] / (double)w->count;
   }
 }
@@ -122,9 +122,9 @@ static double scale_of(const struct um_compare_comparison *c,
   double squares = 0.0;
   size_t bare = 0;
   for (size_t i = 0; i < channel->count; i++) {
-    double z = um_compare_normalised(c, channel->row[i]);
+    double z = um_compare_residual_normalised(&c->residual[channel->row[i]]);
     squares += z * z / (double)channel->count;
-    if (isnan(c->sigma[channel->row[i]])) bare++;
+    if (isnan(c->residual[channel->row[i]].sigma)) bare++;
   }
   return bare > 0 && squares > 0.0 ? squares : 1.0;
 }

@@ -5,36 +5,17 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "compare/residual.h"
 #include "compare/statistics_impl.h"
 #include "core/constants.h"
 #include "inference/distributions.h"
 
-/* Observations in linear flux, gathered for one segment, and room for what is sorted. */
+/* Residuals gathered for one segment, and room for what is sorted. */
 struct observations {
   size_t n;
-  double *y, *m, *sigma; /* [n]; sigma NaN: none */
-  double *own;           /* [n] the model's sigma */
-  double *work;          /* [2 n] */
+  struct um_compare_residual *of; /* [n] */
+  double *work;                   /* [2 n] */
 };
-
-static enum um_status observations_allocate(struct um_context *context, size_t n,
-                                            struct observations *data)
-{
-  UM_TRY(um_core_allocate(context, n, sizeof *data->y, &data->y));
-  UM_TRY(um_core_allocate(context, n, sizeof *data->m, &data->m));
-  UM_TRY(um_core_allocate(context, n, sizeof *data->sigma, &data->sigma));
-  UM_TRY(um_core_allocate(context, n, sizeof *data->own, &data->own));
-  return um_core_allocate(context, 2 * n, sizeof *data->work, &data->work);
-}
-
-static void observations_free(struct um_context *context, struct observations *data)
-{
-  um_core_free(context, data->y);
-  um_core_free(context, data->m);
-  um_core_free(context, data->sigma);
-  um_core_free(context, data->own);
-  um_core_free(context, data->work);
-}
 
 static struct um_compare_metrics no_metrics(void)
 {
@@ -64,9 +45,9 @@ static void set_moments(const struct observations *data, struct um_compare_metri
 {
   double n = (double)data->n, y = 0.0, m = 0.0, squares = 0.0, scatter = 0.0;
   for (size_t i = 0; i < data->n; i++) {
-    double r = data->y[i] - data->m[i];
-    y += data->y[i];
-    m += data->m[i];
+    double r = data->of[i].measured - data->of[i].model;
+    y += data->of[i].measured;
+    m += data->of[i].model;
     out->bias = i == 0 ? r : out->bias + r;
     squares += r * r;
   }
@@ -75,7 +56,7 @@ static void set_moments(const struct observations *data, struct um_compare_metri
   out->bias /= n;
   out->rms = sqrt(squares / n);
   for (size_t i = 0; i < data->n; i++) {
-    double about = data->y[i] - data->m[i] - out->bias;
+    double about = data->of[i].measured - data->of[i].model - out->bias;
     scatter += about * about;
   }
   if (data->n > 1) out->sd = sqrt(scatter / (n - 1.0));
@@ -88,15 +69,15 @@ static void set_ratios(struct observations *data, struct um_compare_metrics *out
   size_t ratios = 0;
   if (out->mean_measured > 0.0) out->rms_over_mean = out->rms / out->mean_measured;
   for (size_t i = 0; i < data->n; i++) {
-    ym += data->y[i] * data->m[i];
-    mm += data->m[i] * data->m[i];
-    if (data->m[i] > 0.0) data->work[ratios++] = data->y[i] / data->m[i];
+    ym += data->of[i].measured * data->of[i].model;
+    mm += data->of[i].model * data->of[i].model;
+    if (data->of[i].model > 0.0) data->work[ratios++] = data->of[i].measured / data->of[i].model;
   }
   out->median_ratio = um_compare_median(ratios, data->work);
   if (!(mm > 0.0)) return;
   out->scale = ym / mm;
   for (size_t i = 0; i < data->n; i++) {
-    double r = data->y[i] - out->scale * data->m[i];
+    double r = data->of[i].measured - out->scale * data->of[i].model;
     squares += r * r;
   }
   out->rms_scaled = sqrt(squares / (double)data->n);
@@ -109,9 +90,9 @@ static void set_magnitudes(struct observations *data, struct um_compare_metrics 
   double *x = data->work, *y = data->work + data->n, sum = 0.0, squares = 0.0;
   size_t n = 0;
   for (size_t i = 0; i < data->n; i++) {
-    if (!(data->y[i] > 0.0 && data->m[i] > 0.0)) continue;
-    x[n] = log(data->m[i]);
-    y[n] = log(data->y[i]);
+    if (!(data->of[i].measured > 0.0 && data->of[i].model > 0.0)) continue;
+    x[n] = log(data->of[i].model);
+    y[n] = log(data->of[i].measured);
     sum += magnitude * (y[n] - x[n]);
     squares += magnitude * magnitude * (y[n] - x[n]) * (y[n] - x[n]);
     n++;
@@ -129,12 +110,12 @@ static void set_statistics(struct observations *data, double share, struct um_co
   double chi2 = 0.0, model = 0.0;
   size_t weighted = 0;
   for (size_t i = 0; i < data->n; i++) {
-    double r = data->y[i] - data->m[i], own = data->own[i];
-    data->work[i] = r;
-    if (isnan(data->sigma[i])) continue;
-    double s = hypot(data->sigma[i], own);
-    chi2 += (r / s) * (r / s);
-    model += (own / s) * (own / s);
+    const struct um_compare_residual *of = &data->of[i];
+    double z = um_compare_residual_normalised(of);
+    data->work[i] = z;
+    if (isnan(of->sigma)) continue;
+    chi2 += z * z;
+    model += um_compare_residual_share(of->sigma, of->model_sigma);
     weighted++;
   }
   if (weighted > 0) {
@@ -146,8 +127,8 @@ static void set_statistics(struct observations *data, double share, struct um_co
       out->chi2_p = um_inference_chi2_q(chi2, out->dof);
     }
   }
-  if (weighted == data->n)
-    for (size_t i = 0; i < data->n; i++) data->work[i] /= hypot(data->sigma[i], data->own[i]);
+  for (size_t i = 0; weighted < data->n && i < data->n; i++)
+    data->work[i] = data->of[i].measured - data->of[i].model;
   um_compare_durbin_watson(data->n, data->work, &out->durbin_watson, &out->white_p);
 }
 
@@ -166,38 +147,30 @@ static struct um_compare_metrics measure(enum um_compare_quantity quantity,
   return out;
 }
 
-/* One observation into `data`, in linear flux. */
-static enum um_status gather(struct um_context *context, enum um_compare_quantity quantity,
-                             size_t i, double measured, double model, double sigma, double own,
-                             struct observations *data)
+static enum um_status check(struct um_context *context, enum um_compare_quantity quantity,
+                            size_t number, const struct um_compare_residual *of)
 {
-  double unused;
-  size_t k = data->n;
-  if (!isnan(sigma) && (!(sigma > 0.0) || !isfinite(sigma)))
+  const char *unit = um_compare_residual_unit(quantity);
+  if (!isnan(of->sigma) && (!(of->sigma > 0.0) || !isfinite(of->sigma)))
     return um_core_fail(context, UM_ERR_NUMERIC,
                         "metrics: observation %zu: sigma %g %s; accepted: above 0, or NaN for none",
-                        i + 1, sigma, um_compare_quantity_unit(quantity));
-  um_compare_linear(quantity, measured, sigma, &data->y[k], &data->sigma[k]);
-  um_compare_linear(quantity, model, NAN, &data->m[k], &unused);
-  if (!isfinite(measured) || !isfinite(data->m[k]) || !isfinite(data->y[k]))
+                        number, of->sigma, unit);
+  if (!isfinite(of->measured) || !isfinite(of->model))
     return um_core_fail(
         context, UM_ERR_NUMERIC,
-        "metrics: observation %zu: measured %g, model %g %s; accepted: finite numbers", i + 1,
-        measured, model, um_compare_quantity_unit(quantity));
-  if (!(own >= 0.0) || !isfinite(own))
+        "metrics: observation %zu: measured %g, model %g %s; accepted: finite numbers", number,
+        of->measured, of->model, unit);
+  if (!(of->model_sigma >= 0.0) || !isfinite(of->model_sigma))
     return um_core_fail(
         context, UM_ERR_NUMERIC,
-        "metrics: observation %zu: standard error of the model %g; accepted: 0 or more", i + 1,
-        own);
-  data->own[k] = own;
-  data->n++;
+        "metrics: observation %zu: standard error of the model %g; accepted: 0 or more", number,
+        of->model_sigma);
   return UM_OK;
 }
 
 enum um_status um_compare_metrics_compute(struct um_context *context,
                                           enum um_compare_quantity quantity, size_t count,
-                                          const double *measured, const double *model,
-                                          const double *sigma, const double *model_sigma,
+                                          const struct um_compare_residual *residual,
                                           const size_t *label, size_t nlabel, double fitted,
                                           struct um_compare_metrics *segment,
                                           struct um_compare_metrics *all)
@@ -210,7 +183,8 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
       return um_core_fail(context, UM_ERR_INPUT,
                           "metrics: observation %zu: segment %zu; accepted: 0 to %zu", i + 1,
                           label[i], nlabel == 0 ? (size_t)0 : nlabel - 1);
-  UM_CHECK(observations_allocate(context, count, &gathered));
+  UM_CHECK(um_core_allocate(context, count, sizeof *gathered.of, &gathered.of));
+  UM_CHECK(um_core_allocate(context, 2 * count, sizeof *gathered.work, &gathered.work));
   /* all observations first: their number gives each segment its share of the fitted parameters */
   for (size_t s = 0; s <= nlabel; s++) {
     gathered.n = 0;
@@ -218,10 +192,9 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
     for (size_t i = 0; i < count; i++) {
       size_t l = label == NULL ? 0 : label[i];
       if (l == UM_COMPARE_LABEL_NONE || (s > 0 && l != s - 1)) continue;
-      double given = sigma == NULL ? NAN : sigma[i];
-      double own = model_sigma == NULL ? 0.0 : model_sigma[i];
-      UM_CHECK(gather(context, quantity, i, measured[i], model[i], given, own, &gathered));
-      if (!isnan(given)) weighted++;
+      UM_CHECK(check(context, quantity, i + 1, &residual[i]));
+      gathered.of[gathered.n++] = residual[i];
+      if (!isnan(residual[i].sigma)) weighted++;
     }
     if (s == 0 && weighted > 0) share = fitted / (double)weighted;
     struct um_compare_metrics made = measure(quantity, &gathered, share);
@@ -232,6 +205,7 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
   }
   status = UM_OK;
 done:
-  observations_free(context, &gathered);
+  um_core_free(context, gathered.of);
+  um_core_free(context, gathered.work);
   return status;
 }

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "compare/quantity.h"
+#include "compare/residual.h"
 #include "core/context.h"
 
 /* What does not exist is NaN, never 0: sd of one observation, rms/mean where the mean measured flux
@@ -44,10 +44,7 @@ struct um_compare_metrics {
 
 /* Metrics of one channel.
  *   count: observations, in order of time (whiteness compares neighbours)
- *   measured, model: shape [count], in the unit of `quantity`; a model magnitude of +infinity is no
- *     light
- *   sigma: shape [count], of measured, in its unit; NaN where there is none; NULL: none at all
- *   model_sigma: shape [count], standard error of model in linear flux, >= 0; NULL: none
+ *   residual: shape [count], of `quantity`, whose magnitudes have become flux; model_sigma >= 0
  *   label: shape [count], segment below nlabel, or UM_COMPARE_LABEL_NONE; NULL: no segments
  *   fitted: number of parameters fitted to these observations; the degrees of freedom of `all` are
  *     its observations with sigma less `fitted`, those of a segment are less its share of them
@@ -61,8 +58,7 @@ struct um_compare_metrics {
  * distributions in stat_compare_statistics. */
 enum um_status um_compare_metrics_compute(struct um_context *context,
                                           enum um_compare_quantity quantity, size_t count,
-                                          const double *measured, const double *model,
-                                          const double *sigma, const double *model_sigma,
+                                          const struct um_compare_residual *residual,
                                           const size_t *label, size_t nlabel, double fitted,
                                           struct um_compare_metrics *segment,
                                           struct um_compare_metrics *all);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "compare/figures.h"
+#include "compare/residual.h"
 #include "compare/time_text.h"
 #include "core/constants.h"
 #include "core/csv.h"
@@ -105,7 +106,6 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
     const struct um_compare_measurement *from = &set->row[i];
     enum um_compare_quantity quantity = set->channel[from->channel].quantity;
     size_t k = m->plan->observation[i];
-    double flux, sigma;
     if (k == UM_COMPARE_NOWHERE || quantity == UM_QUANTITY_TEMPERATURE ||
         um_compare_is_grey_body(quantity))
       continue;
@@ -116,8 +116,9 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
     size_t band = um_compare_band(m->plan, model, from->channel);
     light_fill(model, &m->sample[k], elevation[k], band, light);
     double unit = light_of(model, quantity, m->plan->source[from->channel], band, light);
-    um_compare_linear(quantity, from->value, from->sigma, &flux, &sigma);
-    m->row[m->count++] = (struct um_compare_map_row){i, k, band, flux / unit, sigma / unit, unit};
+    struct um_compare_linear of = um_compare_measured(set, i, from->sigma);
+    m->row[m->count++] =
+        (struct um_compare_map_row){i, k, band, of.value / unit, of.sigma / unit, unit};
   }
   if (m->count > 0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,

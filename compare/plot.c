@@ -63,12 +63,12 @@ static enum um_status ranges(struct um_context *context, struct shown *s)
   const struct um_plot_values residual = {all + 2 * n, n, UM_PLOT_MOST};
   for (size_t k = 0; k < n; k++) {
     size_t row = s->channel->row[k];
-    bool none = s->weighted && isnan(c->sigma[row]);
+    const struct um_compare_residual *r = &c->residual[row];
     all[k] = c->run.plan->measurements->row[row].value;
     all[n + k] = c->model[row];
-    all[2 * n + k] = none          ? (double)NAN
-                     : s->weighted ? um_compare_normalised(c, row)
-                                   : c->residual[row];
+    all[2 * n + k] = !s->weighted      ? r->measured - r->model
+                     : isnan(r->sigma) ? (double)NAN
+                                       : um_compare_residual_normalised(r);
   }
   UM_CHECK(um_plot_range(context, &residual, 1, 0.0, UM_PLOT_STRETCH, &s->residuals));
   UM_CHECK(um_plot_range(context, of, 3, NAN, light ? UM_PLOT_STRETCH_LIGHT : UM_PLOT_STRETCH,

@@ -54,12 +54,10 @@ const char *um_compare_residual_unit(enum um_compare_quantity quantity)
                                            : um_compare_quantity_unit(quantity);
 }
 
-void um_compare_linear(enum um_compare_quantity quantity, double value, double sigma, double *flux,
-                       double *flux_sigma)
+struct um_compare_linear um_compare_linear(enum um_compare_quantity quantity, double value,
+                                           double sigma)
 {
-  *flux = value;
-  *flux_sigma = sigma;
-  if (!um_compare_is_magnitude(quantity)) return;
-  *flux = exp(-0.4 * UM_LN10 * value);
-  *flux_sigma = 0.4 * UM_LN10 * *flux * sigma;
+  if (!um_compare_is_magnitude(quantity)) return (struct um_compare_linear){value, sigma};
+  double flux = exp(-0.4 * UM_LN10 * value);
+  return (struct um_compare_linear){flux, 0.4 * UM_LN10 * flux * sigma};
 }

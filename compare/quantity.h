@@ -31,7 +31,10 @@ const char *um_compare_residual_unit(enum um_compare_quantity quantity);
 /* A value and its sigma in linear flux: magnitudes become flux relative to magnitude 0,
  *   F = 10^(-0.4 m),  sigma_F = 0.4 ln 10 F sigma_m,
  * +infinity being no light; other quantities pass through. sigma NaN stays NaN. */
-void um_compare_linear(enum um_compare_quantity quantity, double value, double sigma, double *flux,
-                       double *flux_sigma);
+struct um_compare_linear {
+  double value, sigma;
+};
+struct um_compare_linear um_compare_linear(enum um_compare_quantity quantity, double value,
+                                           double sigma);
 
 #endif

@@ -11,6 +11,7 @@
 #include <math.h>
 
 #include "compare/noise.h"
+#include "compare/residual.h"
 #include "model/precompute.h"
 #include "model/run.h"
 #include "model/thermal_solution.h"
@@ -30,8 +31,7 @@ enum um_status um_compare_share(struct um_context *context, const struct um_comp
   UM_CHECK(um_core_allocate(context, m->nchannel, sizeof *count, &count));
   for (size_t i = 0; i < m->count; i++) {
     if (isnan(sigma[i]) || isnan(model_sigma[i])) continue;
-    double part = model_sigma[i] / hypot(sigma[i], model_sigma[i]);
-    sum[m->row[i].channel] += part * part;
+    sum[m->row[i].channel] += um_compare_residual_share(sigma[i], model_sigma[i]);
     count[m->row[i].channel]++;
   }
   for (size_t c = 0; c < m->nchannel; c++)
@@ -51,14 +51,11 @@ static enum um_status linear_values(struct um_context *context,
                                     double *sigma)
 {
   const struct um_compare_measurements *m = u->plan->measurements;
-  double unused;
   UM_TRY(um_compare_predict(context, u->plan, precomputed, result, value));
   if (sigma != NULL) UM_TRY(um_compare_noise_sigmas(context, u->model->scenario, m, value, sigma));
-  for (size_t i = 0; i < m->count; i++) {
-    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
-    if (sigma != NULL) um_compare_linear(quantity, m->row[i].value, sigma[i], &unused, &sigma[i]);
-    um_compare_linear(quantity, value[i], NAN, &value[i], &unused);
-  }
+  for (size_t i = 0; sigma != NULL && i < m->count; i++)
+    sigma[i] = um_compare_measured(m, i, sigma[i]).sigma;
+  um_compare_modelled(m, m->count, NULL, value, value);
   return UM_OK;
 }
 

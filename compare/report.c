@@ -139,6 +139,7 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
 {
   const struct um_compare_measurements *m = c->run.plan->measurements;
   const struct um_compare_measurement *r = &m->row[row];
+  const struct um_compare_residual *of = &c->residual[row];
   size_t k = c->run.plan->observation[row];
   char time[40];
   um_compare_time_text(r->t_tai, time);
@@ -147,11 +148,11 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   um_compare_csv_number(file, r->value);
   um_compare_csv_number(file, c->model[row]);
   um_compare_csv_number(file, r->sigma);
-  um_compare_csv_number(file, c->residual[row]);
-  um_compare_csv_number(file, isnan(c->sigma[row]) ? (double)NAN : um_compare_normalised(c, row));
+  um_compare_csv_number(file, of->measured - of->model);
+  um_compare_csv_number(file, isnan(of->sigma) ? (double)NAN : um_compare_residual_normalised(of));
   fprintf(file, ",%s,%s", um_compare_segment_name(c->light[k]),
           um_compare_segment_name(c->motion[k]));
-  um_compare_csv_number(file, c->model_sigma[row]);
+  um_compare_csv_number(file, of->model_sigma);
   for (size_t j = 0; j < c->coordinates->count; j++)
     um_compare_csv_number(file, c->coordinates->coordinate[j].value[k]);
   fputc('\n', file);

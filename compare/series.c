@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "compare/residual.h"
+
 /* A row's place in time; equal times keep the order of the file. */
 struct instant {
   double t; /* t_tai [s] */
@@ -63,7 +65,6 @@ enum um_status um_compare_series_create(struct um_context *context,
                                         struct um_compare_series **out)
 {
   const struct um_compare_measurements *m = measurements;
-  enum um_compare_quantity quantity = m->channel[channel].quantity;
   struct um_compare_series *s = NULL;
   struct instant *instant = NULL;
   size_t n = 0;
@@ -84,7 +85,9 @@ enum um_status um_compare_series_create(struct um_context *context,
     s->t[k] = row->t_tai;
     s->row[k] = instant[k].row;
     s->track[k] = row->track;
-    um_compare_linear(quantity, row->value, row->sigma, &s->value[k], &s->sigma[k]);
+    struct um_compare_linear linear = um_compare_measured(m, instant[k].row, row->sigma);
+    s->value[k] = linear.value;
+    s->sigma[k] = linear.sigma;
     sigmas = sigmas && s->sigma[k] > 0.0;
   }
   if (sigmas) {

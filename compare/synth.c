@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "compare/places_impl.h"
+#include "compare/residual.h"
 #include "compare/set_impl.h"
 #include "core/sampling.h"
 #include "model/bands.h"
@@ -202,9 +203,8 @@ enum um_status um_compare_synth_share(struct um_context *context, void *user,
       double sigma = hypot(o->relative * result->irradiance[at], floor);
       double own = finer == NULL ? result->irradiance_error[at]
                                  : fabs(finer->irradiance[at] - result->irradiance[at]);
-      double part = own / hypot(sigma, own);
       if (!(sigma > 0.0)) continue; /* below the horizon, or refused later */
-      sum += part * part;
+      sum += um_compare_residual_share(sigma, own);
       count++;
     }
     if (count > 0) *share = fmax(*share, sum / (double)count);

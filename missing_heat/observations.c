@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "compare/residual.h"
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/run.h"
@@ -34,12 +35,8 @@ enum um_status um_missing_heat_predict(struct um_context *context,
   double *whole = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *whole, &whole));
   UM_CHECK(um_compare_predict(context, f->plan, base->precomputed, result, whole));
-  for (size_t j = 0; j < f->observations.count; j++) {
-    double unused;
-    um_compare_linear(m->channel[f->observations.channel[j]].quantity,
-                      whole[f->observations.row[j]], NAN, &out[j], &unused);
-    out[j] /= f->observations.sigma[j];
-  }
+  um_compare_modelled(m, f->observations.count, f->observations.row, whole, out);
+  for (size_t j = 0; j < f->observations.count; j++) out[j] /= f->observations.sigma[j];
 done:
   um_core_free(context, whole);
   return status;

@@ -18,7 +18,8 @@ static struct weighed weigh(const struct um_sensitivity_forward *f,
   struct weighed w = {0};
   for (size_t j = 0; j < f->observations.count; j++) {
     if (f->observations.channel[j] != channel) continue;
-    double r = comparison->residual[f->observations.row[j]] / f->observations.sigma[j];
+    const struct um_compare_residual *of = &comparison->residual[f->observations.row[j]];
+    double r = (of->measured - of->model) / f->observations.sigma[j];
     w.chi2 += r * r;
     w.mean += r;
     w.count += 1.0;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "compare/refine.h"
+#include "compare/residual.h"
 #include "core/held_files.h"
 #include "core/words.h"
 #include "model/build.h"
@@ -161,16 +162,14 @@ static enum um_status gather(struct um_context *context,
                              const struct um_sensitivity_forward *forward, double *value)
 {
   const struct um_compare_measurements *m = forward->measurements;
-  for (size_t j = 0; j < forward->observations.count; j++) {
-    double unused;
-    size_t row = forward->observations.row[j];
-    um_compare_linear(m->channel[forward->observations.channel[j]].quantity,
-                      forward->cache->predicted[row], NAN, &value[j], &unused);
+  const struct um_sensitivity_observations *o = &forward->observations;
+  um_compare_modelled(m, o->count, o->row, forward->cache->predicted, value);
+  for (size_t j = 0; j < o->count; j++) {
+    const struct um_compare_channel *channel = &m->channel[o->channel[j]];
     if (!isfinite(value[j]))
-      return um_core_fail(
-          context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g", m->path, m->row[row].line,
-          um_compare_quantity_name(m->channel[forward->observations.channel[j]].quantity),
-          m->channel[forward->observations.channel[j]].of, value[j]);
+      return um_core_fail(context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g", m->path,
+                          m->row[o->row[j]].line, um_compare_quantity_name(channel->quantity),
+                          channel->of, value[j]);
   }
   return UM_OK;
 }

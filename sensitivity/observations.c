@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "compare/noise.h"
+#include "compare/residual.h"
 
 static enum um_status allocate(struct um_context *context, struct um_sensitivity_observations *o)
 {
@@ -32,9 +33,8 @@ static void add_model_error(struct um_sensitivity_observations *o)
 {
   double sum = 0.0;
   for (size_t j = 0; j < o->count; j++) {
-    o->sigma[j] = hypot(o->stated_sigma[j], o->model_sigma[j]);
-    double part = o->model_sigma[j] / o->sigma[j];
-    sum += part * part;
+    o->sigma[j] = um_compare_residual_sigma(o->stated_sigma[j], o->model_sigma[j]);
+    sum += um_compare_residual_share(o->stated_sigma[j], o->model_sigma[j]);
   }
   o->model_share = sum / (double)o->count;
 }
@@ -59,7 +59,6 @@ enum um_status um_sensitivity_observations_create(struct um_context *context,
   UM_CHECK(allocate(context, o));
   for (size_t i = 0, j = 0; i < m->count; i++) {
     if (plan->observation[i] == UM_COMPARE_NOWHERE) continue;
-    enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
     if (isnan(sigma[i])) {
       status = refuse(context, m, i);
       goto done;
@@ -67,7 +66,9 @@ enum um_status um_sensitivity_observations_create(struct um_context *context,
     o->row[j] = i;
     o->channel[j] = m->row[i].channel;
     o->t[j] = m->row[i].t_tai;
-    um_compare_linear(quantity, m->row[i].value, sigma[i], &o->measured[j], &o->stated_sigma[j]);
+    struct um_compare_linear measured = um_compare_measured(m, i, sigma[i]);
+    o->measured[j] = measured.value;
+    o->stated_sigma[j] = measured.sigma;
     o->model_sigma[j] = model_sigma[i];
     j++;
   }

@@ -8,7 +8,6 @@
 
 #include "compare/measurements.h"
 #include "compare/metrics.h"
-#include "core/constants.h"
 #include "core/interpolation.h"
 #include "uncertainty/statistics.h"
 
@@ -18,11 +17,10 @@
 struct channel {
   size_t quantity; /* of the result */
   enum um_compare_quantity of;
-  size_t n, *before;           /* [n] the instant at or before; the next follows it */
-  double *part;                /* [n] of the way to the next */
-  double *value, *sigma;       /* [n] */
-  double *model, *model_sigma; /* [n] of the point at hand */
-  double error;                /* sigma of the study: relative of light, else in its unit */
+  size_t n, *before;                    /* [n] the instant at or before; the next follows it */
+  double *part;                         /* [n] of the way to the next */
+  struct um_compare_residual *residual; /* [n] of the point at hand */
+  double error; /* sigma of the study: relative of light, else in its unit */
 };
 
 static const char *prefix(enum um_compare_quantity quantity)
@@ -71,10 +69,7 @@ static void release(struct um_context *context, struct channel *c)
 {
   um_core_free(context, c->before);
   um_core_free(context, c->part);
-  um_core_free(context, c->value);
-  um_core_free(context, c->sigma);
-  um_core_free(context, c->model);
-  um_core_free(context, c->model_sigma);
+  um_core_free(context, c->residual);
 }
 
 static enum um_status gather(struct um_context *context, const struct um_study_result *r,
@@ -88,36 +83,30 @@ static enum um_status gather(struct um_context *context, const struct um_study_r
   c->error = isfinite(error) ? error / SIGMAS : 0.0;
   UM_TRY(um_core_allocate(context, n, sizeof *c->before, &c->before));
   UM_TRY(um_core_allocate(context, n, sizeof *c->part, &c->part));
-  UM_TRY(um_core_allocate(context, n, sizeof *c->value, &c->value));
-  UM_TRY(um_core_allocate(context, n, sizeof *c->sigma, &c->sigma));
-  UM_TRY(um_core_allocate(context, n, sizeof *c->model, &c->model));
-  UM_TRY(um_core_allocate(context, n, sizeof *c->model_sigma, &c->model_sigma));
+  UM_TRY(um_core_allocate(context, n, sizeof *c->residual, &c->residual));
   for (size_t i = 0; i < m->count; i++) {
     const struct um_compare_measurement *row = &m->row[i];
     if (row->channel != number || row->flag != 0 || isnan(row->sigma)) continue;
     if (!between(r, &r->quantity[c->quantity], row->t_tai, &c->before[c->n], &c->part[c->n]))
       continue;
-    c->value[c->n] = row->value;
-    c->sigma[c->n++] = row->sigma;
+    c->residual[c->n++] = um_compare_residual_make(m, i, NAN, 0.0);
   }
   return UM_OK;
 }
 
-/* A curve [ntime] at the channel's rows, linear in flux. false: a value that is none. */
+/* A curve [ntime] at the channel's rows, between its instants linearly in flux. false: a value that
+ * is none. */
 static bool predict(struct channel *c, const double *curve, bool light)
 {
-  bool magnitude = um_compare_is_magnitude(c->of);
+  bool relative = light && !um_compare_is_magnitude(c->of);
   for (size_t i = 0; i < c->n; i++) {
-    double a, b, unused;
-    um_compare_linear(c->of, curve[c->before[i]], NAN, &a, &unused);
-    um_compare_linear(c->of, curve[c->before[i] + 1], NAN, &b, &unused);
-    double flux = a + c->part[i] * (b - a);
-    if (!isfinite(flux)) return false;
-    c->model[i] = magnitude ? -2.5 * log10(flux) : flux;
-    /* of a magnitude d F / F = 0.4 ln 10 d m */
-    c->model_sigma[i] = magnitude ? 0.4 * UM_LN10 * c->error * flux
-                        : light   ? c->error * fabs(flux)
-                                  : c->error;
+    struct um_compare_linear a = um_compare_linear(c->of, curve[c->before[i]], c->error);
+    struct um_compare_linear b = um_compare_linear(c->of, curve[c->before[i] + 1], c->error);
+    struct um_compare_residual *r = &c->residual[i];
+    r->model = a.value + c->part[i] * (b.value - a.value);
+    r->model_sigma =
+        relative ? c->error * fabs(r->model) : a.sigma + c->part[i] * (b.sigma - a.sigma);
+    if (!isfinite(r->model)) return false;
   }
   return true;
 }
@@ -165,8 +154,8 @@ static enum um_status hold(struct um_context *context, const struct um_study_res
       *chi2 = NAN;
       return UM_OK;
     }
-    UM_TRY(um_compare_metrics_compute(context, c[i].of, c[i].n, c[i].value, c[i].model, c[i].sigma,
-                                      c[i].model_sigma, NULL, 0, 0.0, NULL, &metrics));
+    UM_TRY(um_compare_metrics_compute(context, c[i].of, c[i].n, c[i].residual, NULL, 0, 0.0, NULL,
+                                      &metrics));
     value[first + 2 * i] = metrics.rms;
     value[first + 2 * i + 1] = metrics.chi2_reduced;
     *chi2 += metrics.chi2;

@@ -53,25 +53,21 @@ enum um_status um_diagnosis_report_channel_metrics(struct um_context *context,
   enum um_compare_quantity quantity = um_diagnosis_report_channel(diagnosis, c)->quantity;
   enum um_status status;
   size_t *row = NULL, n;
-  double *columns = NULL;
+  struct um_compare_residual *residual = NULL;
   UM_CHECK(um_diagnosis_report_channel_rows(context, diagnosis, c, &row, &n));
-  UM_CHECK(um_core_allocate(context, n, 4 * sizeof *columns, &columns));
-  double *measured = columns, *model = columns + n, *sigma = columns + 2 * n;
-  double *model_sigma = columns + 3 * n;
-  for (size_t i = 0; i < n; i++) {
-    measured[i] = f->observations.measured[row[i]];
-    model[i] = value[row[i]];
-    sigma[i] = f->observations.stated_sigma[row[i]];
-    model_sigma[i] = f->observations.model_sigma[row[i]];
-  }
-  /* observations are linear already: magnitudes pass as a flux */
+  UM_CHECK(um_core_allocate(context, n, sizeof *residual, &residual));
+  for (size_t i = 0; i < n; i++)
+    residual[i] = (struct um_compare_residual){f->observations.measured[row[i]], value[row[i]],
+                                               f->observations.stated_sigma[row[i]],
+                                               f->observations.model_sigma[row[i]]};
+  /* without figures in magnitudes */
   if (um_compare_is_magnitude(quantity)) quantity = UM_QUANTITY_RADIANT_INTENSITY;
   double fitted = ((double)f->observations.count - dof) * (double)n / (double)f->observations.count;
-  UM_CHECK(um_compare_metrics_compute(context, quantity, n, measured, model, sigma, model_sigma,
-                                      NULL, 0, fmax(fitted, 0.0), NULL, out));
+  UM_CHECK(um_compare_metrics_compute(context, quantity, n, residual, NULL, 0, fmax(fitted, 0.0),
+                                      NULL, out));
 done:
   um_core_free(context, row);
-  um_core_free(context, columns);
+  um_core_free(context, residual);
   return status;
 }
 

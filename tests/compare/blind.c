@@ -51,7 +51,7 @@ static void check_baseline(const char *name, const struct um_compare_comparison 
     print_message(" %s %.4f", m->channel[c->channel[i].channel].of, c->channel[i].all.chi2_reduced);
   print_message("\n");
   for (size_t i = 0; i < m->count; i++) {
-    double z = c->residual[i] / c->sigma[i];
+    double z = (c->residual[i].measured - c->residual[i].model) / c->residual[i].sigma;
     if (!(fabs(z) <= 1.0))
       fail_msg("%s: line %d of m.csv: %s %g, model %g, %.2f of what is accepted", name,
                m->row[i].line, m->channel[m->row[i].channel].of, m->row[i].value, c->model[i], z);

@@ -87,7 +87,7 @@ static void rank_correlation(const struct pair *p, const struct um_compare_chann
   static double residual[256], sunlit[256];
   assert_true(c->count <= sizeof residual / sizeof residual[0]);
   for (size_t i = 0; i < c->count; i++) {
-    residual[i] = um_compare_normalised(p->comparison, c->row[i]);
+    residual[i] = um_compare_residual_normalised(&p->comparison->residual[c->row[i]]);
     sunlit[i] = p->precomputed->sunlit[p->plan->observation[c->row[i]]];
   }
   assert_ok(um_compare_spearman(context, c->count, residual, sunlit, r, chance));

@@ -18,6 +18,7 @@ static enum um_status everything(struct um_context *c)
   struct um_compare_series *series = NULL;
   struct um_compare_period *period = NULL;
   struct um_compare_fold_bin bin[4];
+  struct um_compare_residual residual;
   struct um_compare_metrics all;
   enum um_status status;
   UM_CHECK(um_compare_measurements_read(c, "m.csv", &m));
@@ -26,8 +27,9 @@ static enum um_status everything(struct um_context *c)
   UM_CHECK(um_compare_series_create(c, m, 0, SIZE_MAX, &series));
   UM_CHECK(um_compare_period_search(c, series, NULL, &period));
   UM_CHECK(um_compare_fold(c, series, period, 4, bin));
-  UM_CHECK(um_compare_metrics_compute(c, UM_QUANTITY_COUNT_RATE, series->count, series->value,
-                                      series->value, NULL, NULL, NULL, 0, 0.0, NULL, &all));
+  residual = (struct um_compare_residual){series->value[0], series->value[0], NAN, 0.0};
+  UM_CHECK(um_compare_metrics_compute(c, UM_QUANTITY_COUNT_RATE, 1, &residual, NULL, 0, 0.0, NULL,
+                                      &all));
 done:
   if (status != UM_OK && m == NULL) assert_null(survey);
   um_compare_measurements_destroy(c, &m);

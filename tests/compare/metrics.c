@@ -3,9 +3,7 @@
  *   y 2 4 6 -1   m 1 4 8 0   sigma 1/2 1 2 1   r = y - m = 1 0 -2 -1   e = r/sigma = 2 0 -1 -1
  *
  * Tolerance 1e-15 relative: a few roundings of numbers near 1. */
-#include "compare/metrics.h"
-
-#include "compare_test.h"
+#include "metrics_test.h"
 
 static const double measured[4] = {2.0, 4.0, 6.0, -1.0}, model[4] = {1.0, 4.0, 8.0, 0.0},
                     sigma[4] = {0.5, 1.0, 2.0, 1.0};
@@ -15,8 +13,7 @@ static struct um_compare_metrics compute(enum um_compare_quantity quantity, size
                                          double fitted)
 {
   struct um_compare_metrics all;
-  assert_ok(um_compare_metrics_compute(context, quantity, count, y, m, s, NULL, NULL, 0, fitted,
-                                       NULL, &all));
+  assert_ok(metrics_of(quantity, count, y, m, s, NULL, NULL, 0, fitted, NULL, &all));
   return all;
 }
 
@@ -58,8 +55,7 @@ static void test_segments(void **state)
   const double s[6] = {0.5, 1.0, 1.0, 2.0, 1.0, NAN};
   const size_t label[6] = {0, UM_COMPARE_LABEL_NONE, 0, 2, 2, 2};
   struct um_compare_metrics g[3], a;
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 6, y, m, s, NULL, label, 3,
-                                       1.0, g, &a));
+  assert_ok(metrics_of(UM_QUANTITY_COUNT_RATE, 6, y, m, s, NULL, label, 3, 1.0, g, &a));
   assert_int_equal(a.count, 5);
   assert_close(a.bias, -0.4, 1e-15);
   assert_close(a.chi2, 6.0, 1e-15);
@@ -172,27 +168,23 @@ static void test_model_sigma(void **state)
   const double y[3] = {5.0, -10.0, 7.0}, m[3] = {0}, s[3] = {3.0, 4.0, NAN},
                own[3] = {4.0, 3.0, 1.0};
   struct um_compare_metrics a, without;
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 3, y, m, s, own, NULL, 0,
-                                       0.0, NULL, &a));
+  assert_ok(metrics_of(UM_QUANTITY_TEMPERATURE, 3, y, m, s, own, NULL, 0, 0.0, NULL, &a));
   assert_close(a.chi2, 5.0, 1e-14);
   assert_close(a.dof, 2.0, 1e-15);
   assert_close(a.model_share, 0.5, 1e-15);
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 3, y, m, s, NULL, NULL, 0,
-                                       0.0, NULL, &without));
+  assert_ok(metrics_of(UM_QUANTITY_TEMPERATURE, 3, y, m, s, NULL, NULL, 0, 0.0, NULL, &without));
   assert_close(without.chi2, 25.0 / 9.0 + 100.0 / 16.0, 1e-14);
   assert_close(without.model_share, 0.0, 0.0);
   assert_close(without.durbin_watson, a.durbin_watson, 1e-15);
   /* all with a sigma: (1, -2) has (3^2) / (1 + 4) */
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, y, m, s, own, NULL, 0,
-                                       0.0, NULL, &a));
+  assert_ok(metrics_of(UM_QUANTITY_TEMPERATURE, 2, y, m, s, own, NULL, 0, 0.0, NULL, &a));
   assert_true(isnan(a.durbin_watson)); /* two observations */
   const double four[4] = {5.0, -10.0, 5.0, -10.0}, zero[4] = {0}, s4[4] = {3, 4, 3, 4},
                own4[4] = {4, 3, 4, 3};
-  assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 4, four, zero, s4, own4,
-                                       NULL, 0, 0.0, NULL, &a));
+  assert_ok(metrics_of(UM_QUANTITY_TEMPERATURE, 4, four, zero, s4, own4, NULL, 0, 0.0, NULL, &a));
   assert_close(a.durbin_watson, 27.0 / 10.0, 1e-14);
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, y, m, s,
-                                            (const double[2]){1.0, -1.0}, NULL, 0, 0.0, NULL, &a),
+  assert_refused(metrics_of(UM_QUANTITY_TEMPERATURE, 2, y, m, s, (const double[2]){1.0, -1.0}, NULL,
+                            0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: observation 2: standard error of the model -1; accepted: 0 or more");
 }
@@ -217,24 +209,21 @@ static void test_refusals(void **state)
   struct um_compare_metrics a, g[2];
   const double y[2] = {1.0, NAN}, m[2] = {1.0, 1.0}, s[2] = {1.0, 0.0}, minus[2] = {-INFINITY, 1};
   const size_t label[2] = {0, 2};
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, NULL,
-                                            NULL, 0, 0.0, NULL, &a),
+  assert_refused(metrics_of(UM_QUANTITY_COUNT_RATE, 2, y, m, NULL, NULL, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: observation 2: measured nan, model 1 1/s; accepted: finite numbers");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 2, m, y, NULL, NULL,
-                                            NULL, 0, 0.0, NULL, &a),
+  assert_refused(metrics_of(UM_QUANTITY_COUNT_RATE, 2, m, y, NULL, NULL, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: observation 2: measured 1, model nan 1/s; accepted: finite numbers");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_MAGNITUDE_AB, 2, m, minus, NULL,
-                                            NULL, NULL, 0, 0.0, NULL, &a),
-                 UM_ERR_NUMERIC,
-                 "metrics: observation 1: measured 1, model -inf mag; accepted: finite numbers");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, s, NULL,
-                                            NULL, 0, 0.0, NULL, &a),
+  assert_refused(
+      metrics_of(UM_QUANTITY_MAGNITUDE_AB, 2, m, minus, NULL, NULL, NULL, 0, 0.0, NULL, &a),
+      UM_ERR_NUMERIC,
+      "metrics: observation 1: measured 0.398107, model inf flux of magnitude 0; accepted: "
+      "finite numbers");
+  assert_refused(metrics_of(UM_QUANTITY_TEMPERATURE, 2, m, m, s, NULL, NULL, 0, 0.0, NULL, &a),
                  UM_ERR_NUMERIC,
                  "metrics: observation 2: sigma 0 K; accepted: above 0, or NaN for none");
-  assert_refused(um_compare_metrics_compute(context, UM_QUANTITY_TEMPERATURE, 2, m, m, NULL, NULL,
-                                            label, 2, 0.0, g, &a),
+  assert_refused(metrics_of(UM_QUANTITY_TEMPERATURE, 2, m, m, NULL, NULL, label, 2, 0.0, g, &a),
                  UM_ERR_INPUT, "metrics: observation 2: segment 2; accepted: 0 to 1");
 }
 

@@ -25,14 +25,13 @@ static struct um_compare_measurements *read_text(void)
 static void test_linear(void **state)
 {
   (void)state;
-  double f, s;
-  um_compare_linear(UM_QUANTITY_MAGNITUDE_VEGA, 2.5, 0.1, &f, &s);
-  assert_close(f, 0.1, 1e-16);
-  assert_close(s, 0.1 * 0.1 / 1.0857362047581296, 1e-17);
-  um_compare_linear(UM_QUANTITY_MAGNITUDE_AB, INFINITY, NAN, &f, &s);
-  assert_true(f == 0.0 && isnan(s));
-  um_compare_linear(UM_QUANTITY_COUNT_RATE, -3.0, 2.0, &f, &s);
-  assert_true(f == -3.0 && s == 2.0);
+  struct um_compare_linear f = um_compare_linear(UM_QUANTITY_MAGNITUDE_VEGA, 2.5, 0.1);
+  assert_close(f.value, 0.1, 1e-16);
+  assert_close(f.sigma, 0.1 * 0.1 / 1.0857362047581296, 1e-17);
+  f = um_compare_linear(UM_QUANTITY_MAGNITUDE_AB, INFINITY, NAN);
+  assert_true(f.value == 0.0 && isnan(f.sigma));
+  f = um_compare_linear(UM_QUANTITY_COUNT_RATE, -3.0, 2.0);
+  assert_true(f.value == -3.0 && f.sigma == 2.0);
 }
 
 static void test_noise(void **state)

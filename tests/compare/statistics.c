@@ -1,11 +1,10 @@
 /* Probabilities must be what they say: p-values of white noise are uniform, false alarms are as
  * rare as stated, and an error of one sigma is one. Fixed streams of noise; acceptance by the
  * Kolmogorov distribution or the binomial at a false-alarm rate of 1e-3 or less for each check. */
-#include "compare/metrics.h"
 #include "compare/period.h"
 #include "compare/series.h"
-#include "compare_test.h"
 #include "core/constants.h"
+#include "metrics_test.h"
 
 #define TRIALS 2000
 
@@ -39,8 +38,7 @@ static void check_noise(size_t rows)
       s[i] = hypot(0.02 * m[i], 3e-14);
       y[i] = m[i] + s[i] * gaussian(100 + k, i);
     }
-    assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_BAND_IRRADIANCE, rows, y, m, s, NULL,
-                                         NULL, 0, 0.0, NULL, &a));
+    assert_ok(metrics_of(UM_QUANTITY_BAND_IRRADIANCE, rows, y, m, s, NULL, NULL, 0, 0.0, NULL, &a));
     chi2_p[k] = a.chi2_p;
     white_p[k] = a.white_p;
     reduced += a.chi2_reduced / TRIALS;
@@ -73,8 +71,7 @@ static void test_power_of_whiteness(void **state)
       s[i] = 1.0;
       y[i] = sin(0.1 * (double)i) + gaussian(9000 + k, i);
     }
-    assert_ok(um_compare_metrics_compute(context, UM_QUANTITY_COUNT_RATE, 60, y, m, s, NULL, NULL,
-                                         0, 0.0, NULL, &a));
+    assert_ok(metrics_of(UM_QUANTITY_COUNT_RATE, 60, y, m, s, NULL, NULL, 0, 0.0, NULL, &a));
     seen += a.white_p < 0.05 && a.durbin_watson < 2.0;
   }
   /* lag-1 correlation 1/3 of the variance, 1/sqrt(60) = 0.13 its error: 2.6 errors on average, so

@@ -60,7 +60,8 @@ static void test_complete_model(void **state)
       if (all->white_p < 0.01) coloured++;
     }
     for (size_t i = 0; i < p.measurements->count; i++) {
-      double z = p.comparison->residual[i] / p.comparison->sigma[i];
+      const struct um_compare_residual *r = &p.comparison->residual[i];
+      double z = (r->measured - r->model) / r->sigma;
       sum += z;
       squares += z * z;
       n++;

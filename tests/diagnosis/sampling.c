@@ -86,13 +86,10 @@ static void withhold(struct um_sensitivity_forward *f)
   assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
   assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
   um_model_result_destroy(context, &result);
-  for (size_t j = 0; j < f->observations.count; j++) {
-    double unused;
-    um_compare_linear(f->measurements->channel[f->observations.channel[j]].quantity,
-                      f->cache->predicted[f->observations.row[j]], NAN, &f->cache->base[j],
-                      &unused);
-    f->observations.sigma[j] = f->observations.stated_sigma[j];
-  }
+  um_compare_modelled(f->measurements, f->observations.count, f->observations.row,
+                      f->cache->predicted, f->cache->base);
+  memcpy(f->observations.sigma, f->observations.stated_sigma,
+         f->observations.count * sizeof(double));
 }
 
 /* nstep: effects that were accused. */

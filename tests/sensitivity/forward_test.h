@@ -120,11 +120,8 @@ static inline enum um_status fresh_values(const struct um_model_options *options
   assert_ok(um_compare_plan_trace(context, model, forward->plan, &precomputed));
   assert_ok(um_model_run(context, model, precomputed, &result));
   assert_ok(um_compare_predict(context, forward->plan, precomputed, result, rows));
-  for (size_t j = 0; j < forward->observations.count; j++) {
-    double unused;
-    um_compare_linear(forward->measurements->channel[forward->observations.channel[j]].quantity,
-                      rows[forward->observations.row[j]], 1.0, &value[j], &unused);
-  }
+  um_compare_modelled(forward->measurements, forward->observations.count, forward->observations.row,
+                      rows, value);
   free(rows);
   for (size_t i = 0; i < all.nwith; i++) free(text[i]);
   um_model_result_destroy(context, &result);
