@@ -3,7 +3,12 @@
  *   f = rho/pi + F f_lobe(alpha),  sum (ln f_measured - ln f)^2 least,
  * which weighs a grazing tail and a peak alike. For each alpha, ln rho and ln F by Levenberg and
  * Marquardt, steps of a factor e at most; alpha by golden section about the best of a logarithmic
- * grid. F is one number: a single wavelength in a plane does not tell its angle from masking. */
+ * grid. F is one number: a single wavelength in a plane does not tell its angle from masking.
+ *
+ * Why not inference/fit.h: it is for models that cost seconds, differences its Jacobian and ends
+ * where their noise does, at 1e-9 of the squares. The derivatives are exact here, and the search
+ * over alpha needs them: with it F moved in the sixth digit and one of 24 fits of a Starlink did
+ * not end. */
 #include "materials/brdf_fit.h"
 
 #include <math.h>
