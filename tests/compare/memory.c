@@ -8,7 +8,7 @@
 #include "compare/series.h"
 #include "compare/write.h"
 #include "compare_test.h"
-#include "tests/support/allocator.h"
+#include "tests/support/memory_sweep.h"
 
 /* Everything that allocates, once. */
 static enum um_status everything(struct um_context *c)
@@ -55,26 +55,7 @@ static void test_every_allocation(void **state)
   }
   fclose(file);
   fclose(survey);
-  struct um_test_memory memory = {0};
-  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
-  struct um_context *c;
-  assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
-  um_core_context_set_threads(c, 1);
-  long alive = memory.alive, first = memory.calls;
-  assert_int_equal(everything(c), UM_OK);
-  assert_int_equal(memory.alive, alive);
-  long calls = memory.calls - first;
-  assert_true(calls > 100);
-  for (long i = 1; i <= calls; i++) {
-    um_core_message_clear(c);
-    memory.calls = 0;
-    memory.fail_call = i;
-    assert_int_equal(everything(c), UM_ERR_MEMORY);
-    memory.fail_call = 0;
-    assert_int_equal(memory.alive, alive);
-  }
-  um_core_context_destroy(&c);
-  assert_int_equal(memory.alive, 0);
+  memory_sweep(everything, 100);
 }
 
 int main(void)

@@ -14,21 +14,9 @@
 
 #include "core/sort.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 
-static struct um_context *context;
 static const struct um_core_child_limits limits = {20.0, 512};
-
-static int setup(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-static int teardown(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static double now(void)
 {
@@ -224,5 +212,5 @@ int main(void)
       cmocka_unit_test(test_answer), cmocka_unit_test(test_closed_streams),
       cmocka_unit_test(test_ends),   cmocka_unit_test(test_stop),
       cmocka_unit_test(test_sort),   cmocka_unit_test(test_progress_stops)};
-  return cmocka_run_group_tests_name("child", tests, setup, teardown);
+  return cmocka_run_group_tests_name("child", tests, context_set_up, context_tear_down);
 }

@@ -13,6 +13,7 @@
 #include "model/precompute.h"
 #include "model/run.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 
 /* A spinning plate in sunlight, seen in glints and out of them. */
 static const char scenario[] =
@@ -32,25 +33,10 @@ static const char scenario[] =
     "  vis: {from_um: 0.38, to_um: 0.78, bins: 3}\n"
     "  lwir: {from_um: 8, to_um: 12, bins: 3}\n";
 
-static struct um_context *context;
-
 #define OK(call)                                                                                   \
   do {                                                                                             \
     if ((call) != UM_OK) fail_msg("%s: %s", #call, um_core_message(context));                      \
   } while (0)
-
-static int setup(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static const char *const files[] = {OBJECT};
 
@@ -124,5 +110,5 @@ static void own_effect_is_named(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(own_effect_is_named)};
-  return cmocka_run_group_tests(tests, setup, teardown);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -7,29 +7,16 @@
 
 #include "nist_test.h"
 #include "tests/inference/observations_test.h"
-#include "tests/support/allocator.h"
+#include "tests/support/memory_sweep.h"
+#include "tests/support/with_context.h"
 
 #define ROWS 12
 
-static int set_up(void **state)
-{
-  struct um_context *c = NULL;
-  if (um_core_context_create(NULL, &c) != UM_OK) return -1;
-  *state = c;
-  return 0;
-}
-static int tear_down(void **state)
-{
-  struct um_context *c = *state;
-  um_core_context_destroy(&c);
-  return 0;
-}
-
-static enum um_status nist_evaluate(struct um_context *context, void *user, const double *x,
+static enum um_status nist_evaluate(struct um_context *c, void *user, const double *x,
                                     double *value)
 {
   const struct nist_problem *p = user;
-  (void)context;
+  (void)c;
   for (size_t i = 0; i < p->nobservation; i++) value[i] = p->model(x, p->x[i]);
   return UM_OK;
 }
@@ -132,15 +119,14 @@ struct linear {
   enum um_status with;
 };
 
-static enum um_status evaluate(struct um_context *context, void *user, const double *x,
-                               double *value)
+static enum um_status evaluate(struct um_context *c, void *user, const double *x, double *value)
 {
   struct linear *l = user;
   l->calls++;
   for (size_t j = 0; j < l->n; j++)
     l->left |= !(x[j] >= l->parameter[j].minimum && x[j] <= l->parameter[j].maximum);
   if (l->refuse_above != 0.0 && x[0] > l->refuse_above)
-    return um_core_fail(context, l->with, "the model refuses %g", x[0]);
+    return um_core_fail(c, l->with, "the model refuses %g", x[0]);
   for (size_t i = 0; i < ROWS; i++) {
     value[i] = 0.0;
     for (size_t j = 0; j < l->n; j++) value[i] += x[j] * l->column[j][i];
@@ -506,24 +492,7 @@ done:
 static void test_memory(void **state)
 {
   (void)state;
-  struct um_test_memory memory = {0};
-  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
-  struct um_context *c;
-  assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
-  long alive = memory.alive, first = memory.calls;
-  assert_int_equal(everything(c), UM_OK);
-  long calls = memory.calls - first;
-  assert_true(calls > 40);
-  for (long i = 1; i <= calls; i++) {
-    um_core_message_clear(c);
-    memory.calls = 0;
-    memory.fail_call = i;
-    assert_int_equal(everything(c), UM_ERR_MEMORY);
-    memory.fail_call = 0;
-    assert_int_equal(memory.alive, alive);
-  }
-  um_core_context_destroy(&c);
-  assert_int_equal(memory.alive, 0);
+  memory_sweep(everything, 40);
 }
 
 int main(void)
@@ -535,5 +504,5 @@ int main(void)
       cmocka_unit_test(test_refused),     cmocka_unit_test(test_undetermined),
       cmocka_unit_test(test_held_out),    cmocka_unit_test(test_held_out_unknown),
       cmocka_unit_test(test_memory)};
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -4,7 +4,8 @@
 #include "inference/score.h"
 
 #include "tests/inference/observations_test.h"
-#include "tests/support/allocator.h"
+#include "tests/support/memory_sweep.h"
+#include "tests/support/with_context.h"
 
 #define ROWS 40
 
@@ -28,9 +29,6 @@ static double bend[2][ROWS];
 
 static int set_up(void **state)
 {
-  struct um_context *c = NULL;
-  if (um_core_context_create(NULL, &c) != UM_OK) return -1;
-  *state = c;
   for (size_t i = 0; i < ROWS; i++) {
     nuisance_column[0][i] = 1.0;
     nuisance_column[1][i] = at(i);
@@ -39,13 +37,7 @@ static int set_up(void **state)
     bend[0][i] = 2.0 * at(i) * at(i);
     bend[1][i] = exp(-20.0 * (at(i) - 0.3) * (at(i) - 0.3));
   }
-  return 0;
-}
-static int tear_down(void **state)
-{
-  struct um_context *c = *state;
-  um_core_context_destroy(&c);
-  return 0;
+  return context_set_up(state);
 }
 
 /* Chi-square of 20 bins of p over `draws`; the nuisances are what their priors say. */
@@ -351,24 +343,7 @@ static enum um_status everything(struct um_context *c)
 static void test_memory(void **state)
 {
   (void)state;
-  struct um_test_memory memory = {0};
-  struct um_core_allocator allocator = um_test_memory_allocator(&memory);
-  struct um_context *c;
-  assert_int_equal(um_core_context_create(&allocator, &c), UM_OK);
-  long alive = memory.alive, first = memory.calls;
-  assert_int_equal(everything(c), UM_OK);
-  long calls = memory.calls - first;
-  assert_true(calls > 40);
-  for (long i = 1; i <= calls; i++) {
-    um_core_message_clear(c);
-    memory.calls = 0;
-    memory.fail_call = i;
-    assert_int_equal(everything(c), UM_ERR_MEMORY);
-    memory.fail_call = 0;
-    assert_int_equal(memory.alive, alive);
-  }
-  um_core_context_destroy(&c);
-  assert_int_equal(memory.alive, 0);
+  memory_sweep(everything, 40);
 }
 
 int main(void)
@@ -384,5 +359,5 @@ int main(void)
                                      cmocka_unit_test(test_memory),
                                      cmocka_unit_test(test_p_is_uniform),
                                      cmocka_unit_test(test_family_wise_rate)};
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, set_up, context_tear_down);
 }

@@ -2,23 +2,9 @@
 #include "inference/score.h"
 
 #include "tests/inference/observations_test.h"
+#include "tests/support/with_context.h"
 
 #define ROWS 200
-
-static int set_up(void **state)
-{
-  struct um_context *c = NULL;
-  *state = NULL;
-  if (um_core_context_create(NULL, &c) != UM_OK) return -1;
-  *state = c;
-  return 0;
-}
-static int tear_down(void **state)
-{
-  struct um_context *c = *state;
-  um_core_context_destroy(&c);
-  return 0;
-}
 
 /* Noise with correlation `memory` of neighbours in channels 0 and 1, observations taking turns;
  * channel 2 has 3 observations, too few to say anything. */
@@ -107,5 +93,5 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_values), cmocka_unit_test(test_size),
                                      cmocka_unit_test(test_power)};
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -6,24 +6,16 @@
 
 #include "core/constants.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_context.h"
 
 #define SIDE 40 /* pixels of the source */
 
-static struct um_context *context;
 static double rate[SIDE * SIDE];
 
 static int enter(void **state)
 {
-  (void)state;
   for (int i = 0; i < SIDE * SIDE; i++) rate[i] = 0.0;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int leave(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
+  return context_set_up(state);
 }
 
 /* Sum, middle [arcsec from the frame's] and variance along the axes [arcsec^2]. */
@@ -263,11 +255,11 @@ static void test_stars(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(test_energy, enter, leave),
-      cmocka_unit_test_setup_teardown(test_point, enter, leave),
-      cmocka_unit_test_setup_teardown(test_counts, enter, leave),
-      cmocka_unit_test_setup_teardown(test_read_noise, enter, leave),
-      cmocka_unit_test_setup_teardown(test_stars, enter, leave),
+      cmocka_unit_test_setup_teardown(test_energy, enter, context_tear_down),
+      cmocka_unit_test_setup_teardown(test_point, enter, context_tear_down),
+      cmocka_unit_test_setup_teardown(test_counts, enter, context_tear_down),
+      cmocka_unit_test_setup_teardown(test_read_noise, enter, context_tear_down),
+      cmocka_unit_test_setup_teardown(test_stars, enter, context_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

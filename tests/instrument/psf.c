@@ -9,21 +9,7 @@
 #include "core/constants.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-
-static int enter(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int leave(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 /* 2 pi int psf r dr by Simpson's rule. */
 static double integral(const struct um_instrument_psf *psf, double radius)
@@ -171,9 +157,9 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_encircled),
-      cmocka_unit_test_setup_teardown(test_kernel, enter, leave),
+      cmocka_unit_test_setup_teardown(test_kernel, context_set_up, context_tear_down),
       cmocka_unit_test(test_seeing),
-      cmocka_unit_test_setup_teardown(test_table, enter, leave),
+      cmocka_unit_test_setup_teardown(test_table, context_set_up, context_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,21 +10,7 @@
 #include "core/constants.h"
 #include "materials/brdf_fit.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-
-static int create(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int destroy(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 static enum um_status read_text(const char *text, struct um_materials_brdf **out)
 {
@@ -144,9 +130,9 @@ static void starlink(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(what_is_refused, create, destroy),
-      cmocka_unit_test_setup_teardown(what_was_put_in, create, destroy),
-      cmocka_unit_test_setup_teardown(starlink, create, destroy),
+      cmocka_unit_test_setup_teardown(what_is_refused, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(what_was_put_in, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(starlink, context_set_up, context_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,8 +13,8 @@
 #include "materials/lobe.h"
 #include "tests/materials/table.h"
 #include "tests/support/whole.h"
+#include "tests/support/with_context.h"
 
-static struct um_context *context;
 static const double alphas[] = {0.03, 0.1, 0.326, 0.7, 1.2};
 static const double ratios[] = {1.0, 0.25}; /* alpha_across to alpha */
 static const double sun_radius = 0.004652;  /* at 1 au [rad] */
@@ -524,19 +524,6 @@ static void powers_in_closed_form(void **state)
   check_near("Ashikhmin-Shirley", albedo("ashikhmin_shirley", 0.5, false, 0.0), e, 1e-4);
 }
 
-static int create(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : 1;
-}
-
-static int destroy(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -553,5 +540,5 @@ int main(void)
       cmocka_unit_test(mirror_shows_the_sun),
       cmocka_unit_test(powers_in_closed_form),
   };
-  return cmocka_run_group_tests(tests, create, destroy);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

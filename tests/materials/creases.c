@@ -4,7 +4,7 @@
 #include "core/constants.h"
 #include "core/sampling.h"
 #include "materials/lobe.h"
-#include "tests/support/cmocka_all.h"
+#include "tests/support/near.h"
 
 #define PATCHES 200000
 #define SUN     0.00465 /* angular radius of the disc [rad] */
@@ -31,12 +31,6 @@ static struct um_materials_lobe lobe_of(const char *kind, double alpha)
       .kind = um_materials_lobe_kind_find(kind), .alpha = alpha, .alpha_across = alpha};
 }
 
-static void near(const char *what, double value, double expected, double tolerance)
-{
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%s: %.9g, expected %.9g within %.3g", what, value, expected, tolerance);
-}
-
 /* PHYSICS.md D.9: alpha 0.0296 with tilts of 1, 3, 5, 10 deg; peaks thinner by (alpha/alpha_eff)^2;
  * the figures are rounded there. */
 static void equivalent_roughness(void **state)
@@ -52,9 +46,10 @@ static void equivalent_roughness(void **state)
     struct um_materials_lobe lobe = lobe_of("beckmann", 0.0296);
     double s = tan(row[i].tilt * UM_DEG);
     struct um_materials_lobe wide = um_materials_lobe_tilted(&lobe, s * s);
-    near("alpha_eff", wide.alpha, row[i].alpha, 5e-6);
-    near("alpha_eff across", wide.alpha_across, row[i].alpha, 5e-6);
-    near("dilution", 0.0296 * 0.0296 / (wide.alpha * wide.alpha), row[i].dilution, row[i].digits);
+    check_near("alpha_eff", wide.alpha, row[i].alpha, 5e-6);
+    check_near("alpha_eff across", wide.alpha_across, row[i].alpha, 5e-6);
+    check_near("dilution", 0.0296 * 0.0296 / (wide.alpha * wide.alpha), row[i].dilution,
+               row[i].digits);
   }
 }
 
@@ -66,12 +61,12 @@ static void other_kinds(void **state)
                            ggx = lobe_of("ggx", 0.1);
   struct um_materials_lobe wide = um_materials_lobe_tilted(&mirror, 0.005);
   assert_ptr_equal(wide.kind, um_materials_lobe_kind_find("beckmann"));
-  near("mirror", wide.alpha, 0.1, 1e-15);
+  check_near("mirror", wide.alpha, 0.1, 1e-15);
   assert_ptr_equal(um_materials_lobe_tilted(&lambert, 0.005).kind, lambert.kind);
   assert_true(um_materials_lobe_tilted(&lambert, 0.005).alpha == 0.0);
   assert_ptr_equal(um_materials_lobe_tilted(&mirror, 0.0).kind, mirror.kind);
   assert_true(um_materials_lobe_tilted(&ggx, 0.0).alpha == 0.1);
-  near("ggx", um_materials_lobe_tilted(&ggx, 0.005).alpha, sqrt(0.02), 1e-15);
+  check_near("ggx", um_materials_lobe_tilted(&ggx, 0.005).alpha, sqrt(0.02), 1e-15);
 }
 
 static struct um_vec3 direction(double zenith, double azimuth)
@@ -144,8 +139,8 @@ static void glints_fluctuate(void **state)
   }
   print_message("%d patches: %.1f events, fluctuation %.4f, expected %.4f\n", N, events,
                 sqrt(square), 1.0 / sqrt(events));
-  near("mean", sum, 1.0, 4.0 / sqrt(events * SEEDS));
-  near("variance", square * events, 1.0, 4.0 * sqrt(2.2 / SEEDS));
+  check_near("mean", sum, 1.0, 4.0 / sqrt(events * SEEDS));
+  check_near("variance", square * events, 1.0, 4.0 * sqrt(2.2 / SEEDS));
 }
 
 /* A single patch is the surface itself, tilted: its glint stands where it mirrors, and the energy
@@ -171,16 +166,16 @@ static void one_patch_is_a_tilted_lobe(void **state)
         best_y = y;
       }
     }
-  near("int D cos", sum, 1.0, 1e-6);
-  near("glint along", best_x, (double)x0, step);
-  near("glint across", best_y, (double)y0, step);
+  check_near("int D cos", sum, 1.0, 1e-6);
+  check_near("glint along", best_x, (double)x0, step);
+  check_near("glint across", best_y, (double)y0, step);
   /* at the surface's own normal, f = exp(-r^2/alpha_w^2)/(4 pi alpha_w^2), alpha_w^2 = alpha^2 +
    * theta_s^2/8; slopes are single precision */
   struct um_materials_pair pair = um_materials_pair(um_vec3(0, 0, 1), um_vec3(0, 0, 1));
   double a2 = alpha * alpha + SUN * SUN / 8.0;
   double expected = exp(-(0.05 * 0.05 + 0.02 * 0.02) / a2) / (4.0 * UM_PI * a2);
-  near("beside the glint", um_materials_lobe_patches(&lobe, &wide, &pair, 0.0, SUN, &one), expected,
-       1e-6 * expected);
+  check_near("beside the glint", um_materials_lobe_patches(&lobe, &wide, &pair, 0.0, SUN, &one),
+             expected, 1e-6 * expected);
 }
 
 int main(void)

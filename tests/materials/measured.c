@@ -11,21 +11,7 @@
 #include "core/sampling.h"
 #include "tests/materials/table.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-
-static int create(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int destroy(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 static struct um_materials_lobe lobe_of(const char *kind, double alpha)
 {
@@ -384,13 +370,13 @@ static void above_one(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(what_is_refused, create, destroy),
-      cmocka_unit_test_setup_teardown(both_sides, create, destroy),
-      cmocka_unit_test_setup_teardown(between_the_nodes, create, destroy),
-      cmocka_unit_test_setup_teardown(on_the_nodes, create, destroy),
-      cmocka_unit_test_setup_teardown(incidences_between, create, destroy),
-      cmocka_unit_test_setup_teardown(not_reciprocal, create, destroy),
-      cmocka_unit_test_setup_teardown(above_one, create, destroy),
+      cmocka_unit_test_setup_teardown(what_is_refused, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(both_sides, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(between_the_nodes, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(on_the_nodes, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(incidences_between, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(not_reciprocal, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(above_one, context_set_up, context_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

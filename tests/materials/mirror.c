@@ -1,6 +1,6 @@
 /* What records mirror of what they reflect: the specular share that a smooth record states, less
  * what its facets mask; none of a rough one. */
-#include "check.h"
+#include "with_library.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -8,25 +8,6 @@
 
 #include "materials/materials.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-static struct um_materials_library *library;
-
-static int setup(void **state)
-{
-  (void)state;
-  if (um_core_context_create(NULL, &context) != UM_OK) return 1;
-  if (library_under_e490(context, &library) != UM_OK) return 1;
-  return um_materials_library_read_folder(context, library, UM_TEST_LIBRARY) == UM_OK ? 0 : 1;
-}
-
-static int teardown(void **state)
-{
-  (void)state;
-  um_materials_library_destroy(&library);
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static struct um_materials_mirror mirror_of(const char *name)
 {
@@ -111,5 +92,5 @@ int main(void)
       cmocka_unit_test(tables_by_band),
       cmocka_unit_test(rough_records),
   };
-  return cmocka_run_group_tests(tests, setup, teardown);
+  return cmocka_run_group_tests(tests, library_set_up, library_tear_down);
 }

@@ -9,21 +9,7 @@
 #include "core/sampling.h"
 #include "materials/profile.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-
-static int create(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int destroy(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 static enum um_status read_text(const char *text, struct um_materials_heights *out)
 {
@@ -151,10 +137,10 @@ static void what_is_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(a_wave, create, destroy),
-      cmocka_unit_test_setup_teardown(crossed_waves, create, destroy),
-      cmocka_unit_test_setup_teardown(a_gaussian_surface, create, destroy),
-      cmocka_unit_test_setup_teardown(what_is_refused, create, destroy),
+      cmocka_unit_test_setup_teardown(a_wave, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(crossed_waves, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(a_gaussian_surface, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(what_is_refused, context_set_up, context_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

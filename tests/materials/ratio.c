@@ -1,6 +1,6 @@
 /* Reflectance relative to a reference: Fresnel's law in closed form, back from what a spectrometer
  * would have shown, refusals. */
-#include "check.h"
+#include "with_library.h"
 
 #include <complex.h>
 #include <string.h>
@@ -9,25 +9,6 @@
 #include "core/constants.h"
 #include "materials/ratio.h"
 #include "tests/support/temporary.h"
-
-static struct um_context *context;
-static struct um_materials_library *library;
-
-static int setup(void **state)
-{
-  (void)state;
-  if (um_core_context_create(NULL, &context) != UM_OK) return 1;
-  if (library_under_e490(context, &library) != UM_OK) return 1;
-  return um_materials_library_read_folder(context, library, UM_TEST_LIBRARY) == UM_OK ? 0 : 1;
-}
-
-static int teardown(void **state)
-{
-  (void)state;
-  um_materials_library_destroy(&library);
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static enum um_status read_text(const char *text, const char *reference, double deg,
                                 struct um_materials_measured_reflectance *out)
@@ -139,9 +120,9 @@ static void what_is_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(fresnel_of_gold, setup, teardown),
-      cmocka_unit_test_setup_teardown(there_and_back, setup, teardown),
-      cmocka_unit_test_setup_teardown(what_is_refused, setup, teardown),
+      cmocka_unit_test_setup_teardown(fresnel_of_gold, library_set_up, library_tear_down),
+      cmocka_unit_test_setup_teardown(there_and_back, library_set_up, library_tear_down),
+      cmocka_unit_test_setup_teardown(what_is_refused, library_set_up, library_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* Laws that every record of the product's library must keep, with and without adjustments. */
-#include "check.h"
+#include "with_library.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,27 +8,6 @@
 #include "materials/bsdf.h"
 #include "materials/lobe.h"
 #include "materials/materials.h"
-
-static struct um_context *context;
-static struct um_materials_library *library;
-
-static int setup(void **state)
-{
-  (void)state;
-  if (um_core_context_create(NULL, &context) != UM_OK) return 1;
-  if (library_under_e490(context, &library) != UM_OK) return 1;
-  if (um_materials_library_read_folder(context, library, UM_TEST_LIBRARY) == UM_OK) return 0;
-  print_error("%s\n", um_core_message(context));
-  return 1;
-}
-
-static int teardown(void **state)
-{
-  (void)state;
-  um_materials_library_destroy(&library);
-  um_core_context_destroy(&context);
-  return 0;
-}
 
 static const double wavelengths[] = {0.26e-6, 0.40e-6, 0.55e-6, 0.83e-6, 1.5e-6,  2.4e-6,  3.1e-6,
                                      5.0e-6,  8.0e-6,  9.2e-6,  10.0e-6, 12.0e-6, 20.0e-6, 45.0e-6};
@@ -399,5 +378,5 @@ int main(void)
       cmocka_unit_test(a_drawn_lobe_masks_as_its_mean),
       cmocka_unit_test(extreme_adjustments_stay_physical),
   };
-  return cmocka_run_group_tests(tests, setup, teardown);
+  return cmocka_run_group_tests(tests, library_set_up, library_tear_down);
 }

@@ -6,6 +6,8 @@
 #include "core/constants.h"
 #include "model/cases.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/near.h"
+#include "tests/support/with_context.h"
 
 #define FILE_NAME "model_cases.yaml"
 
@@ -23,14 +25,6 @@ static const char scenario[] =
     "  - {name: plate, plate: {size_m: [1, 1]}, front: black, back: black, lumped: true, shell: "
     "{areal_heat_capacity_J_m2_K: 5000}}\n"
     "thermal: {orbits_before: 1, space_temperature_K: 0}\n";
-
-static struct um_context *context;
-
-static int setup(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : 1;
-}
 
 static int teardown(void **state)
 {
@@ -66,12 +60,6 @@ static const struct um_model_case_place *place_of(const struct um_model_case *c,
   return NULL;
 }
 
-static void near(const char *what, double value, double expected, double tolerance)
-{
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%s: %.9g, expected %.9g within %g", what, value, expected, tolerance);
-}
-
 /* 2 sigma T^4 = S, and S times the sunlit share of the orbit, 1 - (asin(R/r) + R/au)/pi behind a
  * cylinder: the Sun at 1 au stands R/au off its direction from the geocentre at the edge of the
  * shadow, which is 1.6 mK. Edges found to 1e-3 s are 2e-5 K of the mean. */
@@ -86,8 +74,8 @@ static void balances_are_closed_forms(void **state)
   const struct um_model_case_place *steady = place_of(&cases->item[0], "plate");
   const struct um_model_case_place *mean = place_of(&cases->item[1], "plate");
   const struct um_model_case_place *orbit = place_of(&cases->item[2], "plate");
-  near("steady", steady->mean, now, 1e-6);
-  near("orbit mean", mean->mean, now * pow(sunlit, 0.25), 2e-4);
+  check_near("steady", steady->mean, now, 1e-6);
+  check_near("orbit mean", mean->mean, now * pow(sunlit, 0.25), 2e-4);
   /* the periodic orbit stays below the balance in sunlight and crosses that of the mean */
   assert_true(orbit->highest < steady->mean && orbit->highest > mean->mean);
   assert_true(orbit->lowest < mean->mean && orbit->mean < mean->mean);
@@ -108,18 +96,19 @@ static void changes_and_margins(void **state)
               "  level: {analysis: steady, with: [\"solar_irradiance,irradiance_factor=0.9\"]}\n");
   double hot = pow(1414.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25);
   const struct um_model_case_place *p = place_of(&cases->item[0], "plate");
-  near("hot", p->highest, hot, 1e-6);
-  near("margin of the minimum", p->margin_low, hot - 4.0 - 200.0, 1e-6);
-  near("margin of the maximum", p->margin_high, 300.0 - 4.0 - hot, 1e-6);
-  near("least margin", um_model_case_margin(p), 300.0 - 4.0 - hot, 1e-6);
+  check_near("hot", p->highest, hot, 1e-6);
+  check_near("margin of the minimum", p->margin_low, hot - 4.0 - 200.0, 1e-6);
+  check_near("margin of the maximum", p->margin_high, 300.0 - 4.0 - hot, 1e-6);
+  check_near("least margin", um_model_case_margin(p), 300.0 - 4.0 - hot, 1e-6);
   p = place_of(&cases->item[0], "plate.front");
   assert_true(isnan(p->margin_low));
-  near("one bound", um_model_case_margin(p), 350.0 - hot, 1e-6);
+  check_near("one bound", um_model_case_margin(p), 350.0 - hot, 1e-6);
   assert_true(isnan(um_model_case_margin(place_of(&cases->item[0], "plate.back"))));
   p = place_of(&cases->item[1], "plate");
-  near("edge on", p->mean, pow(100.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25), 1e-6);
+  check_near("edge on", p->mean, pow(100.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25), 1e-6);
   p = place_of(&cases->item[2], "plate");
-  near("less of the Sun", p->mean, pow(0.9 * 1361.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25), 1e-6);
+  check_near("less of the Sun", p->mean, pow(0.9 * 1361.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25),
+             1e-6);
   um_model_cases_destroy(context, &cases);
 }
 
@@ -168,5 +157,5 @@ int main(void)
       cmocka_unit_test(nominal),
       cmocka_unit_test(bad_input),
   };
-  return cmocka_run_group_tests(tests, setup, teardown);
+  return cmocka_run_group_tests(tests, context_set_up, teardown);
 }

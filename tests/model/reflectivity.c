@@ -7,21 +7,7 @@
 #include "model/precompute.h"
 #include "model/run.h"
 #include "tests/model/map_help.h"
-
-static struct um_context *context;
-
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
+#include "tests/support/with_context.h"
 
 static struct um_model_map *map_of(const struct um_model *model, double step, const double *degrees,
                                    size_t nphase, size_t nplane)
@@ -297,13 +283,14 @@ static void refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(sphere_is_constant, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(box_is_its_faces, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(glint_lies_at_the_normal, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(loop_closes_without_phase_angle, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(pole_is_one_place, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(loop_with_phase_angle, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(pass_is_the_simulation, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(refused, set_up, tear_down)};
+      cmocka_unit_test_setup_teardown(sphere_is_constant, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(box_is_its_faces, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(glint_lies_at_the_normal, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(loop_closes_without_phase_angle, context_set_up,
+                                      context_tear_down),
+      cmocka_unit_test_setup_teardown(pole_is_one_place, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(loop_with_phase_angle, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(pass_is_the_simulation, context_set_up, context_tear_down),
+      cmocka_unit_test_setup_teardown(refused, context_set_up, context_tear_down)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,15 +36,6 @@ static void corner(struct fixture *f, double facet_size, size_t ntime)
   fixture_scene(f, parts, 2, ntime);
 }
 
-/* Accept within four standard errors: false alarm 6e-5 per value if the error were Gaussian. */
-static void within(const char *what, double value, double expected, double error, double largest)
-{
-  print_message("%-44s %.7g expected %.7g error %.2g standard error %.2g\n", what, value, expected,
-                value - expected, error);
-  assert_true(error > 0.0 && error <= largest * expected);
-  assert_true(fabs(value - expected) <= 4.0 * error);
-}
-
 /* Sun behind the wall at zenith angle z, observer at the zenith: the wall's shadow covers tan z of
  * the floor, I = E rho cos z (1 - tan z)/pi. The Sun's disc blurs the edge symmetrically; its mean
  * changes by tan''/2 theta^2/4 = 1e-5. */
@@ -61,8 +52,8 @@ static void test_shadow(void **state)
   double e = fixture_sun(&f, &fixture_vis);
   for (size_t t = 0; t < 4; t++) {
     double zenith = (10.0 + 10.0 * (double)t) * UM_DEG;
-    within("shadowed floor [W/sr]", fixture_intensity(&f, t, 0, UM_MECHANISM_SUN),
-           e * 0.4 * cos(zenith) * (1.0 - tan(zenith)) / UM_PI, f.curve->stderr_[t], 0.02);
+    fixture_within("shadowed floor [W/sr]", fixture_intensity(&f, t, 0, UM_MECHANISM_SUN),
+                   e * 0.4 * cos(zenith) * (1.0 - tan(zenith)) / UM_PI, f.curve->stderr_[t], 0.02);
   }
   fixture_destroy(&f);
 }
@@ -79,7 +70,7 @@ static void test_shadow_reciprocity(void **state)
   double there = fixture_intensity(&f, 0, 0, UM_MECHANISM_SUN);
   double back = fixture_intensity(&f, 1, 0, UM_MECHANISM_SUN);
   double error = hypot(f.curve->stderr_[0], f.curve->stderr_[1]);
-  within("observer in the Sun's place [W/sr]", back, there, error, 0.05);
+  fixture_within("observer in the Sun's place [W/sr]", back, there, error, 0.05);
   fixture_destroy(&f);
 }
 
@@ -95,9 +86,9 @@ static void test_emission_reflected(void **state)
   f.scene.interreflection_most = 1;
   fixture_run(&f, 4, &fixture_lwir, 1);
   double b = um_core_planck_band(8e-6, 12e-6, 300.0);
-  within("emission of two plates, reflected once [W/sr]",
-         fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED),
-         2.0 * 0.4 * 0.6 * b * FACTOR * sqrt(0.5), f.curve->stderr_[0], 0.05);
+  fixture_within("emission of two plates, reflected once [W/sr]",
+                 fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED),
+                 2.0 * 0.4 * 0.6 * b * FACTOR * sqrt(0.5), f.curve->stderr_[0], 0.05);
   fixture_close("  their own emission [W/sr]", fixture_intensity(&f, 0, 0, UM_MECHANISM_EMITTED),
                 2.0 * 0.6 * b * sqrt(0.5), 2e-7);
   fixture_destroy(&f);
@@ -115,9 +106,9 @@ static void test_sunlight_reflected(void **state)
   f.scene.interreflection_most = 1;
   fixture_run(&f, 4, &fixture_vis, 1);
   double expected = 0.4 * 0.7 * fixture_sun(&f, &fixture_vis) * FACTOR / UM_PI;
-  within("sunlit wall seen in the floor [W/sr]",
-         fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED), expected, f.curve->stderr_[0],
-         0.05);
+  fixture_within("sunlit wall seen in the floor [W/sr]",
+                 fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED), expected,
+                 f.curve->stderr_[0], 0.05);
   fixture_destroy(&f);
 }
 
@@ -135,8 +126,9 @@ static void test_hidden_share(void **state)
   f.scene.interreflection_most = 1;
   fixture_run(&f, 64, &fixture_vis, 1);
   double expected = 0.4 * 0.7 * fixture_sun(&f, &fixture_vis) * 0.0538571 / UM_PI * cos(atan(0.5));
-  within("half-hidden floor [W/sr]", fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED),
-         expected, f.curve->stderr_[0], 0.1);
+  fixture_within("half-hidden floor [W/sr]",
+                 fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED), expected,
+                 f.curve->stderr_[0], 0.1);
   fixture_destroy(&f);
 }
 

@@ -214,3 +214,11 @@ void fixture_pair(struct fixture *f, uint64_t c, double apart, size_t ntime)
   parts[1].rotation = um_quat_from_axis(fixture_direction(c, 20), UM_PI * fixture_uniform(c, 8));
   fixture_scene(f, parts, 2, ntime);
 }
+
+void fixture_within(const char *what, double value, double expected, double error, double largest)
+{
+  print_message("%-44s %.7g expected %.7g error %.2g standard error %.2g\n", what, value, expected,
+                value - expected, error);
+  assert_true(error > 0.0 && error <= largest * fabs(expected));
+  assert_true(fabs(value - expected) <= 4.0 * error);
+}

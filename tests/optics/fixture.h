@@ -71,5 +71,8 @@ double fixture_intensity(const struct fixture *f, size_t time, size_t band,
 double fixture_sun(const struct fixture *f, const struct um_optics_band *band);
 /* Fails unless |value - expected| <= relative * |expected|; prints both. */
 void fixture_close(const char *what, double value, double expected, double relative);
+/* Within four standard errors, false alarm 6e-5 if the error is Gaussian, the error above 0 and at
+ * most largest * |expected|; prints all. */
+void fixture_within(const char *what, double value, double expected, double error, double largest);
 
 #endif

@@ -66,13 +66,6 @@ static size_t surface_of(const struct fixture *f, size_t part, const char *mater
   return 0;
 }
 
-static void within(const char *what, double value, double expected, double error, double largest)
-{
-  print_message("%-40s %.7g expected %.7g standard error %.2g\n", what, value, expected, error);
-  assert_true(error > 0.0 && error <= largest * fabs(expected));
-  assert_true(fabs(value - expected) <= 4.0 * error);
-}
-
 /* Six walls that face inward, each of its own kind, one of a measured table: emitted and reflected
  * together are B(T) whichever way one looks, to rounding. Without telescoping the sum would be good
  * to the sampling error alone. */
@@ -164,7 +157,8 @@ static void parallel_plates(void **state)
     double b1 = um_core_planck_band(8e-6, 12e-6, 200.0),
            b2 = um_core_planck_band(8e-6, 12e-6, 300.0);
     double j2 = (0.2 * b2 + 0.8 * 0.1 * b1) / (1.0 - 0.8 * 0.9);
-    within(lobe[k], b.work->reflected[0] * 4e-6, 0.9 * j2, sqrt(b.work->band_variance[0]), 0.03);
+    fixture_within(lobe[k], b.work->reflected[0] * 4e-6, 0.9 * j2, sqrt(b.work->band_variance[0]),
+                   0.03);
     bench_destroy(&f, &b);
     fixture_destroy(&f);
   }
@@ -210,8 +204,8 @@ static void tilted_plate(void **state)
            b2 = um_core_planck_band(8e-6, 12e-6, 300.0);
     double j2 = (0.2 * b2 + 0.8 * 0.5 * b1) / (1.0 - 0.8 * 0.5);
     double emissivity = 0.5 + tilt * 0.5 * (1.0 - 21.0 * pow(1.0 - cosine, 5.0)) / 20.0;
-    within("tilted", b.work->reflected[0] * 4e-6, (1.0 - emissivity) * j2,
-           sqrt(b.work->band_variance[0]), 0.03);
+    fixture_within("tilted", b.work->reflected[0] * 4e-6, (1.0 - emissivity) * j2,
+                   sqrt(b.work->band_variance[0]), 0.03);
     bench_destroy(&f, &b);
     fixture_destroy(&f);
   }
@@ -255,8 +249,8 @@ static void mirror_lights_floor(void **state)
     f.scene.interreflection_samples = 2048;
     fixture_run(&f, 16, &line, 1);
     double expected = 0.5 * fixture_sun(&f, &line) * sqrt(0.5) / UM_PI;
-    within(mirrors[k], fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED), expected,
-           f.curve->stderr_[0], 0.1);
+    fixture_within(mirrors[k], fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED), expected,
+                   f.curve->stderr_[0], 0.1);
     fixture_destroy(&f);
   }
 }
@@ -275,7 +269,8 @@ static void floor_in_mirror(void **state)
     fixture_run(&f, 16, &line, 1);
     double radiance = 0.5 * fixture_sun(&f, &line) * um_vec3_unit(um_vec3(0.0, 1.0, 1.0)).z / UM_PI;
     double value = fixture_intensity(&f, 0, 0, UM_MECHANISM_INTERREFLECTED);
-    within(mirrors[k], value, radiance * sqrt(0.5), f.curve->stderr_[0] + 1e-5 * value, 0.1);
+    fixture_within(mirrors[k], value, radiance * sqrt(0.5), f.curve->stderr_[0] + 1e-5 * value,
+                   0.1);
     fixture_destroy(&f);
   }
 }
@@ -312,9 +307,10 @@ static void mirrored_earth(void **state)
   b.stage->set[0].exchange->count[surface_of(&f, 0, "floor")] = 4096; /* small beside the wall */
   assert_true(um_optics_interreflection(&b.paths, &b.photons, surface_of(&f, 0, "floor"), 1.0));
   double factor = um_environment_plate_view_factor(7.0e6 / f.environment.earth_radius, 0.5 * UM_PI);
-  within("the Earth in a mirror", b.work->reflected[0] * 4e-6,
-         0.5 * factor * um_core_planck_band(8e-6, 12e-6, f.environment.brightness_temperature),
-         sqrt(b.work->band_variance[0]), 0.05);
+  fixture_within("the Earth in a mirror", b.work->reflected[0] * 4e-6,
+                 0.5 * factor *
+                     um_core_planck_band(8e-6, 12e-6, f.environment.brightness_temperature),
+                 sqrt(b.work->band_variance[0]), 0.05);
   bench_destroy(&f, &b);
   fixture_destroy(&f);
 }

@@ -45,9 +45,7 @@ static void within(const char *what, const struct fixture *f, double expected, d
 {
   double value = fixture_intensity(f, 0, 0, UM_MECHANISM_INTERREFLECTED);
   double error = f->curve->stderr_[0];
-  print_message("%-34s %.6g expected %.6g standard error %.2g\n", what, value, expected, error);
-  assert_true(error > 0.0 && error <= largest * expected);
-  assert_true(fabs(value - expected) <= 4.0 * error);
+  fixture_within(what, value, expected, error, largest);
 }
 
 static const char *const lobes[] = {"lobe: {kind: mirror}\n", "surface: {beckmann_alpha: 0.001}\n"};

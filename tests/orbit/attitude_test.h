@@ -39,7 +39,7 @@ static inline struct um_quat attitude_at(struct um_context *context,
 {
   struct um_quat q = {NAN, NAN, NAN, NAN};
   assert_ok(context, um_orbit_attitude_at(context, attitude, input, &q));
-  assert_near(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, TIGHT);
+  assert_close(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, TIGHT);
   return q;
 }
 

@@ -14,15 +14,6 @@
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 
-/* |got - want| <= tolerance; NaN fails. */
-#define assert_near(got, want, tolerance)                                                          \
-  do {                                                                                             \
-    double near_got_ = (got), near_want_ = (want), near_tol_ = (tolerance);                        \
-    if (!(fabs(near_got_ - near_want_) <= near_tol_))                                              \
-      fail_msg("%s = %.15g, expected %.15g, off by %.3g, tolerance %.3g", #got, near_got_,         \
-               near_want_, near_got_ - near_want_, near_tol_);                                     \
-  } while (0)
-
 /* A call that must succeed; its message is shown when it does not. */
 #define assert_ok(context, call)                                                                   \
   do {                                                                                             \

@@ -92,8 +92,8 @@ static size_t satellite_compare(struct um_context *context, const struct um_core
   size_t after = states_compare(context, sgp4, tle.catalogue_number, states, row, worst, &last);
   if (error != 0) {
     print_message("satellite %d: error %d at %g min\n", tle.catalogue_number, error, at);
-    assert_near(at, reference_number(context, elements, k, "failure_min"), 1e-6);
-    if (at > 0.0) assert_near(at, last + step, 1e-6); /* one step after its last state */
+    assert_close(at, reference_number(context, elements, k, "failure_min"), 1e-6);
+    if (at > 0.0) assert_close(at, last + step, 1e-6); /* one step after its last state */
   }
   assert_true(after > row || (error != 0 && at == 0.0));
   um_orbit_sgp4_destroy(&sgp4);

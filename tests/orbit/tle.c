@@ -19,18 +19,18 @@ static void values(void **state)
     assert_int_equal(tle.catalogue_number, 27386);
     assert_string_equal(tle.designator, "02009A");
     /* day 250 of the leap year 2016 is 6 September, JD 2457637.5 */
-    assert_near(tle.epoch_jd[0], 2457637.5, 0.0);
-    assert_near(tle.epoch_jd[1], 0.75012691, 1e-13);
-    assert_near(tle.epoch_tai, utc(context, "2016-09-06T18:00:10.965024Z"), 1e-6);
-    assert_near(tle.mean_motion_dot, 0.00000017, 0.0);
-    assert_near(tle.mean_motion_ddot, 0.0, 0.0);
-    assert_near(tle.bstar, 0.19645e-4, 1e-20);
-    assert_near(tle.inclination, 98.2753 * UM_DEG, 1e-15);
-    assert_near(tle.raan, 301.2152 * UM_DEG, 1e-15);
-    assert_near(tle.eccentricity, 0.0001254, 1e-18);
-    assert_near(tle.argument_of_perigee, 82.1013 * UM_DEG, 1e-15);
-    assert_near(tle.mean_anomaly, 278.0311 * UM_DEG, 1e-15);
-    assert_near(tle.mean_motion, 14.37874790 * 2.0 * UM_PI / 1440.0, 1e-16);
+    assert_close(tle.epoch_jd[0], 2457637.5, 0.0);
+    assert_close(tle.epoch_jd[1], 0.75012691, 1e-13);
+    assert_close(tle.epoch_tai, utc(context, "2016-09-06T18:00:10.965024Z"), 1e-6);
+    assert_close(tle.mean_motion_dot, 0.00000017, 0.0);
+    assert_close(tle.mean_motion_ddot, 0.0, 0.0);
+    assert_close(tle.bstar, 0.19645e-4, 1e-20);
+    assert_close(tle.inclination, 98.2753 * UM_DEG, 1e-15);
+    assert_close(tle.raan, 301.2152 * UM_DEG, 1e-15);
+    assert_close(tle.eccentricity, 0.0001254, 1e-18);
+    assert_close(tle.argument_of_perigee, 82.1013 * UM_DEG, 1e-15);
+    assert_close(tle.mean_anomaly, 278.0311 * UM_DEG, 1e-15);
+    assert_close(tle.mean_motion, 14.37874790 * 2.0 * UM_PI / 1440.0, 1e-16);
   }
 }
 
@@ -62,9 +62,9 @@ static void exponent_fields(void **state)
       "1 16925U 86065D   06151.67415771 -.02550794 -30915-6 -18784+1 0  4486\n"
       "2 16925  62.0906 295.0239 5596327 245.1593  47.9690  4.88511875148616\n";
   assert_ok(context, um_orbit_tle_parse(context, text, 0, &tle));
-  assert_near(tle.mean_motion_dot, -0.02550794, 1e-17);
-  assert_near(tle.mean_motion_ddot, -0.30915e-6, 1e-21);
-  assert_near(tle.bstar, -1.8784, 1e-15);
+  assert_close(tle.mean_motion_dot, -0.02550794, 1e-17);
+  assert_close(tle.mean_motion_ddot, -0.30915e-6, 1e-21);
+  assert_close(tle.bstar, -1.8784, 1e-15);
 }
 
 static void refusals(void **state)

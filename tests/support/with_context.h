@@ -1,5 +1,5 @@
-/* A context for the tests of one program: `context`, with CMocka's group fixtures that make and
- * destroy it. */
+/* A context for the tests of one program: `context`, their state too, with CMocka's group fixtures
+ * that make and destroy it. */
 #ifndef UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
 #define UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
 
@@ -9,8 +9,9 @@ static struct um_context *context;
 
 static inline int context_set_up(void **state)
 {
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
+  enum um_status status = um_core_context_create(NULL, &context);
+  *state = context;
+  return status == UM_OK ? 0 : -1;
 }
 
 static inline int context_tear_down(void **state)

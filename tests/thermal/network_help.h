@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "tests/support/cmocka_all.h"
+#include "tests/support/near.h"
 #include "thermal/solve.h"
 
 #define OK(call)                                                                                   \
@@ -15,14 +15,7 @@
     if ((call) != UM_OK) fail_msg("%s: %s", #call, um_core_message(help_context));                 \
   } while (0)
 
-/* |value - expected| <= tolerance, NaN fails; prints the row. */
-#define NEAR(what, value, expected, tolerance)                                                     \
-  do {                                                                                             \
-    double near_value_ = (value), near_expected_ = (expected);                                     \
-    if (!(fabs(near_value_ - near_expected_) <= (tolerance)))                                      \
-      fail_msg("%s: %.9g, expected %.9g within %.2g", what, near_value_, near_expected_,           \
-               (double)(tolerance));                                                               \
-  } while (0)
+#define NEAR(what, value, expected, tolerance) check_near(what, value, expected, tolerance)
 
 static struct um_context *help_context;
 

@@ -459,19 +459,6 @@ static void out_of_memory(void **state)
   lit_close(&l);
 }
 
-static int set_up(void **state)
-{
-  (void)state;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-  (void)state;
-  um_core_context_destroy(&context);
-  return 0;
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -484,5 +471,5 @@ int main(void)
       cmocka_unit_test(earth_in_a_mirror),
       cmocka_unit_test(out_of_memory),
   };
-  return cmocka_run_group_tests(tests, set_up, tear_down);
+  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
