@@ -222,13 +222,18 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
   *plan = NULL;
 }
 
+struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *plan)
+{
+  return (struct um_model_instants){
+      .time = plan->time, .exposure = plan->exposure, .point = plan->point, .count = plan->ntime};
+}
+
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
                                      struct um_model_precomputed **out)
 {
-  if (plan->point != NULL)
-    return um_model_precompute_points(context, model, plan->point, plan->ntime, out);
-  return um_model_precompute_at(context, model, plan->time, plan->exposure, plan->ntime, out);
+  const struct um_model_instants instants = um_compare_plan_instants(plan);
+  return um_model_precompute_over(context, model, &instants, out);
 }
 
 /* --- values ---------------------------------------------------------------------------------- */

@@ -5,7 +5,7 @@
 
 #include "compare/set.h"
 #include "model/model.h"
-#include "model/precomputed.h"
+#include "model/precompute.h"
 #include "model/result.h"
 #include "model/timeline.h"
 
@@ -44,8 +44,9 @@ enum um_status um_compare_plan_create(struct um_context *context, const struct u
                                       struct um_compare_plan **out);
 void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan);
 
-/* The geometry precomputation of a plan: um_model_precompute_at at its times and exposures, of
- * points um_model_precompute_points. */
+/* When a plan looks at a model; borrowed from it. */
+struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *plan);
+/* The geometry precomputation of a plan: um_model_precompute_over at its instants. */
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
                                      struct um_model_precomputed **out);

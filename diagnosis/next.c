@@ -91,7 +91,7 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
 
 static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
-  const struct um_model_precomputed *p = run->precomputed;
+  const struct um_model_precomputed *p = run->variant.precomputed;
   return um_environment_airmass_toward(p->look[k * p->nsub + p->nsub / 2].elevation);
 }
 
@@ -103,9 +103,9 @@ static enum um_status high_airmass(struct um_context *context,
                                    enum um_compare_segment which, double *out)
 {
   double *airmass = NULL;
-  size_t n = 0, nobs = run->precomputed->nobs;
+  size_t n = 0, nobs = run->variant.precomputed->nobs;
   *out = NAN;
-  if (!run->model->has_observer) return UM_OK;
+  if (!run->variant.model->has_observer) return UM_OK;
   UM_TRY(um_core_allocate(context, nobs, sizeof *airmass, &airmass));
   for (size_t k = 0; k < nobs; k++) {
     double x = airmass_at(run, k);
@@ -126,7 +126,7 @@ static enum um_status offer_band(struct um_context *context, const struct um_sen
                                  struct um_diagnosis_next *next)
 {
   const struct um_model_result *a = run[0].result, *b = run[1].result;
-  const char *name = run[0].model->band[band].name;
+  const char *name = run[0].variant.model->band[band].name;
   struct chi2_difference all = {0}, above = {0};
   for (size_t g = 0; g < UM_SEGMENT_COUNT; g++) {
     all.airmass[g] = NAN;
@@ -157,7 +157,7 @@ static enum um_status offer_bands(struct um_context *context,
   double high[UM_SEGMENT_COUNT];
   for (size_t g = 0; g < UM_SEGMENT_COUNT; g++)
     UM_TRY(high_airmass(context, &run[0], segment, (enum um_compare_segment)g, &high[g]));
-  for (size_t band = 0; band < run[0].result->nband && run[0].model->has_observer; band++)
+  for (size_t band = 0; band < run[0].result->nband && run[0].variant.model->has_observer; band++)
     UM_TRY(offer_band(context, f, run, band, high, segment, next));
   return UM_OK;
 }
@@ -213,12 +213,13 @@ static enum um_status look(struct um_context *context, const struct um_diagnosis
 {
   enum um_status status;
   enum um_compare_segment *segment = NULL, *motion = NULL;
-  size_t nobs = run[0].precomputed->nobs;
-  next->from = run[0].precomputed->t_obs[0];
-  next->to = run[0].precomputed->t_obs[nobs - 1];
+  size_t nobs = run[0].variant.precomputed->nobs;
+  next->from = run[0].variant.precomputed->t_obs[0];
+  next->to = run[0].variant.precomputed->t_obs[nobs - 1];
   UM_CHECK(um_core_allocate(context, nobs, sizeof *segment, &segment));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *motion, &motion));
-  UM_CHECK(um_compare_segments_find(context, run[0].model, run[0].precomputed, segment, motion));
+  UM_CHECK(um_compare_segments_find(context, run[0].variant.model, run[0].variant.precomputed,
+                                    segment, motion));
   UM_CHECK(offer_bands(context, work->forward, run, segment, next));
   UM_CHECK(offer_places(context, work->forward, run, segment, next));
   UM_CHECK(say(context, next));
@@ -272,7 +273,7 @@ static enum um_status find_of_step(struct um_context *context, const struct um_d
                                    size_t s)
 {
   enum um_status status = UM_OK;
-  struct um_sensitivity_forward_run run[2] = {{0}, {0}};
+  struct um_sensitivity_forward_run run[2] = {{.result = NULL}, {.result = NULL}};
   struct um_model_addition *addition = NULL;
   size_t tied = 0, looked = 0;
   for (size_t i = 1; i < d->step[s].nalternative; i++)

@@ -11,9 +11,7 @@
 #include <math.h>
 
 #include "inference/algebra.h"
-#include "model/build.h"
 #include "model/run.h"
-#include "model/thermal_solution.h"
 
 #define STEPS   3
 #define SETTLED 0.01 /* of the power */
@@ -25,10 +23,8 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
 {
   enum um_status status;
   struct um_sensitivity_forward *f = base->forward;
-  struct um_model *model = NULL;
-  const struct um_model_changes changes = {.addition = base->addition,
-                                           .naddition = base->naddition};
-  struct um_model_thermal_solution *heat = NULL;
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(f);
+  struct um_variant v = {0};
   struct um_model_result *result = NULL;
   double t[] = {from, from, to, to}, watts[] = {0.0, power, power, 0.0};
   const struct um_thermal_source source = {.node = place->node,
@@ -37,17 +33,15 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
                                            .t = t,
                                            .power = watts,
                                            .nrow = 4};
-  UM_CHECK(um_model_variant_create(context, f->model, &changes, &model));
-  UM_CHECK(um_thermal_network_source_add(model->body->network, &source));
-  UM_CHECK(um_model_thermal_solution_create(context, model, base->precomputed, base->heat,
-                                            f->tolerance_factor, &heat));
-  UM_CHECK(um_model_run_observed(context, model, base->precomputed, heat, &result));
+  const struct um_model_changes changes = {
+      .addition = base->addition, .naddition = base->naddition, .source = &source, .nsource = 1};
+  UM_CHECK(um_variant_open(context, f->evaluator, &changes, &heat, &v));
+  UM_CHECK(um_model_run_observed(context, v.model, v.precomputed, v.heat, &result));
   UM_CHECK(um_missing_heat_predict(context, base, result, value));
   f->evaluations++;
 done:
   um_model_result_destroy(context, &result);
-  um_model_thermal_solution_destroy(context, &heat);
-  um_model_destroy(context, &model);
+  um_variant_close(context, &v);
   return status;
 }
 

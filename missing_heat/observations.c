@@ -34,7 +34,7 @@ enum um_status um_missing_heat_predict(struct um_context *context,
   const struct um_compare_measurements *m = f->measurements;
   double *whole = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *whole, &whole));
-  UM_CHECK(um_compare_predict(context, f->plan, base->precomputed, result, whole));
+  UM_CHECK(um_compare_predict(context, f->plan, base->variant.precomputed, result, whole));
   um_compare_modelled(m, f->observations.count, f->observations.row, whole, out);
   for (size_t j = 0; j < f->observations.count; j++) out[j] /= f->observations.sigma[j];
 done:
@@ -50,10 +50,10 @@ static bool is_light(const struct um_sensitivity_forward *f, size_t row)
 /* Number of the region of every surface. */
 static enum um_status find_regions(struct um_context *context, struct um_missing_heat_base *base)
 {
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->model->geometry);
-  bool means = base->model->scenario->thermal->temperature_in_optics == 1;
-  base->nregion = means ? um_geometry_material_count(base->model->geometry)
-                        : 2 * um_geometry_group_count(base->model->geometry);
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->variant.model->geometry);
+  bool means = base->variant.model->scenario->thermal->temperature_in_optics == 1;
+  base->nregion = means ? um_geometry_material_count(base->variant.model->geometry)
+                        : 2 * um_geometry_group_count(base->variant.model->geometry);
   UM_TRY(um_core_allocate(context, mesh->nsurface, sizeof *base->region, &base->region));
   for (size_t s = 0; s < mesh->nsurface; s++) {
     const struct um_geometry_surface *surface = &mesh->surface[s];
@@ -66,7 +66,7 @@ static enum um_status find_regions(struct um_context *context, struct um_missing
 static enum um_status find_slope(struct um_context *context, struct um_missing_heat_base *base,
                                  size_t region, double *offset, const double *cold)
 {
-  size_t nsurface = um_geometry_mesh(base->model->geometry)->nsurface, n = 0;
+  size_t nsurface = um_geometry_mesh(base->variant.model->geometry)->nsurface, n = 0;
   double *slope = base->slope + region * base->forward->observations.count;
   struct um_model_result *result = NULL;
   for (size_t s = 0; s < nsurface; s++) {
@@ -74,7 +74,8 @@ static enum um_status find_slope(struct um_context *context, struct um_missing_h
     if (base->region[s] == region) n++;
   }
   if (n == 0) return UM_OK;
-  UM_TRY(um_model_run_warmer(context, base->model, base->precomputed, base->heat, offset, &result));
+  UM_TRY(um_model_run_warmer(context, base->variant.model, base->variant.precomputed,
+                             base->variant.heat, offset, &result));
   base->forward->evaluations++;
   enum um_status status = um_missing_heat_predict(context, base, result, slope);
   um_model_result_destroy(context, &result);
@@ -92,9 +93,9 @@ static enum um_status find_slopes(struct um_context *context, struct um_missing_
   for (size_t j = 0; j < f->observations.count; j++) light |= is_light(f, j);
   UM_CHECK(um_core_allocate(context, base->nregion * f->observations.count, sizeof *base->slope,
                             &base->slope));
-  if (!light || base->precomputed->view == NULL) goto done;
+  if (!light || base->variant.precomputed->view == NULL) goto done;
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cold, &cold));
-  UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->model->geometry)->nsurface,
+  UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->variant.model->geometry)->nsurface,
                             sizeof *offset, &offset));
   UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
   for (size_t g = 0; g < base->nregion; g++) UM_CHECK(find_slope(context, base, g, offset, cold));
@@ -108,7 +109,7 @@ done:
 static enum um_status sort_rows(struct um_context *context, struct um_missing_heat_base *base)
 {
   const struct um_sensitivity_forward *f = base->forward;
-  size_t nobs = base->precomputed->nobs, *first;
+  size_t nobs = base->variant.precomputed->nobs, *first;
   UM_TRY(um_core_allocate(context, nobs + 2, sizeof *base->first, &base->first));
   UM_TRY(um_core_allocate(context, f->observations.count, sizeof *base->row, &base->row));
   first = base->first; /* counts two places on, starts one place on, then ends there */
@@ -126,25 +127,15 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
                                            size_t naddition, struct um_missing_heat_base *out)
 {
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
-  *out = (struct um_missing_heat_base){.forward = forward,
-                                       .addition = addition,
-                                       .naddition = naddition,
-                                       .model = forward->model,
-                                       .precomputed = forward->precomputed,
-                                       .heat = forward->thermal_solution};
-  if (naddition > 0) {
-    UM_TRY(um_model_variant_create(context, forward->model, &changes, &out->own_model));
-    out->model = out->own_model;
-    UM_TRY(um_compare_plan_trace(context, out->model, forward->plan, &out->own_trace));
-    out->precomputed = out->own_trace;
-    UM_TRY(um_model_thermal_solution_create(context, out->model, out->precomputed,
-                                            forward->thermal_solution, forward->tolerance_factor,
-                                            &out->own_heat));
-    out->heat = out->own_heat;
-  }
-  UM_TRY(um_model_run_with(context, out->model, out->precomputed, out->heat, &out->result));
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  const struct um_variant *v = &out->variant;
+  *out = (struct um_missing_heat_base){
+      .forward = forward, .addition = addition, .naddition = naddition, .variant = forward->base};
+  if (naddition > 0)
+    UM_TRY(um_variant_open(context, forward->evaluator, &changes, &heat, &out->variant));
+  UM_TRY(um_model_run_with(context, v->model, v->precomputed, v->heat, &out->result));
   forward->evaluations++;
-  if (out->precomputed->points) return UM_OK; /* heat is not followed */
+  if (v->precomputed->points) return UM_OK; /* heat is not followed */
   UM_TRY(sort_rows(context, out));
   UM_TRY(find_regions(context, out));
   return find_slopes(context, out);
@@ -153,9 +144,7 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
 void um_missing_heat_base_release(struct um_context *context, struct um_missing_heat_base *base)
 {
   um_model_result_destroy(context, &base->result);
-  um_model_thermal_solution_destroy(context, &base->own_heat);
-  um_model_precomputed_destroy(context, &base->own_trace);
-  um_model_destroy(context, &base->own_model);
+  um_variant_close(context, &base->variant);
   um_core_free(context, base->first);
   um_core_free(context, base->row);
   um_core_free(context, base->region);
@@ -180,9 +169,9 @@ struct taker {
 static void weigh(struct taker *t, size_t instant)
 {
   const struct um_missing_heat_base *base = t->base;
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->model->geometry);
-  const struct um_optics_view *view = base->precomputed->view;
-  bool means = base->model->scenario->thermal->temperature_in_optics == 1;
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->variant.model->geometry);
+  const struct um_optics_view *view = base->variant.precomputed->view;
+  bool means = base->variant.model->scenario->thermal->temperature_in_optics == 1;
   memset(t->sum, 0, base->nregion * sizeof *t->sum);
   for (size_t s = 0; s < mesh->nsurface && !means; s++) {
     size_t at = instant * mesh->nsurface + s;
@@ -200,11 +189,11 @@ static void weigh(struct taker *t, size_t instant)
 static void differentiate(struct taker *t, const double *temperature)
 {
   const struct um_missing_heat_base *base = t->base;
-  size_t nsurface = um_geometry_mesh(base->model->geometry)->nsurface;
+  size_t nsurface = um_geometry_mesh(base->variant.model->geometry)->nsurface;
   memset(t->gradient, 0, base->nregion * t->nnode * sizeof *t->gradient);
   for (size_t s = 0; s < nsurface; s++) {
     const struct um_thermal_surface *surface =
-        um_thermal_network_surface(base->model->body->network, (uint32_t)s);
+        um_thermal_network_surface(base->variant.model->body->network, (uint32_t)s);
     if (surface == NULL || !(t->weight[s] > 0.0)) continue;
     double fourth = 0.0, own = t->weight[s] / t->sum[base->region[s]];
     for (int c = 0; c < 3; c++)
@@ -225,7 +214,7 @@ static double temperature_change(const struct um_missing_heat_base *base, size_t
                                  const double *response)
 {
   const struct um_sensitivity_forward *f = base->forward;
-  const struct um_thermal_body *body = base->model->body;
+  const struct um_thermal_body *body = base->variant.model->body;
   size_t source = f->plan->source[f->observations.channel[row]];
   double sum = 0.0, area = 0.0;
   if (source < body->nplace) {
@@ -233,7 +222,7 @@ static double temperature_change(const struct um_missing_heat_base *base, size_t
     for (size_t i = 0; i < place->nnode; i++) sum += place->weight[i] * response[place->node[i]];
     return sum;
   }
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->model->geometry);
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(base->variant.model->geometry);
   for (size_t s = 0; s < mesh->nsurface; s++) {
     const struct um_thermal_surface *surface =
         um_thermal_network_surface(body->network, (uint32_t)s);
@@ -260,8 +249,8 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
   struct taker *t = user;
   const struct um_missing_heat_base *base = t->base;
   const struct um_sensitivity_forward *f = base->forward;
-  size_t observation = k / base->precomputed->nsub;
-  double share = 1.0 / (double)base->precomputed->nsub;
+  size_t observation = k / base->variant.precomputed->nsub;
+  double share = 1.0 / (double)base->variant.precomputed->nsub;
   bool light = false;
   for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++)
     light |= is_light(f, base->row[i]);
@@ -269,7 +258,7 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
     weigh(t, k);
     differentiate(t, temperature);
   }
-  for (size_t b = 0; b < t->nbin && t->edge[b] < base->precomputed->sample[k].t_tai; b++) {
+  for (size_t b = 0; b < t->nbin && t->edge[b] < base->variant.precomputed->sample[k].t_tai; b++) {
     const double *s = response + b * t->nnode;
     double *mean = t->sum;
     for (size_t g = 0; g < base->nregion && light; g++) {
@@ -294,7 +283,7 @@ enum um_status um_missing_heat_columns(struct um_context *context,
 {
   enum um_status status;
   struct taker t = {.base = base,
-                    .nnode = um_thermal_network_nodes(base->model->body->network),
+                    .nnode = um_thermal_network_nodes(base->variant.model->body->network),
                     .nbin = nbin,
                     .edge = edge,
                     .column = column};
@@ -302,7 +291,7 @@ enum um_status um_missing_heat_columns(struct um_context *context,
   /* steps end where bins do */
   const struct um_thermal_response_options how = {.longest_step = edge[nbin] - edge[0]};
   memset(column, 0, nbin * base->forward->observations.count * sizeof *column);
-  UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->model->geometry)->nsurface,
+  UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->variant.model->geometry)->nsurface,
                             sizeof *t.weight, &t.weight));
   UM_CHECK(um_core_allocate(context, base->nregion, sizeof *t.sum, &t.sum));
   UM_CHECK(um_core_allocate(context, base->nregion * t.nnode, sizeof *t.gradient, &t.gradient));
@@ -313,7 +302,8 @@ enum um_status um_missing_heat_columns(struct um_context *context,
                                                     .nnode = place->nnode,
                                                     .t_from = edge[b],
                                                     .t_to = edge[b + 1]};
-  UM_CHECK(um_model_thermal_solution_response(context, base->heat, source, nbin, &how, take, &t));
+  UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, source, nbin, &how, take,
+                                              &t));
 done:
   um_core_free(context, t.weight);
   um_core_free(context, t.sum);

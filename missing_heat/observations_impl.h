@@ -3,7 +3,6 @@
 #define UMBRA_MISSING_HEAT_OBSERVATIONS_IMPL_H
 
 #include "missing_heat/places_impl.h"
-#include "model/thermal_solution.h"
 #include "sensitivity/forward.h"
 
 /* A scenario with its additions, run, and the answer of its light to temperatures. */
@@ -11,12 +10,7 @@ struct um_missing_heat_base {
   struct um_sensitivity_forward *forward;   /* borrowed */
   const struct um_model_addition *addition; /* [naddition] borrowed */
   size_t naddition;
-  struct um_model *own_model; /* owned; NULL: the forward's own parts serve */
-  struct um_model_precomputed *own_trace;
-  struct um_model_thermal_solution *own_heat;
-  const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
-  const struct um_model_thermal_solution *heat;
+  struct um_variant variant; /* that scenario */
   struct um_model_result *result;
   size_t *first, *row; /* observations of observation k: observation[first[k]] ..
                           observation[first[k + 1] - 1] */

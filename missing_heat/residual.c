@@ -83,10 +83,11 @@ enum um_status um_missing_heat_residual_of(struct um_context *context,
                                            size_t naddition, double fitted,
                                            struct um_missing_heat_residual *out)
 {
-  struct um_sensitivity_forward_run run = {0};
+  struct um_sensitivity_forward_run run = {.result = NULL};
   *out = (struct um_missing_heat_residual){0};
   UM_TRY(um_sensitivity_forward_run(context, forward, addition, naddition, false, &run));
-  const struct um_compare_run compared = {run.model, forward->plan, run.precomputed, run.result};
+  const struct um_compare_run compared = {run.variant.model, forward->plan, run.variant.precomputed,
+                                          run.result};
   enum um_status status =
       um_missing_heat_residual_describe(context, forward, &compared, fitted, out);
   um_sensitivity_forward_run_release(context, &run);

@@ -29,8 +29,8 @@ static enum um_status find_coordinate(struct um_context *context,
                                       const struct um_missing_heat_base *base, double fitted,
                                       struct um_missing_heat_unexplained *out)
 {
-  const struct um_compare_run run = {base->model, base->forward->plan, base->precomputed,
-                                     base->result};
+  const struct um_compare_run run = {base->variant.model, base->forward->plan,
+                                     base->variant.precomputed, base->result};
   struct um_missing_heat_residual residual;
   UM_TRY(um_missing_heat_residual_describe(context, base->forward, &run, fitted, &residual));
   out->channel = residual.channel;
@@ -99,7 +99,7 @@ done:
 /* Times of the observations at the satellite, and edges of the first look. */
 static enum um_status find_edges(struct um_context *context, struct search *s)
 {
-  const struct um_model_precomputed *precomputed = s->base.precomputed;
+  const struct um_model_precomputed *precomputed = s->base.variant.precomputed;
   size_t n = s->nobs = precomputed->nobs;
   s->nbin = n - 1 < BINS_MAX ? n - 1 : BINS_MAX;
   UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
@@ -252,7 +252,7 @@ static enum um_status find_heat(struct um_context *context, struct search *s,
                                 struct um_missing_heat_unexplained *out)
 {
   enum um_status status = UM_OK;
-  UM_TRY(um_missing_heat_places_create(context, s->base.model, &s->place, &s->nplace));
+  UM_TRY(um_missing_heat_places_create(context, s->base.variant.model, &s->place, &s->nplace));
   UM_TRY(find_edges(context, s));
   UM_TRY(um_core_allocate(context, s->nplace, sizeof *out->heat, &out->heat));
   UM_TRY(look_everywhere(context, s, out));
@@ -299,7 +299,7 @@ enum um_status um_missing_heat_unexplained_create(struct um_context *context,
   if (status != UM_OK) goto done;
   UM_CHECK(find_coordinate(context, &s.base, (double)nnuisance, u));
   UM_CHECK(project(context, &s, value, nuisance, nnuisance, &u->chi2_before));
-  if (!s.base.precomputed->points && s.base.precomputed->nobs > 1)
+  if (!s.base.variant.precomputed->points && s.base.variant.precomputed->nobs > 1)
     UM_CHECK(find_heat(context, &s, u));
   u->chi2_after = u->chi2_before - (u->nheat > 0 ? u->heat[0].chi2_explained : 0.0);
   u->found = is_found(u, s.nbin, (double)forward->observations.count - (double)nnuisance);

@@ -83,7 +83,10 @@ static enum um_status variant_make(struct um_context *context,
   UM_TRY(um_model_vary_effects(context, model, changes));
   UM_TRY(um_model_build_environment(context, model));
   UM_TRY(um_model_build_orbit(context, model));
-  return build_body(context, model);
+  UM_TRY(build_body(context, model));
+  for (size_t i = 0; i < changes->nsource; i++)
+    UM_TRY(um_thermal_network_source_add(model->body->network, &changes->source[i]));
+  return UM_OK;
 }
 
 enum um_status um_model_variant_create(struct um_context *context, const struct um_model *origin,

@@ -69,6 +69,8 @@ struct um_model_changes {
   size_t nwith, nwithout;
   const struct um_model_addition *addition; /* [naddition] behind them */
   size_t naddition;
+  const struct um_thermal_source *source; /* [nsource] of heat in nodes, beside the scenario's */
+  size_t nsource;
 };
 
 /* Everything built from a scenario; read it, do not change it. */

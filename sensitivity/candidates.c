@@ -275,7 +275,7 @@ static enum um_status make_signatures(struct um_context *context,
 {
   enum um_status status = UM_OK;
   size_t count = list->count;
-  struct um_sensitivity_forward_run base = {0};
+  struct um_sensitivity_forward_run base = {.result = NULL};
   um_core_progress_begin(context, "signatures of effects", count);
   for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, point->forward, &list->candidate[i], &base));

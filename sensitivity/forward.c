@@ -1,6 +1,4 @@
-/* Evaluations of a scenario with effects added. Heat of a variant starts from the scenario's own
- * periodic state, never from the variant before, so that a value does not depend on what was
- * computed earlier. */
+/* Evaluations of a scenario with effects added, as values of the observations. */
 #include "sensitivity/forward.h"
 
 #include <math.h>
@@ -12,12 +10,9 @@
 #include "core/held_files.h"
 #include "core/words.h"
 #include "model/build.h"
-#include "model/precompute.h"
 #include "model/run.h"
-#include "model/thermal_solution.h"
 #include "sensitivity/forward_impl.h"
 #include "sensitivity/observations_impl.h"
-#include "sensitivity/variant_impl.h"
 
 void um_sensitivity_forward_null(const struct um_sensitivity_forward *forward,
                                  const struct um_effect *effect, const char *target, double *value)
@@ -30,129 +25,15 @@ void um_sensitivity_forward_null(const struct um_sensitivity_forward *forward,
   }
 }
 
-/* --- a variant with its geometry precomputation and heat
- * ------------------------------------------------------- */
-
-/* What a variant is computed with; what is owned here is released after the evaluation. */
-struct variant {
-  struct um_model *model; /* owned, until it is kept with a geometry precomputation */
-  const struct um_model *used;
-  const struct um_model_precomputed *precomputed;
-  const struct um_model_thermal_solution *heat;
-  struct um_model_thermal_solution *own_heat;
-};
-
-static void variant_release(struct um_context *context, struct variant *v)
-{
-  um_model_thermal_solution_destroy(context, &v->own_heat);
-  um_model_destroy(context, &v->model);
-}
-
-/* The kept geometry precomputation of this key, made when there is none; it takes key and model of
- * the variant then. */
-static enum um_status find_precomputed(struct um_context *context,
-                                       struct um_sensitivity_forward *forward,
-                                       struct um_model_addition **key, size_t nkey,
-                                       struct variant *v, struct um_sensitivity_cached **out)
-{
-  struct um_sensitivity_forward_cache *cache = forward->cache;
-  struct um_sensitivity_cached *oldest = &cache->kept[0];
-  *out = &cache->own;
-  if (nkey == 0) return UM_OK;
-  *out = um_sensitivity_moves_precomputed(forward->cache->moves, *key, nkey);
-  if (*out != NULL) return UM_OK;
-  for (size_t i = 0; i < UM_SENSITIVITY_CACHED; i++) {
-    struct um_sensitivity_cached *t = *out = &cache->kept[i];
-    if (t->model != NULL && um_sensitivity_variant_same_key(t->key, t->nkey, *key, nkey))
-      return UM_OK;
-    if (t->used < oldest->used) oldest = t;
-  }
-  um_sensitivity_cached_clear(context, oldest);
-  UM_TRY(um_compare_plan_trace(context, v->model, forward->plan, &oldest->precomputed));
-  oldest->key = *key;
-  oldest->nkey = nkey;
-  *key = NULL;
-  oldest->model = v->model;
-  v->model = NULL;
-  *out = oldest;
-  return UM_OK;
-}
-
-/* Heat that is at hand, by the answer to a move (or NULL), or new; new heat on a geometry
- * precomputation that has none stays with it. */
-static enum um_status find_heat(struct um_context *context, struct um_sensitivity_forward *forward,
-                                const struct um_sensitivity_move *move,
-                                struct um_sensitivity_cached *cached, struct variant *v)
-{
-  struct um_sensitivity_forward_cache *cache = forward->cache;
-  struct um_model_thermal_solution *heat = NULL;
-  cache->fresh_heat = cache->moved_heat = false;
-  v->heat = cached->heat;
-  bool matches = false;
-  if (v->heat != NULL)
-    UM_TRY(um_model_thermal_solution_matches(context, v->heat, v->used, v->precomputed, &matches));
-  if (matches) return UM_OK;
-  v->heat = cache->own.heat;
-  UM_TRY(um_model_thermal_solution_matches(context, v->heat, v->used, v->precomputed, &matches));
-  if (matches) return UM_OK;
-  cache->fresh_heat = true;
-  const struct um_sensitivity_moved *moved = um_sensitivity_moves_of(cache->moves, move);
-  if (moved != NULL) {
-    cache->moved_heat = true;
-    UM_TRY(um_model_thermal_solution_move(context, cache->own.heat, moved->sensitivity,
-                                          moved->which, move->step, v->used, v->precomputed,
-                                          &v->own_heat));
-    v->heat = v->own_heat;
-    return UM_OK;
-  }
-  double begin = omp_get_wtime();
-  UM_TRY(um_model_thermal_solution_create(context, v->used, v->precomputed, cache->own.heat,
-                                          forward->tolerance_factor, &heat));
-  forward->heat_runs++;
-  forward->heat_seconds += omp_get_wtime() - begin;
-  v->heat = heat;
-  if (v->used == cached->model && cached->heat == NULL)
-    cached->heat = heat;
-  else
-    v->own_heat = heat;
-  return UM_OK;
-}
-
-static enum um_status variant_make(struct um_context *context,
-                                   struct um_sensitivity_forward *forward,
-                                   const struct um_model_addition *addition, size_t naddition,
-                                   const struct um_sensitivity_move *move, struct variant *v)
-{
-  enum um_status status;
-  struct um_sensitivity_cached *cached = NULL;
-  struct um_model_addition *key = NULL;
-  size_t nkey;
-  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
-  *v = (struct variant){0};
-  UM_CHECK(um_model_variant_create(context, forward->model, &changes, &v->model));
-  v->used = v->model;
-  UM_CHECK(um_core_allocate(context, naddition, sizeof *key, &key));
-  nkey = um_sensitivity_variant_key(forward->model, v->model, addition, naddition, key);
-  UM_CHECK(find_precomputed(context, forward, &key, nkey, v, &cached));
-  cached->used = forward->evaluations + 1;
-  v->precomputed = cached->precomputed;
-  UM_CHECK(find_heat(context, forward, move, cached, v));
-done:
-  um_core_free(context, key);
-  return status;
-}
-
 /* --- values ---------------------------------------------------------------------------------- */
 
 static enum um_status predict(struct um_context *context, struct um_sensitivity_forward *forward,
-                              const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
-                              const struct um_model_thermal_solution *heat)
+                              const struct um_variant *v)
 {
   struct um_model_result *result = NULL;
-  UM_TRY(um_model_run_observed(context, model, precomputed, heat, &result));
+  UM_TRY(um_model_run_observed(context, v->model, v->precomputed, v->heat, &result));
   enum um_status status =
-      um_compare_predict(context, forward->plan, precomputed, result, forward->cache->predicted);
+      um_compare_predict(context, forward->plan, v->precomputed, result, forward->cache->predicted);
   um_model_result_destroy(context, &result);
   return status;
 }
@@ -174,17 +55,52 @@ static enum um_status gather(struct um_context *context,
   return UM_OK;
 }
 
+struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward)
+{
+  return (struct um_variant_heat){
+      .start = UM_VARIANT_WARM,
+      .tolerance = {forward->tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE}};
+}
+
+/* Heat of a move whose answer is known is extrapolated by it. */
+static struct um_variant_heat heat_of(const struct um_sensitivity_forward *forward,
+                                      const struct um_sensitivity_move *move)
+{
+  struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  const struct um_sensitivity_moved *moved = um_sensitivity_moves_of(forward->cache->moves, move);
+  if (moved == NULL) return heat;
+  heat.start = UM_VARIANT_EXTRAPOLATED;
+  heat.sensitivity = moved->sensitivity;
+  heat.which = moved->which;
+  heat.step = move->step;
+  return heat;
+}
+
+/* What heat the last evaluation had. */
+static void note_heat(struct um_sensitivity_forward *forward, const struct um_variant *v,
+                      const struct um_variant_heat *heat)
+{
+  forward->cache->fresh_heat = v->fresh_heat;
+  forward->cache->moved_heat = v->fresh_heat && heat->start == UM_VARIANT_EXTRAPOLATED;
+  if (!v->fresh_heat || heat->start == UM_VARIANT_EXTRAPOLATED) return;
+  forward->heat_runs++;
+  forward->heat_seconds += v->seconds_heat;
+}
+
 static enum um_status evaluate(struct um_context *context, struct um_sensitivity_forward *forward,
                                const struct um_model_addition *addition, size_t naddition,
                                const struct um_sensitivity_move *move, double *value)
 {
   enum um_status status;
-  struct variant v = {0};
-  UM_CHECK(variant_make(context, forward, addition, naddition, move, &v));
-  UM_CHECK(predict(context, forward, v.used, v.precomputed, v.heat));
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
+  const struct um_variant_heat heat = heat_of(forward, move);
+  struct um_variant v = {0};
+  UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, &v));
+  note_heat(forward, &v, &heat);
+  UM_CHECK(predict(context, forward, &v));
   UM_CHECK(gather(context, forward, value));
 done:
-  variant_release(context, &v);
+  um_variant_close(context, &v);
   /* the scenario itself was computed, so that what is refused is the additions */
   return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
 }
@@ -232,14 +148,13 @@ static enum um_status repeat(struct um_context *context, struct um_sensitivity_f
                              double *value)
 {
   enum um_status status;
-  struct um_sensitivity_forward_cache *cache = forward->cache;
-  struct um_model_thermal_solution *heat = NULL;
-  UM_CHECK(um_model_thermal_solution_create(context, forward->model, cache->own.precomputed,
-                                            cache->own.heat, forward->tolerance_factor, &heat));
-  UM_CHECK(predict(context, forward, forward->model, cache->own.precomputed, heat));
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  struct um_variant v = forward->base;
+  UM_CHECK(um_variant_heat_again(context, forward->evaluator, &heat, &v));
+  UM_CHECK(predict(context, forward, &v));
   UM_CHECK(gather(context, forward, value));
 done:
-  um_model_thermal_solution_destroy(context, &heat);
+  um_variant_close(context, &v);
   return status;
 }
 
@@ -282,42 +197,39 @@ static bool has_light(const struct um_sensitivity_forward *f)
 static enum um_status first_run(struct um_context *context, struct um_sensitivity_forward *f,
                                 struct um_model_result **out)
 {
-  struct um_sensitivity_cached *own = &f->cache->own;
+  const struct um_variant *base = &f->base;
   struct um_compare_share_user user = {f->model, f->plan};
   struct um_compare_refinement refinement;
   f->samples = f->samples_before = f->model->scenario->optics->samples;
   f->paths = f->model->scenario->optics->interreflection_samples;
-  if (!has_light(f)) return um_model_run_with(context, f->model, own->precomputed, own->heat, out);
-  UM_TRY(um_compare_refine_with(context, f->model, own->precomputed, own->heat,
-                                UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user, out,
-                                &refinement));
+  if (!has_light(f))
+    return um_model_run_with(context, base->model, base->precomputed, base->heat, out);
+  UM_TRY(um_compare_refine_with(context, f->model, um_variant_base_precomputed(f->evaluator),
+                                base->heat, UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user,
+                                out, &refinement));
   f->samples = refinement.samples;
   f->paths = refinement.interreflection;
   return UM_OK;
 }
 
-static enum um_status first_evaluation(struct um_context *context,
-                                       struct um_sensitivity_forward *forward)
+static enum um_status first_evaluation(struct um_context *context, struct um_sensitivity_forward *f)
 {
-  struct um_sensitivity_forward_cache *cache = forward->cache;
+  struct um_sensitivity_forward_cache *cache = f->cache;
+  const struct um_variant_settings settings = {.instants = &f->instants,
+                                               .base = um_sensitivity_forward_heat(f).tolerance};
   struct um_model_result *result = NULL;
   enum um_status status;
   double begin = omp_get_wtime();
-  UM_CHECK(um_compare_plan_trace(context, forward->model, forward->plan, &cache->own.precomputed));
-  UM_CHECK(um_model_thermal_solution_create(context, forward->model, cache->own.precomputed, NULL,
-                                            forward->tolerance_factor, &cache->own.heat));
-  forward->precomputed = cache->own.precomputed;
-  forward->thermal_solution = cache->own.heat;
-  UM_CHECK(first_run(context, forward, &result));
-  UM_CHECK(
-      um_compare_predict(context, forward->plan, cache->own.precomputed, result, cache->predicted));
-  UM_CHECK(um_sensitivity_observations_create(context, forward->plan, forward->model->scenario,
-                                              result, cache->predicted, &forward->observations));
-  UM_CHECK(
-      um_core_allocate(context, forward->observations.count, sizeof *cache->base, &cache->base));
-  UM_CHECK(gather(context, forward, cache->base));
-  forward->evaluations = 1;
-  forward->seconds = forward->seconds_first = omp_get_wtime() - begin;
+  UM_CHECK(um_variant_evaluator_create(context, f->model, &settings, &f->evaluator));
+  UM_CHECK(um_variant_base(context, f->evaluator, &f->base));
+  UM_CHECK(first_run(context, f, &result));
+  UM_CHECK(um_compare_predict(context, f->plan, f->base.precomputed, result, cache->predicted));
+  UM_CHECK(um_sensitivity_observations_create(context, f->plan, f->model->scenario, result,
+                                              cache->predicted, &f->observations));
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cache->base, &cache->base));
+  UM_CHECK(gather(context, f, cache->base));
+  f->evaluations = 1;
+  f->seconds = f->seconds_first = omp_get_wtime() - begin;
 done:
   um_model_result_destroy(context, &result);
   return status;
@@ -342,6 +254,7 @@ enum um_status um_sensitivity_forward_create(struct um_context *context, const c
   f->holds_files = true;
   UM_CHECK(um_model_create(context, path, options, &f->model));
   UM_CHECK(um_compare_plan_create(context, f->model, measurements, &f->plan));
+  f->instants = um_compare_plan_instants(f->plan);
   UM_CHECK(um_core_allocate(context, measurements->count, sizeof *f->cache->predicted,
                             &f->cache->predicted));
   UM_CHECK(first_evaluation(context, f));
@@ -359,14 +272,12 @@ void um_sensitivity_forward_destroy(struct um_context *context,
   struct um_sensitivity_forward *f = *forward;
   if (f->cache != NULL) {
     um_sensitivity_moves_destroy(context, &f->cache->moves);
-    for (size_t i = 0; i < UM_SENSITIVITY_CACHED; i++)
-      um_sensitivity_cached_clear(context, &f->cache->kept[i]);
-    um_sensitivity_cached_clear(context, &f->cache->own);
     um_core_free(context, f->cache->predicted);
     um_core_free(context, f->cache->base);
     um_core_free(context, f->cache);
   }
   um_sensitivity_observations_release(context, &f->observations);
+  um_variant_evaluator_destroy(context, &f->evaluator);
   um_compare_plan_destroy(context, &f->plan);
   um_model_destroy(context, &f->model);
   if (f->holds_files) um_core_files_let_go(context);
@@ -383,22 +294,18 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
                                           struct um_sensitivity_forward_run *out)
 {
   enum um_status status;
-  struct um_model_thermal_solution *heat = NULL;
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
-  *out = (struct um_sensitivity_forward_run){0};
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  struct um_variant *v = &out->variant;
+  *out = (struct um_sensitivity_forward_run){.result = NULL};
   um_core_quiet_begin(context);
-  UM_CHECK(um_model_variant_create(context, forward->model, &changes, &out->model));
-  if (grid && !out->model->points) /* points have no window of their own */
-    UM_CHECK(um_model_precompute(context, out->model, &out->precomputed));
+  if (grid && !forward->model->points) /* points have no window of their own */
+    UM_CHECK(um_variant_open_over(context, forward->evaluator, NULL, &changes, &heat, v));
   else
-    UM_CHECK(um_compare_plan_trace(context, out->model, forward->plan, &out->precomputed));
-  UM_CHECK(um_model_thermal_solution_create(context, out->model, out->precomputed,
-                                            forward->cache->own.heat, forward->tolerance_factor,
-                                            &heat));
-  UM_CHECK(um_model_run_with(context, out->model, out->precomputed, heat, &out->result));
+    UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
+  UM_CHECK(um_model_run_with(context, v->model, v->precomputed, v->heat, &out->result));
 done:
   um_core_quiet_end(context);
-  um_model_thermal_solution_destroy(context, &heat);
   if (status != UM_OK) um_sensitivity_forward_run_release(context, out);
   return status == UM_ERR_INPUT && naddition > 0 ? UM_ERR_REFUSED : status;
 }
@@ -407,6 +314,5 @@ void um_sensitivity_forward_run_release(struct um_context *context,
                                         struct um_sensitivity_forward_run *run)
 {
   um_model_result_destroy(context, &run->result);
-  um_model_precomputed_destroy(context, &run->precomputed);
-  um_model_destroy(context, &run->model);
+  um_variant_close(context, &run->variant);
 }

@@ -1,23 +1,22 @@
-/* One scenario before one set of measurements, computed again and again with effects added. What
- * an addition cannot change is not computed again: the geometry precomputation where no hook
- * reaches it, the heat where the network is the same. */
+/* One scenario before one set of measurements, computed again and again with effects added, by the
+ * evaluator of variant/. */
 #ifndef UMBRA_SENSITIVITY_FORWARD_H
 #define UMBRA_SENSITIVITY_FORWARD_H
 
 #include "compare/predict.h"
-#include "model/model.h"
-#include "model/thermal_solution.h"
 #include "sensitivity/observations.h"
+#include "variant/evaluator.h"
 
 struct um_sensitivity_forward {
   bool holds_files; /* everything is built from what was read first */
   const struct um_compare_measurements *measurements; /* borrowed */
   struct um_model_options options;                    /* the user's; texts borrowed */
   double tolerance_factor; /* factor on the tolerances of the heat integration */
-  struct um_model *model;  /* the scenario as it stands */
-  const struct um_model_precomputed *precomputed;           /* its geometry; of the cache */
-  const struct um_model_thermal_solution *thermal_solution; /* its heat; of the cache */
+  struct um_model *model;  /* the scenario as it stands; of the base, too */
   struct um_compare_plan *plan;
+  struct um_model_instants instants;      /* of the plan */
+  struct um_variant_evaluator *evaluator; /* of the model at the plan's instants */
+  struct um_variant base;                 /* the scenario as it stands: its geometry and heat */
   struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
   int paths;                   /* optics.interreflection_samples of every evaluation */
@@ -60,14 +59,15 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
                                                const struct um_model_addition *addition,
                                                size_t naddition, double *value);
 
+/* Heat of a variant, from that of the scenario as it stands. */
+struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward);
 /* The same with everything kept: model, geometry precomputation and result of the variant, for a
  * comparison or for bands and places that were not measured. grid: false: times of the
  * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
  * measurements). Owned by the caller, released by _release. Tolerances are the scenario's times
  * tolerance_factor. */
 struct um_sensitivity_forward_run {
-  struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_variant variant;
   struct um_model_result *result;
 };
 enum um_status um_sensitivity_forward_run(struct um_context *context,

@@ -5,13 +5,7 @@
 #include "sensitivity/forward.h"
 #include "sensitivity/moved_impl.h"
 
-/* Geometry precomputations kept beside the scenario's own: one iteration of a fit moves several
- * parameters that each want another. */
-#define UM_SENSITIVITY_CACHED 3
-
 struct um_sensitivity_forward_cache {
-  struct um_sensitivity_cached own; /* of the scenario as it stands */
-  struct um_sensitivity_cached kept[UM_SENSITIVITY_CACHED];
   double *predicted; /* [observations of the set] in the unit of the quantity */
   double *base;      /* [nobservation] of the scenario as it stands, linear unit */
   double noise;      /* um_sensitivity_forward_noise; NaN: not yet known */

@@ -4,24 +4,11 @@
 #include <string.h>
 
 #include "core/words.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "sensitivity/variant_impl.h"
-
-void um_sensitivity_cached_clear(struct um_context *context, struct um_sensitivity_cached *cached)
-{
-  um_core_free(context, cached->key);
-  um_model_thermal_solution_destroy(context, &cached->heat);
-  um_model_precomputed_destroy(context, &cached->precomputed);
-  um_model_destroy(context, &cached->model);
-  *cached = (struct um_sensitivity_cached){0};
-}
 
 void um_sensitivity_moves_destroy(struct um_context *context, struct um_sensitivity_moves **moves)
 {
   struct um_sensitivity_moves *m = *moves;
   if (m == NULL) return;
-  for (size_t i = 0; i < m->count; i++) um_sensitivity_cached_clear(context, &m->moved[i].cached);
   for (size_t i = 0; i < m->nbatch; i++)
     um_model_thermal_sensitivity_destroy(context, &m->batch[i]);
   um_core_free(context, m->moved);
@@ -39,18 +26,6 @@ const struct um_sensitivity_moved *um_sensitivity_moves_of(const struct um_sensi
         m->move.parameter == move->parameter && um_core_words_same(m->move.target, move->target) &&
         memcmp(m->move.at, move->at, move->effect->nparameter * sizeof *move->at) == 0)
       return m;
-  }
-  return NULL;
-}
-
-struct um_sensitivity_cached *
-um_sensitivity_moves_precomputed(const struct um_sensitivity_moves *moves,
-                                 const struct um_model_addition *key, size_t nkey)
-{
-  for (size_t i = 0; moves != NULL && i < moves->count; i++) {
-    struct um_sensitivity_cached *c = &moves->moved[i].cached;
-    if (c->precomputed != NULL && um_sensitivity_variant_same_key(c->key, c->nkey, key, nkey))
-      return c;
   }
   return NULL;
 }

@@ -5,19 +5,6 @@
 
 #include "model/thermal_sensitivity.h"
 
-/* One geometry precomputation with heat on it, and the model they were made from. */
-struct um_sensitivity_cached {
-  struct um_model_addition *key; /* [nkey] additions that it stands for; 0 of the scenario */
-  size_t nkey;
-  struct um_model *model; /* owned, but the scenario's own */
-  struct um_model_precomputed *precomputed;
-  struct um_model_thermal_solution *heat; /* NULL: that of the scenario serves */
-  size_t used;                            /* number of the evaluation that used it last */
-};
-
-/* All but the heat, which others may have; *cached is then empty. */
-void um_sensitivity_cached_clear(struct um_context *context, struct um_sensitivity_cached *cached);
-
 /* An effect beside those of the scenario that leaves every temperature as it is, and one of its
  * parameters moved from there. */
 struct um_sensitivity_move {
@@ -28,11 +15,9 @@ struct um_sensitivity_move {
   double step; /* [its unit], signed, not 0 */
 };
 
-/* A move whose heat is known, or at least its geometry precomputation. */
+/* A move whose heat is known. */
 struct um_sensitivity_moved {
   struct um_sensitivity_move move;
-  struct um_sensitivity_cached cached; /* model and precomputation; empty where they are the
-                                          scenario's or no longer wanted */
   const struct um_model_thermal_sensitivity *sensitivity; /* of the batch; NULL: not by that */
   size_t which;                                           /* of it */
 };
@@ -50,9 +35,5 @@ void um_sensitivity_moves_destroy(struct um_context *context, struct um_sensitiv
  * none, also where moves or move are. */
 const struct um_sensitivity_moved *um_sensitivity_moves_of(const struct um_sensitivity_moves *moves,
                                                            const struct um_sensitivity_move *move);
-/* A geometry precomputation of that key among them; NULL: none. */
-struct um_sensitivity_cached *
-um_sensitivity_moves_precomputed(const struct um_sensitivity_moves *moves,
-                                 const struct um_model_addition *key, size_t nkey);
 
 #endif

@@ -3,14 +3,11 @@
  * itself, in which they are linear. */
 #include "sensitivity/moves_impl.h"
 
+#include <math.h>
 #include <omp.h>
 #include <string.h>
 
-#include "compare/predict.h"
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "sensitivity/variant_impl.h"
 
 #define SMALL         1e-3      /* of a step */
 #define BATCH         48        /* moves in one run */
@@ -24,46 +21,47 @@ static struct um_model_addition addition_of(const struct um_sensitivity_move *mo
   return a;
 }
 
-/* The model of a move, and its loads where they are others; *share: of the step that it took. */
-static enum um_status move_build(struct um_context *context, struct um_sensitivity_forward *forward,
-                                 const struct um_sensitivity_move *move,
-                                 struct um_sensitivity_cached *to, double *share)
+/* The variant of a move; *share: of the step that it took. */
+static enum um_status move_open(struct um_context *context, struct um_sensitivity_forward *forward,
+                                const struct um_sensitivity_move *move, struct um_variant *v,
+                                double *share)
 {
-  struct um_model_addition a = addition_of(move, SMALL), key;
+  struct um_model_addition a = addition_of(move, SMALL);
   const struct um_model_changes changes = {.addition = &a, .naddition = 1};
-  *share = SMALL;
-  UM_TRY(um_model_variant_create(context, forward->model, &changes, &to->model));
-  if (um_sensitivity_variant_key(forward->model, to->model, &a, 1, &key) == 0) return UM_OK;
-  um_model_destroy(context, &to->model);
-  *share = 1.0;
-  a = addition_of(move, 1.0);
-  UM_TRY(um_model_variant_create(context, forward->model, &changes, &to->model));
-  UM_TRY(um_core_allocate(context, 1, sizeof *to->key, &to->key));
-  to->nkey = um_sensitivity_variant_key(forward->model, to->model, &a, 1, to->key);
-  return um_compare_plan_trace(context, to->model, forward->plan, &to->precomputed);
+  bool loads = false;
+  UM_TRY(um_variant_reaches_geometry(context, forward->evaluator, &a, 1, &loads));
+  *share = loads ? 1.0 : SMALL;
+  a = addition_of(move, *share);
+  return um_variant_open(context, forward->evaluator, &changes, NULL, v);
 }
 
 /* Has the move heat of its own that a sensitivity finds? */
 static enum um_status is_wanted(struct um_context *context,
                                 const struct um_sensitivity_forward *forward,
-                                const struct um_sensitivity_cached *of, bool *out)
+                                const struct um_variant *v, bool *out)
 {
-  const struct um_model_thermal_solution *heat = forward->cache->own.heat;
-  const struct um_model_precomputed *precomputed =
-      of->precomputed != NULL ? of->precomputed : forward->precomputed;
+  const struct um_model_thermal_solution *heat = forward->base.heat;
   bool matches;
-  UM_TRY(um_model_thermal_solution_matches(context, heat, of->model, precomputed, &matches));
+  UM_TRY(um_model_thermal_solution_matches(context, heat, v->model, v->precomputed, &matches));
   *out = false;
-  return matches ? UM_OK
-                 : um_model_thermal_sensitivity_serves(context, heat, of->model, precomputed, out);
+  return matches
+             ? UM_OK
+             : um_model_thermal_sensitivity_serves(context, heat, v->model, v->precomputed, out);
 }
 
 /* Moves of one run. */
 struct batch {
   struct um_model_thermal_move move[BATCH];
-  size_t of[BATCH]; /* of the moves that are kept */
+  struct um_variant variant[BATCH]; /* of each, open until the run */
+  size_t of[BATCH];                 /* of the moves that are kept */
   size_t count;
 };
+
+static void batch_clear(struct um_context *context, struct batch *batch)
+{
+  for (size_t k = 0; k < batch->count; k++) um_variant_close(context, &batch->variant[k]);
+  batch->count = 0;
+}
 
 /* The run of a batch; where it finds no answer, its moves are left to runs of their own. */
 static enum um_status batch_run(struct um_context *context, struct um_sensitivity_forward *forward,
@@ -75,7 +73,7 @@ static enum um_status batch_run(struct um_context *context, struct um_sensitivit
   double begin = omp_get_wtime();
   UM_TRY(um_core_reallocate(context, moves->nbatch + 1,
                             sizeof(struct um_model_thermal_sensitivity *), (void **)&moves->batch));
-  enum um_status status = um_model_thermal_sensitivity_create(context, forward->cache->own.heat,
+  enum um_status status = um_model_thermal_sensitivity_create(context, forward->base.heat,
                                                               batch->move, batch->count, &found);
   if (status == UM_ERR_NUMERIC)
     um_core_message_clear(context);
@@ -83,17 +81,15 @@ static enum um_status batch_run(struct um_context *context, struct um_sensitivit
     UM_TRY(status);
   if (found != NULL) moves->batch[moves->nbatch++] = found;
   for (size_t k = 0; k < batch->count; k++) {
-    struct um_sensitivity_moved *moved = &moves->moved[batch->of[k]];
-    moved->sensitivity = found;
-    moved->which = k;
-    if (moved->cached.nkey == 0) um_sensitivity_cached_clear(context, &moved->cached);
+    moves->moved[batch->of[k]].sensitivity = found;
+    moves->moved[batch->of[k]].which = k;
   }
   if (found != NULL) {
     forward->heat_batches++;
     forward->heat_sensitivities += batch->count;
   }
   forward->heat_seconds += omp_get_wtime() - begin;
-  batch->count = 0;
+  batch_clear(context, batch);
   return UM_OK;
 }
 
@@ -102,30 +98,24 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
                            const struct um_sensitivity_move *move, struct batch *batch)
 {
   struct um_sensitivity_moves *moves = forward->cache->moves;
-  struct um_sensitivity_moved *to = &moves->moved[moves->count];
-  double share;
+  struct um_variant *v = &batch->variant[batch->count];
+  double share = NAN;
   bool wanted = false;
   uint32_t reach = um_effects_reach(move->effect);
   if ((reach & UM_REACH_THERMAL) == 0 || (reach & UM_REACH_PRECOMPUTED) != 0) return UM_OK;
-  *to = (struct um_sensitivity_moved){.move = *move};
-  moves->count++; /* released with the others from now on */
-  enum um_status status = move_build(context, forward, move, &to->cached, &share);
-  if (status == UM_OK) status = is_wanted(context, forward, &to->cached, &wanted);
-  if (status == UM_ERR_REFUSED || status == UM_ERR_INPUT || status == UM_ERR_NUMERIC) {
-    um_core_message_clear(context);
-    um_sensitivity_cached_clear(context, &to->cached);
+  *v = (struct um_variant){0};
+  enum um_status status = move_open(context, forward, move, v, &share);
+  if (status == UM_OK) status = is_wanted(context, forward, v, &wanted);
+  if (status == UM_OK && wanted) {
+    moves->moved[moves->count] = (struct um_sensitivity_moved){.move = *move};
+    batch->of[batch->count] = moves->count++;
+    batch->move[batch->count++] =
+        (struct um_model_thermal_move){v->model, v->precomputed, share * move->step};
     return UM_OK;
   }
-  UM_TRY(status);
-  if (!wanted) {
-    if (to->cached.nkey == 0) um_sensitivity_cached_clear(context, &to->cached);
-    return UM_OK;
-  }
-  batch->of[batch->count] = moves->count - 1;
-  batch->move[batch->count++] = (struct um_model_thermal_move){
-      to->cached.model,
-      to->cached.precomputed != NULL ? to->cached.precomputed : forward->precomputed,
-      share * move->step};
+  um_variant_close(context, v);
+  if (status != UM_ERR_REFUSED && status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
+  um_core_message_clear(context);
   return UM_OK;
 }
 
@@ -136,7 +126,7 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
   enum um_status status;
   struct batch *batch = NULL;
   size_t numbers = um_thermal_network_nodes(forward->model->body->network) *
-                   (1 + forward->precomputed->nobs * forward->precomputed->nsub);
+                   (1 + forward->base.precomputed->nobs * forward->base.precomputed->nsub);
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
   um_sensitivity_moves_clear(context, forward);
@@ -152,6 +142,7 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
   UM_CHECK(batch_run(context, forward, batch));
 done:
   um_core_quiet_end(context);
+  if (batch != NULL) batch_clear(context, batch);
   um_core_free(context, batch);
   if (status != UM_OK) um_sensitivity_moves_clear(context, forward);
   forward->seconds += omp_get_wtime() - begin;

@@ -1,6 +1,9 @@
 /* Geometries that are kept, least recently used ones given up first. */
 #include "variant/cache_impl.h"
 
+#include <stdint.h>
+
+#include "core/words.h"
 #include "model/build.h"
 #include "model/precomputed_serves.h"
 
@@ -22,12 +25,35 @@ enum um_status um_variant_cache_find(struct um_context *context, struct um_varia
   return UM_OK;
 }
 
+static bool additions_equal(const struct um_model_addition *a, const struct um_model_addition *b)
+{
+  if (a->effect != b->effect || !um_core_words_same(a->target, b->target)) return false;
+  for (size_t p = 0; p < a->effect->nparameter; p++)
+    if (a->value[p] != b->value[p]) return false;
+  return true;
+}
+
+struct um_variant_kept *um_variant_cache_find_key(struct um_variant_cache *cache,
+                                                  const struct um_model_addition *key, size_t nkey)
+{
+  for (struct um_variant_kept *k = cache->first; k != NULL; k = k->next) {
+    bool same = k->key != NULL && k->nkey == nkey;
+    for (size_t i = 0; i < nkey && same; i++) same = additions_equal(&k->key[i], &key[i]);
+    if (!same) continue;
+    k->used = ++cache->clock;
+    return k;
+  }
+  return NULL;
+}
+
 static void drop(struct um_context *context, struct um_variant_cache *cache,
                  struct um_variant_kept **link)
 {
   struct um_variant_kept *k = *link;
   *link = k->next;
   cache->bytes -= k->bytes;
+  for (size_t i = 0; i < k->nkey; i++) um_core_free(context, (void *)(uintptr_t)k->key[i].target);
+  um_core_free(context, k->key);
   um_model_thermal_solution_destroy(context, &k->heat);
   um_model_precomputed_destroy(context, &k->precomputed);
   um_model_destroy(context, &k->model);
@@ -43,7 +69,22 @@ static struct um_variant_kept **oldest(struct um_variant_cache *cache)
   return found;
 }
 
+static enum um_status keep_key(struct um_context *context, const struct um_model_addition *key,
+                               size_t nkey, struct um_variant_kept *kept)
+{
+  UM_TRY(um_core_allocate(context, nkey, sizeof *kept->key, &kept->key));
+  for (size_t i = 0; i < nkey; i++) {
+    char *target = NULL;
+    if (key[i].target != NULL) UM_TRY(um_core_strdup(context, key[i].target, &target));
+    kept->key[i] = key[i];
+    kept->key[i].target = target;
+    kept->nkey++;
+  }
+  return UM_OK;
+}
+
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
+                                    const struct um_model_addition *key, size_t nkey,
                                     struct um_model **model,
                                     struct um_model_precomputed **precomputed,
                                     struct um_variant_kept **out)
@@ -52,13 +93,18 @@ enum um_status um_variant_cache_add(struct um_context *context, struct um_varian
   size_t bytes = um_model_precomputed_bytes(*precomputed);
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *kept, &kept));
+  enum um_status status = key != NULL ? keep_key(context, key, nkey, kept) : UM_OK;
+  if (status != UM_OK) {
+    drop(context, cache, &kept);
+    return status;
+  }
   while (cache->bytes + bytes > cache->most && (link = oldest(cache)) != NULL)
     drop(context, cache, link);
-  *kept = (struct um_variant_kept){.model = *model,
-                                   .precomputed = *precomputed,
-                                   .bytes = bytes,
-                                   .used = ++cache->clock,
-                                   .next = cache->first};
+  kept->model = *model;
+  kept->precomputed = *precomputed;
+  kept->bytes = bytes;
+  kept->used = ++cache->clock;
+  kept->next = cache->first;
   cache->first = kept;
   cache->bytes += bytes;
   *model = NULL;

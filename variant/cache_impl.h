@@ -4,10 +4,14 @@
 
 #include "model/model.h"
 #include "model/precompute.h"
-#include "variant/evaluator.h"
+#include "model/thermal_solution.h"
+#include "variant/tolerance.h"
 
 /* A geometry, the model it was traced of, and heat on it. */
 struct um_variant_kept {
+  struct um_model_addition *key; /* [nkey] effects that reach it, targets owned; NULL: of changes of
+                                    keys, too */
+  size_t nkey;
   struct um_model *model;
   struct um_model_precomputed *precomputed;
   struct um_model_thermal_solution *heat; /* of `model`; NULL: not asked for, or that of another */
@@ -23,14 +27,21 @@ struct um_variant_cache {
   size_t clock;
 };
 
-/* The one whose geometry serves the model (um_model_precomputed_serves); *out NULL: none does. */
+/* The one whose geometry serves the model, by what it is built of (um_model_precomputed_serves);
+ * *out NULL: none does. */
 enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
                                      const struct um_model *model,
                                      const struct um_model_instants *instants,
                                      struct um_variant_kept **out);
+/* The one that was traced for the same effects with the same numbers; NULL: none. Nothing is looked
+ * at but the key. */
+struct um_variant_kept *um_variant_cache_find_key(struct um_variant_cache *cache,
+                                                  const struct um_model_addition *key, size_t nkey);
 /* Takes model and geometry, and gives up others for them; what is larger than all that may be kept
- * stays until the next. UM_ERR_MEMORY: they stay the caller's. */
+ * stays until the next. key: copied; NULL: it is found by what it is built of alone. UM_ERR_MEMORY:
+ * they stay the caller's. */
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
+                                    const struct um_model_addition *key, size_t nkey,
                                     struct um_model **model,
                                     struct um_model_precomputed **precomputed,
                                     struct um_variant_kept **out);

@@ -62,41 +62,84 @@ static enum um_status base_geometry(struct um_context *context, struct um_varian
   return UM_OK;
 }
 
-/* Do the effects of the changes act behind the geometry, by what they declare? */
-static bool acts_behind(const struct um_model_changes *changes)
+static enum um_status trace(struct um_context *context, struct um_variant_evaluator *e,
+                            const struct um_model_addition *key, size_t nkey, struct um_variant *v)
 {
-  const uint32_t reached = UM_REACH_PRECOMPUTED | UM_REACH_LIGHT;
-  if (changes->nkey + changes->nwith + changes->nwithout > 0) return false;
-  for (size_t i = 0; i < changes->naddition; i++)
-    if ((um_effects_reach(changes->addition[i].effect) & reached) != 0) return false;
-  return true;
+  struct um_model_precomputed *traced = NULL;
+  v->fresh_geometry = true;
+  UM_TRY(um_model_precompute_over(context, v->model, e->settings.instants, &traced));
+  enum um_status status =
+      um_variant_cache_add(context, &e->cache, key, nkey, &v->own_model, &traced, &v->kept);
+  um_model_precomputed_destroy(context, &traced);
+  return status;
 }
 
-/* The geometry of the variant's model: the scenario's own, one that is kept, or a new one, which
- * takes the model. The scenario's own is looked at only once it is traced. */
-static enum um_status find_geometry(struct um_context *context, struct um_variant_evaluator *e,
-                                    const struct um_model_changes *changes, struct um_variant *v)
+static void use(struct um_variant *v)
+{
+  v->kept->users++;
+  v->precomputed = v->kept->precomputed;
+}
+
+/* The additions that reach the geometry of the scenario with them, into key [naddition]. */
+static size_t reaching(const struct um_variant_evaluator *e, const struct um_model *model,
+                       const struct um_model_addition *addition, size_t naddition,
+                       struct um_model_addition *key)
+{
+  size_t nkey = 0;
+  bool lit = !um_model_light_serves(e->model, model);
+  for (size_t i = 0; i < naddition; i++) {
+    uint32_t reach = um_effects_reach(addition[i].effect);
+    if ((reach & UM_REACH_PRECOMPUTED) != 0 || (lit && (reach & UM_REACH_LIGHT) != 0))
+      key[nkey++] = addition[i];
+  }
+  return nkey;
+}
+
+/* By what effects declare: the scenario's own geometry where none reaches it, else one that was
+ * traced for the same, or a new one. */
+static enum um_status find_by_effects(struct um_context *context, struct um_variant_evaluator *e,
+                                      const struct um_model_changes *changes, struct um_variant *v)
+{
+  enum um_status status = UM_OK;
+  struct um_model_addition *key = NULL;
+  UM_TRY(um_core_allocate(context, changes->naddition, sizeof *key, &key));
+  size_t nkey = reaching(e, v->model, changes->addition, changes->naddition, key);
+  if (nkey > 0) {
+    v->kept = um_variant_cache_find_key(&e->cache, key, nkey);
+    if (v->kept == NULL) status = trace(context, e, key, nkey, v);
+    if (status == UM_OK) use(v);
+  } else {
+    status = base_geometry(context, e);
+    v->precomputed = e->precomputed;
+  }
+  um_core_free(context, key);
+  return status;
+}
+
+/* By what geometries are built of: the scenario's own, if it is traced, one that is kept, or a new
+ * one. */
+static enum um_status find_by_numbers(struct um_context *context, struct um_variant_evaluator *e,
+                                      struct um_variant *v)
 {
   const struct um_model_instants *instants = e->settings.instants;
-  struct um_model_precomputed *traced = NULL;
-  bool serves = e->precomputed != NULL && acts_behind(changes);
-  if (e->precomputed != NULL && !serves)
+  bool serves = false;
+  if (e->precomputed != NULL)
     UM_TRY(um_model_precomputed_serves(context, e->model, e->precomputed, instants, v->model,
                                        &serves));
   v->precomputed = e->precomputed;
   if (serves) return UM_OK;
   UM_TRY(um_variant_cache_find(context, &e->cache, v->model, instants, &v->kept));
-  if (v->kept == NULL) {
-    v->fresh_geometry = true;
-    UM_TRY(um_model_precompute_over(context, v->model, instants, &traced));
-    enum um_status status =
-        um_variant_cache_add(context, &e->cache, &v->own_model, &traced, &v->kept);
-    um_model_precomputed_destroy(context, &traced);
-    UM_TRY(status);
-  }
-  v->kept->users++;
-  v->precomputed = v->kept->precomputed;
+  if (v->kept == NULL) UM_TRY(trace(context, e, NULL, 0, v));
+  use(v);
   return UM_OK;
+}
+
+static enum um_status find_geometry(struct um_context *context, struct um_variant_evaluator *e,
+                                    const struct um_model_changes *changes, struct um_variant *v)
+{
+  if (changes->nkey + changes->nwith + changes->nwithout == 0)
+    return find_by_effects(context, e, changes, v);
+  return find_by_numbers(context, e, v);
 }
 
 /* --- heat ------------------------------------------------------------------------------------ */
@@ -214,18 +257,60 @@ enum um_status um_variant_base(struct um_context *context, struct um_variant_eva
   return UM_OK;
 }
 
+static enum um_status make_model(struct um_context *context, const struct um_variant_evaluator *e,
+                                 const struct um_model_changes *changes, struct um_variant *out)
+{
+  *out = (struct um_variant){0};
+  UM_TRY(um_model_variant_create(context, e->model, changes, &out->own_model));
+  out->model = out->own_model;
+  return UM_OK;
+}
+
+enum um_status um_variant_reaches_geometry(struct um_context *context,
+                                           const struct um_variant_evaluator *evaluator,
+                                           const struct um_model_addition *addition,
+                                           size_t naddition, bool *out)
+{
+  enum um_status status;
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
+  struct um_variant v = {0};
+  struct um_model_addition *key = NULL;
+  UM_CHECK(um_core_allocate(context, naddition, sizeof *key, &key));
+  UM_CHECK(make_model(context, evaluator, &changes, &v));
+  *out = reaching(evaluator, v.model, addition, naddition, key) > 0;
+done:
+  um_variant_close(context, &v);
+  um_core_free(context, key);
+  return status;
+}
+
 enum um_status um_variant_open(struct um_context *context, struct um_variant_evaluator *evaluator,
                                const struct um_model_changes *changes,
                                const struct um_variant_heat *heat, struct um_variant *out)
 {
   enum um_status status;
-  *out = (struct um_variant){0};
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
-  UM_CHECK(um_model_variant_create(context, evaluator->model, changes, &out->own_model));
-  out->model = out->own_model;
-  if (heat == NULL || heat->start != UM_VARIANT_COLD) UM_CHECK(base_geometry(context, evaluator));
+  UM_CHECK(make_model(context, evaluator, changes, out));
   UM_CHECK(find_geometry(context, evaluator, changes, out));
   if (heat != NULL) UM_CHECK(um_variant_find_heat(context, evaluator, heat, out));
+done:
+  um_core_quiet_end(context);
+  return status;
+}
+
+enum um_status um_variant_open_over(struct um_context *context,
+                                    struct um_variant_evaluator *evaluator,
+                                    const struct um_model_instants *instants,
+                                    const struct um_model_changes *changes,
+                                    const struct um_variant_heat *heat, struct um_variant *out)
+{
+  enum um_status status;
+  um_core_quiet_begin(context);
+  UM_CHECK(make_model(context, evaluator, changes, out));
+  UM_CHECK(um_model_precompute_over(context, out->model, instants, &out->own_precomputed));
+  out->precomputed = out->own_precomputed;
+  out->fresh_geometry = true;
+  if (heat != NULL) UM_CHECK(um_variant_heat_again(context, evaluator, heat, out));
 done:
   um_core_quiet_end(context);
   return status;
@@ -235,6 +320,7 @@ void um_variant_close(struct um_context *context, struct um_variant *variant)
 {
   if (variant->kept != NULL) variant->kept->users--;
   um_model_thermal_solution_destroy(context, &variant->own_heat);
+  um_model_precomputed_destroy(context, &variant->own_precomputed);
   um_model_destroy(context, &variant->own_model);
   *variant = (struct um_variant){0};
 }

@@ -10,12 +10,7 @@
 #include "model/result.h"
 #include "model/thermal_sensitivity.h"
 #include "model/thermal_solution.h"
-
-/* How accurately heat is solved. */
-struct um_variant_tolerance {
-  double factor;   /* >= 1, on the scenario's tolerances of the integration [1] */
-  double periodic; /* of the state that repeats [K] */
-};
+#include "variant/tolerance.h"
 
 struct um_variant_settings {
   const struct um_model_instants *instants; /* when all are looked at; borrowed while the evaluator
@@ -54,6 +49,7 @@ struct um_variant {
   /* private */
   struct um_variant_kept *kept;
   struct um_model *own_model;
+  struct um_model_precomputed *own_precomputed;
   struct um_model_thermal_solution *own_heat;
 };
 
@@ -85,6 +81,19 @@ struct um_model_precomputed *um_variant_base_precomputed(struct um_variant_evalu
 enum um_status um_variant_open(struct um_context *context, struct um_variant_evaluator *evaluator,
                                const struct um_model_changes *changes,
                                const struct um_variant_heat *heat, struct um_variant *out);
+/* *out: do these effects, by what they declare, ask for another geometry than the scenario's?
+ * Errors of um_model_variant_create. */
+enum um_status um_variant_reaches_geometry(struct um_context *context,
+                                           const struct um_variant_evaluator *evaluator,
+                                           const struct um_model_addition *addition,
+                                           size_t naddition, bool *out);
+/* The same over other instants than the evaluator's (NULL: the variant's own window). Its geometry
+ * is traced for it alone. */
+enum um_status um_variant_open_over(struct um_context *context,
+                                    struct um_variant_evaluator *evaluator,
+                                    const struct um_model_instants *instants,
+                                    const struct um_model_changes *changes,
+                                    const struct um_variant_heat *heat, struct um_variant *out);
 /* Heat of a variant that was opened without, or with another tolerance: some that is at hand and is
  * the same number for number, or solved. */
 enum um_status um_variant_find_heat(struct um_context *context,

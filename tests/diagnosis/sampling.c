@@ -59,16 +59,17 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
   struct um_compare_comparison *c;
   double chi2 = 0.0;
   assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, false, &run));
-  assert_int_equal(run.model->scenario->optics->samples, f->samples);
-  struct um_compare_run compared = {run.model, f->plan, run.precomputed, run.result};
+  assert_int_equal(run.variant.model->scenario->optics->samples, f->samples);
+  struct um_compare_run compared = {run.variant.model, f->plan, run.variant.precomputed,
+                                    run.result};
   assert_ok(um_compare_create(context, &compared, 0.0, &c));
   for (size_t j = 0; j < f->observations.count; j++) {
     double residual = (f->observations.measured[j] - f->cache->base[j]) / f->observations.sigma[j];
     chi2 += residual * residual;
-    assert_close(f->observations.sigma[j],
-                 hypot(c->sigma[f->observations.row[j]], c->model_sigma[f->observations.row[j]]),
+    const struct um_compare_residual *of = &c->residual[f->observations.row[j]];
+    assert_close(f->observations.sigma[j], hypot(of->sigma, of->model_sigma),
                  1e-3 * f->observations.sigma[j]);
-    assert_true(f->observations.stated_sigma[j] == c->sigma[f->observations.row[j]]);
+    assert_true(f->observations.stated_sigma[j] == of->sigma);
   }
   assert_close(chi2, c->chi2, 1e-3 * c->chi2);
   assert_close(f->observations.model_share, c->model_share, 1e-3 * c->model_share);
@@ -79,10 +80,11 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
 /* Back to the points of the scenario and the sigma of the measurements alone. */
 static void withhold(struct um_sensitivity_forward *f)
 {
-  struct um_sensitivity_cached *own = &f->cache->own;
+  const struct um_variant *own = &f->base;
   struct um_model_result *result;
-  assert_ok(um_model_precomputed_resample(context, f->model, own->precomputed, f->samples_before,
-                                          f->model->scenario->optics->interreflection_samples));
+  assert_ok(um_model_precomputed_resample(
+      context, f->model, um_variant_base_precomputed(f->evaluator), f->samples_before,
+      f->model->scenario->optics->interreflection_samples));
   assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
   assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
   um_model_result_destroy(context, &result);

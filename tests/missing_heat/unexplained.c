@@ -145,7 +145,7 @@ static void test_columns(void **state)
     size_t nplace, at = 0;
     assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
     assert_ok(um_missing_heat_base_create(context, f, NULL, 0, &base));
-    assert_ok(um_missing_heat_places_create(context, base.model, &place, &nplace));
+    assert_ok(um_missing_heat_places_create(context, base.variant.model, &place, &nplace));
     assert_int_equal(nplace, 8); /* six walls, an interior, a panel */
     while (strcmp(place[at].name, p.place) != 0) assert_true(++at < nplace);
     const double edge[2] = {day0() + p.from, day0() + p.to};

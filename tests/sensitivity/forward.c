@@ -115,13 +115,13 @@ static void test_run(void **state)
   double value[48], rows[60];
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, false, &run));
-  assert_ok(um_compare_predict(context, f->plan, run.precomputed, run.result, rows));
+  assert_ok(um_compare_predict(context, f->plan, run.variant.precomputed, run.result, rows));
   for (size_t j = 0; j < f->observations.count; j++)
     if (m->channel[f->observations.channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
       assert_true(rows[f->observations.row[j]] == value[j]);
   um_sensitivity_forward_run_release(context, &run);
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
-  assert_int_equal(run.precomputed->nobs, 181); /* 12 minutes, every 4 s */
+  assert_int_equal(run.variant.precomputed->nobs, 181); /* 12 minutes, every 4 s */
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_destroy(context, &f);
