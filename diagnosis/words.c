@@ -23,7 +23,7 @@ bool um_diagnosis_whole_find(const struct um_sensitivity_forward *forward,
                              double value, double sigma, struct um_diagnosis_whole *out)
 {
   double present[UM_EFFECT_PARAMETERS_MAX];
-  struct um_sensitivity_stated stated;
+  struct um_effect_stated stated;
   um_sensitivity_forward_null(forward, effect, target, present);
   if (!um_sensitivity_stated_find(forward, effect, target, p, present[p], &stated)) return false;
   double above = um_sensitivity_stated_whole(&stated, value + sigma);

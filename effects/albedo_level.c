@@ -15,6 +15,15 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
       use->value[0], environment->albedo);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_environment *e = n->environment;
+  if (e->earth == UM_EARTH_UNIFORM)
+    um_effect_state(out, "albedo", "1", e->albedo, 0.0, 1.0);
+  else
+    um_effect_state(out, "factor of the map's albedo", "1", e->albedo_factor, 0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "albedo_factor",
      .unit = "1",
@@ -24,7 +33,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.5,
-     .stated = UM_STATED_ALBEDO,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.1 to 0.8 at a place, 0.3 in the mean"},
 };

@@ -3,6 +3,16 @@
 #include "effects/list_impl.h"
 #include "geometry/geometry.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(n->geometry);
+  double area = 0.0;
+  for (size_t f = 0; n->use.target != NULL && f < mesh->nfacet; f++)
+    if (strcmp(um_geometry_part_name(n->geometry, mesh->facet_part[f]), n->use.target) == 0)
+      area += mesh->area[f];
+  if (area > 0.0) um_effect_state(out, "area of facets", "m^2", area, -INFINITY, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "area_factor",
      .unit = "1",
@@ -12,7 +22,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.1,
      .maximum = 10.0,
      .prior_sigma = 0.2,
-     .stated = UM_STATED_AREA,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.7 to 1.3 of the area of a drawing"},
 };

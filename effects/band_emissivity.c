@@ -4,6 +4,19 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
+#define SAMPLES 16 /* wavelengths of a band */
+
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  double step = (n->infrared_to - n->infrared_from) / SAMPLES, sum = 0.0;
+  if (n->material == NULL || isnan(n->infrared_from)) return;
+  for (int i = 0; i < SAMPLES; i++)
+    sum += 1.0 - um_materials_hemispherical_reflectance(n->material, n->adjustment,
+                                                        n->infrared_from + (i + 0.5) * step);
+  um_effect_state(out, "emissivity in the infrared band", "1", sum / SAMPLES, 0.0, 1.0);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "emissivity_factor",
      .unit = "1",
@@ -13,7 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.1,
      .maximum = 3.0,
      .prior_sigma = 0.15,
-     .stated = UM_STATED_BAND_EMISSIVITY,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.75 to 1.1 of the total emittance"},
 };

@@ -19,6 +19,12 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "conductance of the contact", "W/K",
+                  n->contact_conductance * out->null_value, -INFINITY, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "conductance_factor",
      .unit = "1",
@@ -29,7 +35,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 1000.0,
      .prior_sigma = 2.0,
      .logarithmic = true,
-     .stated = UM_STATED_CONTACT_CONDUCTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.05 to 5 W/K for one joint, a factor of 10 either way"},
 };

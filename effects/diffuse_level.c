@@ -3,6 +3,15 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->material == NULL) return;
+  um_effect_state(out, "diffuse reflectance at 0.55 um", "1",
+                  um_materials_diffuse_reflectance(n->material, n->adjustment, UM_EFFECT_VISIBLE),
+                  0.0, 1.0);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "diffuse_factor",
      .unit = "1",
@@ -12,7 +21,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.3,
-     .stated = UM_STATED_DIFFUSE_REFLECTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface"},
 };

@@ -15,6 +15,17 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
                       use->value[0], environment->brightness_temperature);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_environment *e = n->environment;
+  if (e->earth == UM_EARTH_UNIFORM)
+    um_effect_state(out, "brightness temperature of the Earth", "K", e->brightness_temperature, 0.0,
+                    INFINITY);
+  else
+    um_effect_state(out, "shift of the map's brightness temperature", "K", e->brightness_shift,
+                    -INFINITY, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "brightness_temperature_shift_K",
      .unit = "K",
@@ -24,7 +35,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -120.0,
      .maximum = 80.0,
      .prior_sigma = 20.0,
-     .stated = UM_STATED_EARTH_BRIGHTNESS,
+     .stated = stated,
      .prior = "220 K over cloud to 290 K over desert"},
 };
 

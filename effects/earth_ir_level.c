@@ -12,6 +12,17 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_environment *e = n->environment;
+  if (e->earth == UM_EARTH_UNIFORM)
+    um_effect_state(out, "outgoing longwave radiation", "W/m^2", e->outgoing_longwave, 0.0,
+                    INFINITY);
+  else
+    um_effect_state(out, "factor of the map's outgoing longwave radiation", "1", e->longwave_factor,
+                    0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "olr_factor",
      .unit = "1",
@@ -21,7 +32,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.15,
-     .stated = UM_STATED_LONGWAVE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "150 to 300 W/m^2 about 237"},
 };

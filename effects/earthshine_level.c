@@ -3,6 +3,16 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_environment *e = n->environment;
+  if (e->earth == UM_EARTH_UNIFORM)
+    um_effect_state(out, "albedo as light", "1", e->albedo * e->earthshine_factor, 0.0, INFINITY);
+  else
+    um_effect_state(out, "factor of the map's albedo as light", "1",
+                    e->albedo_factor * e->earthshine_factor, 0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "factor",
      .unit = "1",
@@ -12,7 +22,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.5,
-     .stated = UM_STATED_EARTHSHINE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "clouds, ice and oceans: 0.1 to 0.8 about 0.3"},
 };

@@ -19,7 +19,7 @@
 #include "orbit/attitude.h"
 #include "thermal/body.h"
 
-#define UM_EFFECT_ABI_VERSION 4
+#define UM_EFFECT_ABI_VERSION 5
 
 enum um_effect_target {
   UM_TARGET_GLOBAL = 1,
@@ -31,35 +31,18 @@ enum um_effect_target {
   UM_TARGET_INTERIOR = 64 /* beside PART: "part.NAME", what the scenario lists under `interiors` */
 };
 
-/* What a scenario states that a parameter changes. A diagnosis says the whole beside the change,
- * and keeps the whole within what is physical. */
-enum um_effect_stated {
-  UM_STATED_NOTHING,
-  UM_STATED_SOLAR_IRRADIANCE,
-  UM_STATED_ALBEDO,
-  UM_STATED_EARTHSHINE, /* albedo as light */
-  UM_STATED_LONGWAVE,
-  UM_STATED_EARTH_BRIGHTNESS,
-  UM_STATED_SHADOW_RADIUS,
-  UM_STATED_ABSORPTANCE, /* of a material, as the next five */
-  UM_STATED_EMITTANCE,
-  UM_STATED_BAND_EMISSIVITY,
-  UM_STATED_DIFFUSE_REFLECTANCE,
-  UM_STATED_SPECULAR_REFLECTANCE,
-  UM_STATED_ROUGHNESS,
-  UM_STATED_EXTRACTION, /* of a part or side, as the next six */
-  UM_STATED_INTERIOR_POWER,
-  UM_STATED_INTERIOR_CAPACITY,
-  UM_STATED_AREA,
-  UM_STATED_MLI_EMITTANCE,
-  UM_STATED_CREASE_SQUARE,
-  UM_STATED_HEAT_CAPACITY,
-  UM_STATED_THROUGH_CONDUCTANCE,
-  UM_STATED_CONTACT_CONDUCTANCE,
-  UM_STATED_EXPOSURE_SQUARE,
-  UM_STATED_SPIN_PERIOD
-};
 enum um_effect_change { UM_CHANGE_ADDS, UM_CHANGE_SCALES, UM_CHANGE_STRETCHES /* by 1 + value */ };
+
+struct um_effect_nominal;
+/* The number of a scenario that a parameter changes: the whole that it is added to or scales. */
+struct um_effect_stated {
+  const char *what, *unit; /* "outgoing longwave radiation", "W/m^2" */
+  double value;            /* with the effects that the scenario lists; NaN: not one number */
+  double minimum, maximum; /* of the whole, that are physical */
+  bool is_clamped; /* kept within them at each wavelength: a bound on the mean comes too early */
+  enum um_effect_change change; /* these two of the parameter; set before its callback */
+  double null_value;            /* its value in the scenario, where the whole is `value` */
+};
 
 struct um_effect_parameter {
   const char *name; /* with unit: "power_W" */
@@ -79,7 +62,9 @@ struct um_effect_parameter {
    * equal possibilities, or steps. Behind all others. */
   bool chosen;
   const char *prior; /* where the width comes from, a few words; NULL: not said */
-  enum um_effect_stated stated;
+  /* Says by um_effect_state which number of the scenario the parameter changes; a diagnosis reports
+   * the whole and keeps it physical. NULL, or nothing said: there is none. */
+  void (*stated)(const struct um_effect_nominal *, struct um_effect_stated *);
   enum um_effect_change change; /* how it changes what is stated */
 };
 
@@ -136,6 +121,35 @@ static inline bool um_effect_acts_on_group(const struct um_effect_use *use, cons
   if (use->target == NULL || strcmp(use->target, part) == 0) return true;
   return strncmp(use->target, part, n) == 0 && use->target[n] == '.' &&
          strcmp(use->target + n + 1, group) == 0;
+}
+
+/* What a scenario states of the target of an effect. Numbers are NaN and pointers NULL where it
+ * states nothing. Everything borrowed. */
+struct um_effect_nominal {
+  struct um_effect_use use; /* effect and target; no values */
+  const struct um_environment *environment;
+  const struct um_materials_record *material; /* that the target names, with its adjustment */
+  const struct um_materials_adjustment *adjustment;
+  double infrared_from, infrared_to; /* first band beyond 2.5 um [m] */
+  const struct um_geometry *geometry;
+  const struct um_geometry_creasing *creasing; /* [group of the geometry] */
+  const struct um_thermal_network *network;
+  /* Of the part or group: wall [J/m^2/K], [W/m^2/K], effective emittance of its MLI [1]. */
+  double wall_capacity, wall_conductance, mli_emittance;
+  double interior_power, interior_capacity; /* of the interior [W], [J/K] */
+  bool has_power_history;                   /* beside interior_power */
+  double contact_conductance;               /* of the only contact [W/K] */
+  double longest_exposure, spin_period;     /* of an observation, of the first law that turns [s] */
+};
+
+static inline void um_effect_state(struct um_effect_stated *out, const char *what, const char *unit,
+                                   double value, double minimum, double maximum)
+{
+  out->what = what;
+  out->unit = unit;
+  out->value = value;
+  out->minimum = minimum;
+  out->maximum = maximum;
 }
 
 /* One observation while it is transformed: once as it comes to the aperture, and once as it would
@@ -203,40 +217,21 @@ struct um_effect_hooks {
  * compiled against other ones is refused. Fields that change places without a change of size need
  * another UM_EFFECT_ABI_VERSION. */
 #define UM_EFFECT_MIX(hash, type) (((hash) ^ (uint64_t)sizeof(type)) * 1099511628211ULL)
+#define UM_EFFECT_MIX4(hash, a, b, c, d)                                                           \
+  UM_EFFECT_MIX(UM_EFFECT_MIX(UM_EFFECT_MIX(UM_EFFECT_MIX(hash, a), b), c), d)
+#define UM_EFFECT_MIX8(hash, a, b, c, d, e, f, g, h)                                               \
+  UM_EFFECT_MIX4(UM_EFFECT_MIX4(hash, a, b, c, d), e, f, g, h)
 #define UM_EFFECT_LAYOUT                                                                           \
   UM_EFFECT_MIX(                                                                                   \
-      UM_EFFECT_MIX(                                                                               \
-          UM_EFFECT_MIX(                                                                           \
-              UM_EFFECT_MIX(                                                                       \
-                  UM_EFFECT_MIX(                                                                   \
-                      UM_EFFECT_MIX(                                                               \
-                          UM_EFFECT_MIX(                                                           \
-                              UM_EFFECT_MIX(                                                       \
-                                  UM_EFFECT_MIX(                                                   \
-                                      UM_EFFECT_MIX(                                               \
-                                          UM_EFFECT_MIX(                                           \
-                                              UM_EFFECT_MIX(                                       \
-                                                  UM_EFFECT_MIX(                                   \
-                                                      UM_EFFECT_MIX(                               \
-                                                          UM_EFFECT_MIX(                           \
-                                                              UM_EFFECT_MIX(                       \
-                                                                  14695981039346656037ULL,         \
-                                                                  struct um_effect_hooks),         \
-                                                              struct um_effect_use),               \
-                                                          struct um_effect_parameter),             \
-                                                      struct um_effect_observation),               \
-                                                  struct um_environment),                          \
-                                              struct um_materials_adjustment),                     \
-                                          struct um_geometry_part_spec),                           \
-                                      struct um_thermal_part_spec),                                \
-                                  struct um_thermal_group_spec),                                   \
-                              struct um_thermal_shell),                                            \
-                          struct um_thermal_mli),                                                  \
-                      struct um_thermal_contact),                                                  \
-                  struct um_orbit_attitude_law),                                                   \
-              struct um_quat),                                                                     \
-          struct um_thermal_interior_spec),                                                        \
-      struct um_geometry_creasing)
+      UM_EFFECT_MIX8(UM_EFFECT_MIX8(14695981039346656037ULL, struct um_effect_hooks,               \
+                                    struct um_effect_use, struct um_effect_parameter,              \
+                                    struct um_effect_observation, struct um_environment,           \
+                                    struct um_materials_adjustment, struct um_geometry_part_spec,  \
+                                    struct um_thermal_part_spec),                                  \
+                     struct um_thermal_group_spec, struct um_thermal_shell, struct um_thermal_mli, \
+                     struct um_thermal_contact, struct um_orbit_attitude_law, struct um_quat,      \
+                     struct um_thermal_interior_spec, struct um_geometry_creasing),                \
+      struct um_effect_nominal)
 /* The first members of every descriptor. */
 #define UM_EFFECT_ABI                                                                              \
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \
@@ -269,6 +264,9 @@ struct um_effect {
    * the command line turn it off. */
   bool (*is_off)(const struct um_environment *);
   enum um_status (*switch_on)(struct um_context *, struct um_environment *);
+  /* Why it has nothing to do on a target, whatever its values: a few words; NULL: it may have.
+   * NULL: it always may. */
+  const char *(*refusal)(const struct um_effect_nominal *);
 };
 
 /* Parameters that may be fitted: all before those that are chosen. */

@@ -13,6 +13,16 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
+#define ROOM 300.0 /* temperature that emittances are said at [K] */
+
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->material == NULL) return;
+  um_effect_state(out, "emittance", "1", um_materials_emittance(n->material, n->adjustment, ROOM),
+                  0.0, 1.0);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "emittance_factor",
      .unit = "1",
@@ -22,7 +32,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.1,
      .maximum = 10.0,
      .prior_sigma = 0.12,
-     .stated = UM_STATED_EMITTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.1 to 0.2 of an emittance of 0.8"},
 };

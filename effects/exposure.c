@@ -4,6 +4,13 @@
  * below 0. */
 #include "effects/list_impl.h"
 
+/* The longest exposure leads: a shorter one has no less than none. */
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  double square = n->longest_exposure * n->longest_exposure + out->null_value;
+  um_effect_state(out, "square of the longest exposure", "s^2", square, 0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "square_s2",
      .unit = "s^2",
@@ -13,7 +20,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -1e4,
      .maximum = 1e4,
      .prior_sigma = 10.0,
-     .stated = UM_STATED_EXPOSURE_SQUARE,
+     .stated = stated,
      .prior = "exposures of 0.05 to 3 s"},
 };
 

@@ -44,6 +44,12 @@ static enum um_status scale_part(struct um_context *context, const struct um_eff
                       part);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "heat capacity of the wall", "J/m^2/K", n->wall_capacity * out->null_value,
+                  0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "capacity_factor",
      .unit = "1",
@@ -54,7 +60,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 20.0,
      .prior_sigma = 0.6,
      .logarithmic = true,
-     .stated = UM_STATED_HEAT_CAPACITY,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "panels 2000 to 10000, MLI 20 to 100 J/m^2/K, a factor of 2 either way"},
 };

@@ -26,6 +26,12 @@ static enum um_status add_capacity(struct um_context *context, const struct um_e
       use->value[0], use->target, interior->capacity);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "heat capacity inside", "J/K", n->interior_capacity + out->null_value, 0.0,
+                  INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "capacity_J_K",
      .unit = "J/K",
@@ -35,7 +41,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -1e9,
      .maximum = 1e9,
      .prior_sigma = INFINITY,
-     .stated = UM_STATED_INTERIOR_CAPACITY,
+     .stated = stated,
      .prior = "300 J/K in a CubeSat, 5 MJ/K in ENVISAT: no common width"},
 };
 

@@ -41,6 +41,14 @@ static enum um_status add_power(struct um_context *context, const struct um_effe
                       use->value[0], use->target, all);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  /* what is inside does not cool; how far a history lets it go down, `least` says */
+  double power = n->interior_power + out->null_value;
+  um_effect_state(out, "power inside", "W", power,
+                  n->has_power_history ? -INFINITY : fmin(0.0, power), INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "power_W",
      .unit = "W",
@@ -50,7 +58,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -1e5,
      .maximum = 1e5,
      .prior_sigma = INFINITY,
-     .stated = UM_STATED_INTERIOR_POWER,
+     .stated = stated,
      .prior = "watts on a CubeSat, kilowatts on ENVISAT: no common width"},
 };
 

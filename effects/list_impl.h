@@ -4,6 +4,8 @@
 
 #include "effects/effect.h"
 
+#define UM_EFFECT_VISIBLE 0.55e-6 /* wavelength that reflectances are stated at [m] */
+
 #define UM_EFFECT(name) extern const struct um_effect um_effects_##name;
 #include "effects/list.def"
 #undef UM_EFFECT

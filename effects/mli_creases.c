@@ -23,6 +23,20 @@ static enum um_status crease(struct um_context *context, const struct um_effect_
   return UM_OK;
 }
 
+/* The most creased group of a target leads: a flatter one has no less than none. */
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  const struct um_geometry *g = n->geometry;
+  double most = 0.0;
+  for (size_t k = 0; k < um_geometry_group_count(g); k++) {
+    const struct um_geometry_group *group = um_geometry_group(g, (uint32_t)k);
+    if (um_effect_acts_on_group(&n->use, um_geometry_part_name(g, group->part), group->name))
+      most = fmax(most, n->creasing[k].tilt_square);
+  }
+  um_effect_state(out, "mean square of the creases' tilt", "deg^2", most / (UM_DEG * UM_DEG), 0.0,
+                  INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "tilt_square_deg2",
      .unit = "deg^2",
@@ -32,7 +46,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -900.0,
      .maximum = 900.0,
      .prior_sigma = 25.0,
-     .stated = UM_STATED_CREASE_SQUARE,
+     .stated = stated,
      .prior = "tilts of 1 to 10 deg rms"},
     {.name = "patch_m",
      .unit = "m",

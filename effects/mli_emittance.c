@@ -24,6 +24,12 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
                       use->value[0], part, group, mli->effective_emittance);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "effective emittance of the MLI", "1", n->mli_emittance * out->null_value,
+                  0.0, 1.0);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "emittance_factor",
      .unit = "1",
@@ -34,7 +40,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 100.0,
      .prior_sigma = 1.0,
      .logarithmic = true,
-     .stated = UM_STATED_MLI_EMITTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "0.005 to 0.05 about 0.016, a factor of 3 either way"},
 };

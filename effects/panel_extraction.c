@@ -8,6 +8,7 @@
 #include "effects/list_impl.h"
 #include "thermal/body.h"
 
+#define CELLS    0.5   /* solar absorptance below which a side is no solar cell */
 #define ROUNDING 1e-12 /* of a sum that is nothing */
 
 static bool acts_on(const struct um_effect_use *use, const char *part, const char *group)
@@ -62,6 +63,50 @@ static enum um_status extract(struct um_context *context, const struct um_effect
       use->value[0], part, group, spec->extraction_front, spec->absorptance_front);
 }
 
+/* Is the facet of what the target names: a part, its front, one of its groups? */
+static bool is_of(const struct um_effect_nominal *n, const struct um_geometry_mesh *mesh,
+                  size_t facet)
+{
+  const char *part = um_geometry_part_name(n->geometry, mesh->facet_part[facet]);
+  return acts_on(&n->use, part, um_geometry_group(n->geometry, mesh->facet_group[facet])->name);
+}
+
+/* Fronts of a target: least and most of what they extract, most of what they absorb; false: none.
+ */
+static bool fronts(const struct um_effect_nominal *n, double *least, double *most, double *absorbed)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(n->geometry);
+  *least = INFINITY;
+  *most = *absorbed = 0.0;
+  for (size_t f = 0; f < mesh->nfacet; f++) {
+    const struct um_thermal_surface *surface;
+    if (mesh->surface_of_front[f] == UM_GEOMETRY_NONE || !is_of(n, mesh, f)) continue;
+    surface = um_thermal_network_surface(n->network, mesh->surface_of_front[f]);
+    if (surface == NULL) continue;
+    *least = fmin(*least, surface->extraction);
+    *most = fmax(*most, surface->extraction);
+    *absorbed = fmax(*absorbed, surface->absorptance);
+  }
+  return isfinite(*least);
+}
+
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  double least, most, absorbed;
+  if (n->network == NULL || !fronts(n, &least, &most, &absorbed)) return;
+  /* the side that gives least gives nothing at the minimum */
+  um_effect_state(out, "electrical extraction", "1", most, most - least, absorbed);
+}
+
+static const char *refusal(const struct um_effect_nominal *n)
+{
+  double least, most, absorbed;
+  if (n->network == NULL) return NULL;
+  if (!fronts(n, &least, &most, &absorbed)) return "no side of it can hold solar cells";
+  if (most > 0.0 || absorbed >= CELLS) return NULL;
+  return "no side of it extracts or is dark enough for solar cells";
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "efficiency",
      .unit = "1",
@@ -72,7 +117,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -0.4,
      .maximum = 0.4,
      .prior_sigma = 0.15,
-     .stated = UM_STATED_EXTRACTION,
+     .stated = stated,
      .prior = "0 on a dead satellite, up to 0.3"},
 };
 
@@ -90,4 +135,5 @@ const struct um_effect um_effects_panel_extraction = {
     .parameters = parameters,
     .nparameter = 1,
     .hooks = {.group = extract, .part = check},
+    .refusal = refusal,
 };

@@ -3,6 +3,14 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->material == NULL || !um_materials_has_lobe(n->material)) return;
+  um_effect_state(out, "alpha of the lobe", "1", um_materials_roughness(n->material, n->adjustment),
+                  0.0, INFINITY);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "alpha_factor",
      .unit = "1",
@@ -12,7 +20,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.1,
      .maximum = 5.0,
      .prior_sigma = 0.4,
-     .stated = UM_STATED_ROUGHNESS,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "formulas from a measured roughness differ by factors of 0.5 to 1.8"},
 };

@@ -19,6 +19,13 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
                       use->value[0], environment->shadow_radius * 1e-3);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->environment->shadow != UM_SHADOW_NONE)
+    um_effect_state(out, "radius of the shadow", "km", 1e-3 * n->environment->shadow_radius, 0.0,
+                    INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "shadow_radius_shift_km",
      .unit = "km",
@@ -29,7 +36,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -60.0,
      .maximum = 60.0,
      .prior_sigma = 10.0,
-     .stated = UM_STATED_SHADOW_RADIUS,
+     .stated = stated,
      .prior =
          "21 km between sphere and ellipsoid, 7 km between radii in use, some 10 km of atmosphere"},
 };

@@ -17,6 +17,14 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->material == NULL) return;
+  um_effect_state(out, "solar absorptance", "1",
+                  um_materials_solar_absorptance(n->material, n->adjustment), 0.0, 1.0);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "absorptance_shift",
      .unit = "1",
@@ -26,7 +34,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -0.5,
      .maximum = 0.5,
      .prior_sigma = 0.15,
-     .stated = UM_STATED_ABSORPTANCE,
+     .stated = stated,
      .prior = "ageing gives 0 to 0.3"},
 };
 

@@ -11,6 +11,12 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "solar irradiance", "W/m^2", n->environment->solar_irradiance, 0.0,
+                  INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "irradiance_factor",
      .unit = "1",
@@ -20,7 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.8,
      .maximum = 1.2,
      .prior_sigma = 0.017,
-     .stated = UM_STATED_SOLAR_IRRADIANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "3.4 % where the distance of the Sun was left out"},
 };

@@ -2,6 +2,16 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  if (n->material == NULL || !um_materials_has_lobe(n->material)) return;
+  um_effect_state(
+      out, "specular reflectance at 0.55 um", "1",
+      um_materials_specular_reflectance(n->material, n->adjustment, UM_EFFECT_VISIBLE, 1.0), 0.0,
+      1.0);
+  out->is_clamped = true;
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "F_factor",
      .unit = "1",
@@ -11,7 +21,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.2,
-     .stated = UM_STATED_SPECULAR_REFLECTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "20 % of a reflectance measured at one angle"},
 };

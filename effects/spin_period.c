@@ -4,6 +4,12 @@
 #include "effects/list_impl.h"
 #include "orbit/attitude.h"
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "spin period", "s", n->spin_period * (1.0 + out->null_value), -INFINITY,
+                  INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "relative",
      .unit = "1",
@@ -13,7 +19,7 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -0.5,
      .maximum = 0.5,
      .prior_sigma = 0.05,
-     .stated = UM_STATED_SPIN_PERIOD,
+     .stated = stated,
      .change = UM_CHANGE_STRETCHES,
      .prior = "1e-4 to 0.1; 175 and 213 s are both printed for ENVISAT"},
 };

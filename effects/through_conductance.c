@@ -40,6 +40,12 @@ static enum um_status check(struct um_context *context, const struct um_effect_u
                       part);
 }
 
+static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "conductance through the wall", "W/m^2/K",
+                  n->wall_conductance * out->null_value, 0.0, INFINITY);
+}
+
 static const struct um_effect_parameter parameters[] = {
     {.name = "conductance_factor",
      .unit = "1",
@@ -50,7 +56,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 100.0,
      .prior_sigma = 1.0,
      .logarithmic = true,
-     .stated = UM_STATED_THROUGH_CONDUCTANCE,
+     .stated = stated,
      .change = UM_CHANGE_SCALES,
      .prior = "honeycomb 20 to 200 W/m^2/K about 63, a factor of 3 either way"},
 };

@@ -5,21 +5,13 @@
 
 #include "sensitivity/forward.h"
 
-struct um_sensitivity_stated {
-  const char *what, *unit; /* "outgoing longwave radiation", "W/m^2" */
-  double value;            /* of the scenario, with the effects that it lists */
-  double minimum, maximum; /* of the whole, that are physical */
-  enum um_effect_change change;
-  double null_value; /* of the parameter, where the whole is `value` */
-};
-
 /* Of parameter p of an effect on a target, when its value is null_value in the scenario as it
  * stands. False where the scenario states nothing that is one number (a calibration, a clock). */
 bool um_sensitivity_stated_find(const struct um_sensitivity_forward *forward,
                                 const struct um_effect *effect, const char *target, size_t p,
-                                double null_value, struct um_sensitivity_stated *out);
+                                double null_value, struct um_effect_stated *out);
 /* The whole when the parameter has a value, within what is physical. */
-double um_sensitivity_stated_whole(const struct um_sensitivity_stated *stated, double value);
+double um_sensitivity_stated_whole(const struct um_effect_stated *stated, double value);
 /* Range of the parameter: the effect's own, less where the whole would not be physical. It always
  * holds null_value. */
 void um_sensitivity_stated_range(const struct um_sensitivity_forward *forward,

@@ -310,7 +310,7 @@ static void test_stated(void **state)
   struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     const struct um_effect *effect = um_effects_find(cases[i].effect);
-    struct um_sensitivity_stated stated;
+    struct um_effect_stated stated;
     assert_non_null(effect);
     if (!um_sensitivity_stated_find(f, effect, cases[i].target, 0, effect->parameters[0].null_value,
                                     &stated))
@@ -320,7 +320,7 @@ static void test_stated(void **state)
     assert_close(um_sensitivity_stated_whole(&stated, cases[i].value), cases[i].whole,
                  1e-9 * cases[i].stated);
   }
-  struct um_sensitivity_stated none;
+  struct um_effect_stated none;
   assert_false(um_sensitivity_stated_find(f, um_effects_find("zero_point"), "vis", 0, 1.0, &none));
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);
