@@ -53,7 +53,6 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
   double *jacobian = NULL;
   bool switched = false;
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, out));
-  out->prune_above = prune_above;
   for (size_t i = 0; i < ncandidate; i++) {
     struct um_diagnosis_block block = um_diagnosis_block_of(work, candidate[i]);
     switched = switched || work->candidates->candidate[candidate[i]].is_switch;
@@ -68,7 +67,7 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
   if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
   /* a switch is on at once: the values of before are not those of the start */
   UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
-                                  jacobian));
+                                  jacobian, prune_above));
 done:
   for (size_t i = 0; i < ncandidate; i++)
     if (work->fate[candidate[i]] != UM_FATE_FITTED)

@@ -56,8 +56,8 @@ static enum um_status baseline(struct um_context *context, const struct um_diagn
   size_t n = work->forward->observations.count;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
   UM_TRY(um_diagnosis_check_free(context, work, um_diagnosis_free_parameters(state)));
-  UM_TRY(um_diagnosis_state_fit(context, work, state,
-                                state->nnuisance == 0 ? work->candidates->base : NULL, NULL));
+  UM_TRY(um_diagnosis_state_fit(
+      context, work, state, state->nnuisance == 0 ? work->candidates->base : NULL, NULL, INFINITY));
   UM_TRY(um_core_allocate(context, n, sizeof *d->value_before, &d->value_before));
   memcpy(d->value_before, state->fit->value, n * sizeof *d->value_before);
   d->chi2 = state->fit->chi2;
@@ -185,7 +185,7 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
   um_diagnosis_steps_clear(context, d);
   um_diagnosis_state_release(context, state);
   UM_TRY(um_diagnosis_state_copy(context, bare, bare->nblock, state));
-  UM_TRY(um_diagnosis_state_fit(context, work, state, bare->fit->value, NULL));
+  UM_TRY(um_diagnosis_state_fit(context, work, state, bare->fit->value, NULL, INFINITY));
   return keep_end(context, work, state, d);
 }
 
@@ -196,7 +196,7 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   struct um_diagnosis_state bare = {0};
   UM_CHECK(baseline(context, work, state, d));
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
-  UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL));
+  UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL, INFINITY));
   UM_CHECK(keep_ranking(context, work, state, d));
   UM_CHECK(go_forward(context, work, state, d));
   UM_CHECK(keep_end(context, work, state, d));

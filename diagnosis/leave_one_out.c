@@ -49,7 +49,8 @@ static enum um_status with_last(struct um_context *context, const struct um_diag
   enum um_status status = um_diagnosis_state_append(context, out, &state->block[b]);
   for (size_t i = 0, k = 0; i < state->nblock && status == UM_OK; i++)
     if (i != b) out->block[k++] = state->block[i];
-  if (status == UM_OK) status = um_diagnosis_state_fit(context, work, out, state->fit->value, NULL);
+  if (status == UM_OK)
+    status = um_diagnosis_state_fit(context, work, out, state->fit->value, NULL, INFINITY);
   if (status != UM_OK) um_diagnosis_state_release(context, out);
   return status;
 }
@@ -121,7 +122,7 @@ static enum um_status fill_series(struct um_context *context, const struct um_di
           in = in || d->step[i].candidate == state->block[b].candidate;
         if (in) UM_CHECK(um_diagnosis_state_append(context, &now, &state->block[b]));
       }
-      UM_CHECK(um_diagnosis_state_fit(context, work, &now, NULL, NULL));
+      UM_CHECK(um_diagnosis_state_fit(context, work, &now, NULL, NULL, INFINITY));
       fit = now.fit;
     }
     step->chi2 = fit->chi2;

@@ -327,7 +327,7 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
   UM_CHECK(um_core_allocate(context, work->forward->observations.count, sizeof *search.value,
                             &search.value));
   UM_CHECK(search_from(&search));
-  UM_CHECK(um_diagnosis_state_fit(context, work, &trial, NULL, NULL));
+  UM_CHECK(um_diagnosis_state_fit(context, work, &trial, NULL, NULL, INFINITY));
   if (trial.fit->bic < state->fit->bic) {
     struct um_diagnosis_state other = *state;
     *state = trial;

@@ -125,18 +125,17 @@ static size_t iterations(const struct um_diagnosis_work *work,
   return 0;
 }
 
-/* The chi-square of the BIC that the state has to come below. */
-static double prune_above(const struct um_diagnosis_work *work,
-                          const struct um_diagnosis_state *state)
+/* The chi-square of a BIC: what is left of it for observations and priors. */
+static double chi2_of_bic(const struct um_diagnosis_work *work,
+                          const struct um_diagnosis_state *state, double bic)
 {
-  double penalty = (double)state->nparameter * log((double)work->forward->observations.count);
-  return isfinite(state->prune_above) ? fmax(0.0, state->prune_above - penalty) : 0.0;
+  return bic - (double)state->nparameter * log((double)work->forward->observations.count);
 }
 
 enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
-                                      const double *jacobian)
+                                      const double *jacobian, double prune_above)
 {
   enum um_status status;
   struct evaluation e = {work, state, NULL};
@@ -155,13 +154,13 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .jacobian = jacobian,
                                              .value = value,
                                              .iterations_max = iterations(work, state),
-                                             .prune_above = prune_above(work, state)};
+                                             .prunes = isfinite(prune_above),
+                                             .prune_above = chi2_of_bic(work, state, prune_above)};
   UM_CHECK(um_inference_fit_create(context, &problem, &fit));
   take(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
   um_inference_fit_destroy(context, &state->fit);
   state->fit = fit;
-  state->prune_above = 0.0;
 done:
   um_core_free(context, parameter);
   um_core_free(context, e.addition);
@@ -286,7 +285,7 @@ enum um_status um_diagnosis_without(struct um_context *context,
   double *jacobian = NULL;
   UM_CHECK(um_diagnosis_state_copy(context, state, b, out));
   UM_CHECK(jacobian_without(context, work, state, b, &jacobian));
-  UM_CHECK(um_diagnosis_state_fit(context, work, out, NULL, jacobian));
+  UM_CHECK(um_diagnosis_state_fit(context, work, out, NULL, jacobian, INFINITY));
 done:
   um_core_free(context, jacobian);
   if (status != UM_OK) um_diagnosis_state_release(context, out);

@@ -24,7 +24,6 @@ struct um_diagnosis_state {
   size_t nblock, nnuisance; /* blocks of which the first are nuisances */
   struct um_diagnosis_block *block;
   size_t nparameter;
-  double prune_above; /* BIC that its next fit has to come below to be of use; 0: any is */
   struct um_inference_fit *fit;
 };
 
@@ -42,12 +41,12 @@ enum um_status um_diagnosis_state_copy(struct um_context *context,
 void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_state *state);
 /* Fit all free parameters of the state from the values in its blocks, which take the result. value
  * [nobservation] and jacobian [nparameter][nobservation] (by transformed parameters) at the start,
- * or NULL. Replaces state->fit.
- */
+ * or NULL. Replaces state->fit. prune_above: BIC that the fit has to come below to be of use;
+ * INFINITY: any is. */
 enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
-                                      const double *jacobian);
+                                      const double *jacobian, double prune_above);
 /* Additions of all blocks; out: [nblock]. */
 void um_diagnosis_state_additions(const struct um_diagnosis_state *state,
                                   struct um_model_addition *out);

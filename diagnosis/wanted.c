@@ -46,7 +46,7 @@ static enum um_status add_as_said(struct um_context *context, const struct um_di
   }
   UM_TRY(um_diagnosis_check_free(context, work, nfree));
   if (state->nblock == before) return UM_OK;
-  return um_diagnosis_state_fit(context, work, state, NULL, NULL);
+  return um_diagnosis_state_fit(context, work, state, NULL, NULL, INFINITY);
 }
 
 /* The one that explains most of what is left. */

@@ -214,7 +214,7 @@ static enum um_status judge(struct um_context *context, struct um_inference_desc
 static bool is_pruned(const struct um_inference_descent *d, double predicted)
 {
   double now = d->chi2 + d->chi2_prior;
-  return d->problem->prune_above > 0.0 && d->iterations >= PRUNE_STEPS &&
+  return d->problem->prunes && d->iterations >= PRUNE_STEPS &&
          now - PRUNE_FACTOR * predicted > d->problem->prune_above;
 }
 

@@ -36,8 +36,10 @@ struct um_inference_fit_problem {
   /* Expected decrease of chi-square that is not worth an evaluation, per reduced chi-square where
    * that is above 1; 0: 0.01, a tenth of a sigma. */
   double tolerance;
-  /* Chi-square, the priors' with it, that the fit has to come below to be of use; 0: any is. It is
-   * pruned, as not converged, when after two steps four times its predicted reduction does not. */
+  /* prunes: the fit is of use only below this chi-square, that of the priors with it; one of 0 or
+   * less is never reached. The fit ends, as not converged, when after two steps four times its
+   * predicted reduction would not bring it there. */
+  bool prunes;
   double prune_above;
 };
 

@@ -171,6 +171,34 @@ static void added_effect_leads_a_better_one(void **state)
   end(&c);
 }
 
+/* A fit that has to come below a BIC that its own parameters already pay more for can win nothing:
+ * it ends on the way. One that may end anywhere goes on to its minimum. */
+static void hopeless_fit_is_pruned(void **state)
+{
+  (void)state;
+  const struct lists lists = {.with = LIST("heat_capacity:wing,capacity_factor=6"),
+                              .only = LIST("heat_capacity:wing")};
+  struct diagnosed c = diagnose(&lists);
+  const struct um_diagnosis_options options = {0};
+  const size_t first = 0;
+  enum um_diagnosis_fate fate = UM_FATE_NOT_FITTED;
+  const struct um_diagnosis_work work = {
+      .forward = c.forward, .candidates = c.candidates, .options = &options, .fate = &fate};
+  struct um_diagnosis_state bare = {0}, whole = {0}, pruned = {0};
+  assert_int_equal(c.candidates->count, 1);
+  OK(um_diagnosis_state_fit(context, &work, &bare, c.candidates->base, NULL, INFINITY));
+  OK(um_diagnosis_with(context, &work, &bare, &first, 1, INFINITY, &whole));
+  OK(um_diagnosis_with(context, &work, &bare, &first, 1, 1.0, &pruned)); /* ln n is above 1 */
+  print_message("whole: %zu steps, chi2 %g; pruned: %zu steps, chi2 %g\n", whole.fit->iterations,
+                whole.fit->chi2, pruned.fit->iterations, pruned.fit->chi2);
+  assert_true(whole.fit->converged && !pruned.fit->converged);
+  assert_true(pruned.fit->iterations < whole.fit->iterations);
+  um_diagnosis_state_release(context, &pruned);
+  um_diagnosis_state_release(context, &whole);
+  um_diagnosis_state_release(context, &bare);
+  end(&c);
+}
+
 /* A pair took the place of two effects, and one of the pair was taken out again: what is left has
  * a step of its own, and those of the others are gone. */
 static void what_is_left_of_a_pair_has_its_step(void **state)
@@ -199,7 +227,7 @@ static void what_is_left_of_a_pair_has_its_step(void **state)
   d.nstep = 2;
   d.step[0].candidate = (left + 1) % 3;
   d.step[1].candidate = (left + 2) % 3;
-  OK(um_diagnosis_state_fit(context, &work, &bare, c.candidates->base, NULL));
+  OK(um_diagnosis_state_fit(context, &work, &bare, c.candidates->base, NULL, INFINITY));
   OK(um_diagnosis_with(context, &work, &bare, &left, 1, INFINITY, &alone));
   OK(um_diagnosis_leave_one_out(context, &work, &alone, &d));
   assert_int_equal(d.nstep, 1);
@@ -246,6 +274,7 @@ int main(void)
                                      cmocka_unit_test(effect_leads_its_alternatives),
                                      cmocka_unit_test(ties_are_fitted),
                                      cmocka_unit_test(added_effect_leads_a_better_one),
+                                     cmocka_unit_test(hopeless_fit_is_pruned),
                                      cmocka_unit_test(what_is_left_of_a_pair_has_its_step),
                                      cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
