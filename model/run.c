@@ -99,7 +99,7 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
   result->nobs = precomputed->nobs;
   result->audit = run->history->audit;
   result->audit_error = run->history->audit_error;
-  result->periodic_drift = heat->periodic_drift;
+  result->periodic_distance = heat->periodic_distance;
   result->steps = run->history->steps;
   result->rhs_evaluations = run->history->rhs_evaluations;
   result->jacobians = run->history->jacobians;

@@ -215,7 +215,7 @@ enum um_status um_model_thermal_solution_move(
   *moved = (struct um_model_thermal_solution){
       .model = model,
       .precomputed = precomputed,
-      .periodic_drift = heat->periodic_drift,
+      .periodic_distance = heat->periodic_distance,
       .run = {.before = heat->run.before, .from = heat->run.from}};
   UM_CHECK(um_model_heat_setting_moved(context, model, precomputed, &like, &moved->setting));
   moved->setting.options.tolerance_factor = heat->setting.options.tolerance_factor;

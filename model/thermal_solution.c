@@ -62,7 +62,7 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  return !isnan(heat->periodic_drift) && heat->model->start_offset == NULL &&
+  return !isnan(heat->periodic_distance) && heat->model->start_offset == NULL &&
          um_thermal_network_thermostats(heat->model->body->network) == 0 &&
          precomputed->t_periodic_end <= precomputed->sample[0].t_tai + 1e-6;
 }

@@ -23,7 +23,7 @@ struct um_model_thermal_solution {
   double *start; /* [nnode] start temperatures [K] */
   double *mean;  /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
   double *rest;  /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
-  double periodic_drift; /* what the periodic start left [K]; NaN when isothermal */
+  double periodic_distance; /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
 

@@ -30,7 +30,7 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
   UM_TRY(um_thermal_solve_periodic_report(context, network, precomputed->loads, &options,
                                           precomputed->t_start, precomputed->period, wanted,
                                           heat->start, NULL, heat->mean, &report));
-  heat->periodic_drift = report.distance;
+  heat->periodic_distance = report.distance;
   return UM_OK;
 }
 
@@ -170,7 +170,7 @@ enum um_status um_model_thermal_start(struct um_context *context,
   size_t n = um_thermal_network_nodes(network);
   double *built = NULL;
   enum um_status status;
-  heat->periodic_drift = NAN;
+  heat->periodic_distance = NAN;
   if (heat->precomputed->points) return UM_OK;
   bool periodic = heat->model->scenario->thermal->start == UM_START_PERIODIC;
   if (!periodic) return settle_stated(context, heat);

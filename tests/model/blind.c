@@ -298,7 +298,7 @@ static void test_set(void **state)
   print_message("set %s: %zu observations, traced in %.2f s, run in %.2f s, energy audit %.1e, "
                 "drift of the start %.1e K\n",
                 set.name, set.precomputed->nobs, traced - begin, end - traced,
-                set.result->audit_error, set.result->periodic_drift);
+                set.result->audit_error, set.result->periodic_distance);
   snprintf(name, sizeof name, "blind-%s", set.name);
   struct um_core_csv *detail = reference_open(set.context, name);
   compare_geometry(&set, detail);

@@ -219,7 +219,7 @@ static void run_is_consistent(void **state)
       assert_true(fabs(r->irradiance[k * r->nband + b] - expected) <= 1e-12 * expected);
     }
   assert_true(r->audit_error <= 1e-6);
-  assert_true(r->periodic_drift <= 0.01);
+  assert_true(r->periodic_distance <= 0.01);
   for (size_t p = 0; p < r->nplace; p++)
     for (size_t k = 0; k < r->nobs; k++)
       assert_true(r->place[p].minimum[k] > 50.0 && r->place[p].maximum[k] < 420.0);

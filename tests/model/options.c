@@ -187,7 +187,7 @@ static void isothermal_start_is_taken(void **state)
   struct run a = compute(NULL, 0);
   for (size_t p = 0; p < a.result->nplace; p++)
     assert_true(fabs(a.result->place[p].mean[0] - 290.0) <= 1e-9);
-  assert_true(isnan(a.result->periodic_drift));
+  assert_true(isnan(a.result->periodic_distance));
   release(&a);
 }
 
@@ -226,7 +226,7 @@ static void spinning_blanket_finds_its_periodic_state(void **state)
   size_t inside = um_thermal_body_place_find(a.model->body, "box.interior");
   assert_true(inside != (size_t)-1);
   assert_true(fabs(a.result->place[inside].mean[0] - b.result->place[inside].mean[0]) <= 0.02);
-  assert_true(a.result->periodic_drift <= 0.01);
+  assert_true(a.result->periodic_distance <= 0.01);
   release(&a);
   release(&b);
 }
