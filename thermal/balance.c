@@ -1,4 +1,5 @@
-/* Evaluation of the heat balance at a state: net heat, rate of change (equation in system.c). */
+/* Evaluation of the heat balance at a state: net heat, rate of change (equation in system_build.c).
+ */
 #include "thermal/system_impl.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Building a thermal network: nodes, conductors, radiators and the surfaces that lie on nodes.
- * Nothing is solved here; thermal/system.c turns a network into equations. */
+ * Nothing is solved here; thermal/system_build.c turns a network into equations. */
 #include "thermal/network.h"
 
 #include <assert.h>

@@ -1,8 +1,8 @@
-/* Steady state: H_i(T) = 0 for every node that is not a boundary (equation in system.c), by KINSOL:
- * Newton with line search, exact Jacobian at every iteration (linear.c). Residuals are scaled by
- * the node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so they are
- * temperatures [K]. Mean thermostats are steep: a first solution with a wide transition leads the
- * iteration to narrower ones. */
+/* Steady state: H_i(T) = 0 for every node that is not a boundary (equation in system_build.c), by
+ * KINSOL: Newton with line search, exact Jacobian at every iteration (linear.c). Residuals are
+ * scaled by the node's own conductance G_i = sum_j (K_ij + 4 s R_ij T^3) + 4 s R_i,space T^3, so
+ * they are temperatures [K]. Mean thermostats are steep: a first solution with a wide transition
+ * leads the iteration to narrower ones. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -229,7 +229,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
                                         struct um_thermal_system **out);
 void um_thermal_system_destroy(struct um_thermal_system **system);
 
-/* system_links.c, system_pattern.c, system_loads.c: parts of create. */
+/* system_links.c, cluster.c, jacobian.c, system_loads.c: parts of create. */
 enum um_status um_thermal_system_links_build(struct um_thermal_system *system);
 enum um_status um_thermal_system_clusters_build(struct um_thermal_system *system);
 void um_thermal_system_clusters_destroy(struct um_thermal_system *system);

@@ -3,7 +3,7 @@
  * sweep takes the first forty and every ninth of the others, and of these every fourth.) Each time
  * the answer is "out of memory", nothing is left allocated, and of the results there is not even
  * the folder. (What libfyaml, Embree, SUNDIALS and HDF5 allocate does not pass through the context.
- * Lines of the log, which are lost without a word, are swept in core/oom.c.) */
+ * Lines of the log, which are lost without a word, are swept in tests/core/oom.c.) */
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
