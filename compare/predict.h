@@ -33,12 +33,12 @@ struct um_compare_plan {
  * station and geometry are the same, so that satellites seen at one time stay apart, and exposures
  * are their middles. With an orbit the geometry of rows is not used, and a warning says so.
  *
- * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, place or observer
- * that the scenario has not, an ambiguous place, a filter or sensor (this version has none), a time
- * more than one step outside time.start_utc to time.stop_utc, a time that orbit or attitude do not
- * cover, two exposures of one time or exposures that overlap, no row with flag 0; with orbit.points
- * a set without geometry, a station that the scenario has not, a satellite not above its station,
- * a temperature (heat is not followed). UM_ERR_MEMORY. The caller destroys. */
+ * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, sensor, place or
+ * observer that the scenario has not, an ambiguous place, a time more than one step outside
+ * time.start_utc to time.stop_utc, a time that orbit or attitude do not cover, two exposures of one
+ * time or exposures that overlap, no row with flag 0; with orbit.points a set without geometry, a
+ * station that the scenario has not, a satellite not above its station, a temperature (heat is not
+ * followed). UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
                                       struct um_compare_plan **out);

@@ -15,7 +15,7 @@
 #include "inference/algebra.h"
 
 #define TOLERANCE 1e-13 /* of the rank: lambda is the one that decides */
-#define DECADES   14    /* of lambda about the ratio of the geometry precomputations, either way */
+#define DECADES   14    /* of lambda about the ratio of the traces of D'D and L'L, either way */
 
 struct history {
   size_t n, nobservation;
@@ -109,6 +109,7 @@ enum um_status um_missing_heat_history(struct um_context *context,
   double *covariance = NULL, chi2, least, n = (double)bins->nbin;
   UM_CHECK(history_create(context, bins, residual, &h));
   UM_CHECK(um_core_allocate(context, bins->nbin * bins->nbin, sizeof *covariance, &covariance));
+  /* trace(D'D) / trace(L'L), nearly: each of the n - 2 rows of L adds 1 + 4 + 1 to its own */
   double scale = um_inference_dot(bins->nbin * bins->nbin, h.r, h.r) / (6.0 * n);
   double low = -DECADES, high = DECADES;
   if (!(scale > 0.0)) scale = 1.0;

@@ -1,5 +1,5 @@
-/* The coupled model: scenario -> orbit, attitude, environment, geometry, materials, heat network;
- * one geometry precomputation of the geometry; one run in both bands. */
+/* What is built from a scenario: orbit, attitude, environment, geometry, materials, heat network,
+ * bands and sensors. What is traced of it is in model/precomputed.h, a run of it in model/run.h. */
 #ifndef UMBRA_MODEL_MODEL_H
 #define UMBRA_MODEL_MODEL_H
 
