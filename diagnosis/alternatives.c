@@ -5,18 +5,10 @@
 
 #include "diagnosis/alternatives_impl.h"
 #include "diagnosis/non_smooth_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 
 /* Alternatives are fitted in rounds while the best of them leaves a residual that is not noise. */
-#define ROUNDS      2
-#define GOOD_ENOUGH 1.3 /* reduced chi-square */
-#define REACH                                                                                      \
-  0.25 /* of the best score: what the linear model may underrate a bent candidate by               \
-        */
-#define UNIDENTIFIED_MAX                                                                           \
-  2 /* candidates with parameters unidentified under the null in a round; they cost a scan each */
-#define LATER_REACH 0.5 /* the same for rounds after the first */
-#define TIES        12  /* more that are fitted where their score says that they do as well */
 
 /* Jacobian of the state's fit and the signatures of candidates, by transformed parameters. */
 static enum um_status jacobian_with(struct um_context *context,
@@ -141,8 +133,9 @@ static void sort_fitted(struct um_diagnosis_alternative *alternative, size_t n)
 static bool is_worth(const struct um_diagnosis_alternative *alternative,
                      const struct um_diagnosis_alternative *best, int round)
 {
-  double reach = (round == 0 ? REACH : LATER_REACH) * best->score.statistic;
-  if (alternative->score.absorbed || alternative->score.p >= 0.5) return false;
+  double reach =
+      (round == 0 ? UM_DIAGNOSIS_REACH : UM_DIAGNOSIS_LATER_REACH) * best->score.statistic;
+  if (alternative->score.absorbed || alternative->score.p >= UM_INFERENCE_WRONG_SIDE) return false;
   return alternative->score.statistic > fmin(reach, best->score.statistic - UM_INFERENCE_SEPARABLE);
 }
 
@@ -182,7 +175,8 @@ static enum um_status try_alternatives(struct um_context *context,
     size_t nunidentified = work->candidates->candidate[alternative->candidate].nunidentified;
     const struct um_diagnosis_alternative *ahead = best_fitted(step);
     if (alternative->fitted || (nunidentified > 0) != shaped) continue;
-    if (shaped && (is_hopeless(work, state, nunidentified, ahead) || ++scans > UNIDENTIFIED_MAX))
+    if (shaped &&
+        (is_hopeless(work, state, nunidentified, ahead) || ++scans > UM_DIAGNOSIS_UNIDENTIFIED_MAX))
       break;
     UM_TRY(try_alternative(context, work, state, ahead, alternative, best));
     UM_TRY(um_core_progress_step(context, 1));
@@ -191,19 +185,19 @@ static enum um_status try_alternatives(struct um_context *context,
 }
 
 /* Those left whose score comes within the evidence of the best one's, the best score first, up to
- * TIES: the linear model alone does not say that they fit as well. */
+ * UM_DIAGNOSIS_TIES: the linear model alone does not say that they fit as well. */
 static enum um_status try_ties(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state,
                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
   size_t tried = 0;
-  um_core_progress_begin(context, "fitting candidates that score as well", TIES);
-  for (size_t i = 0; i < step->nalternative && tried < TIES; i++) {
+  um_core_progress_begin(context, "fitting candidates that score as well", UM_DIAGNOSIS_TIES);
+  for (size_t i = 0; i < step->nalternative && tried < UM_DIAGNOSIS_TIES; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_diagnosis_alternative *ahead = best_fitted(step);
     size_t nunidentified = work->candidates->candidate[r->candidate].nunidentified;
     if (ahead == NULL) break;
-    if (r->fitted || r->refused || r->score.absorbed || r->score.p >= 0.5 ||
+    if (r->fitted || r->refused || r->score.absorbed || r->score.p >= UM_INFERENCE_WRONG_SIDE ||
         !(r->score.statistic > ahead->score.statistic - UM_DIAGNOSIS_EVIDENCE) ||
         (nunidentified > 0 && is_hopeless(work, state, nunidentified, ahead)))
       continue;
@@ -221,7 +215,7 @@ static enum um_status try_rounds(struct um_context *context, const struct um_dia
                                  struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
   size_t tried = 0;
-  for (int round = 0; round < ROUNDS; round++) {
+  for (int round = 0; round < UM_DIAGNOSIS_ROUNDS; round++) {
     size_t until = tried;
     while (until < step->nalternative && until < tried + work->alternatives &&
            is_worth(&step->alternative[until], &step->alternative[0], round))
@@ -233,8 +227,8 @@ static enum um_status try_rounds(struct um_context *context, const struct um_dia
     const struct um_diagnosis_alternative *ahead = best_fitted(step);
     bool all = until < tried + work->alternatives;
     tried = until;
-    if (all ||
-        (ahead != NULL && ahead->chi2 < GOOD_ENOUGH * (double)work->forward->observations.count))
+    if (all || (ahead != NULL &&
+                ahead->chi2 < UM_DIAGNOSIS_GOOD_ENOUGH * (double)work->forward->observations.count))
       break;
   }
   return UM_OK;

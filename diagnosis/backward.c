@@ -2,9 +2,8 @@
 #include <math.h>
 
 #include "diagnosis/backward_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
-
-#define CLEAR 6.0 /* sigmas from null that need no second look */
 
 /* A free parameter of the block stands many sigmas from where it does nothing: it is needed. */
 static bool is_clear(const struct um_diagnosis_state *state, size_t b)
@@ -13,7 +12,7 @@ static bool is_clear(const struct um_diagnosis_state *state, size_t b)
   for (size_t i = 0; i < b; i++) k += state->block[i].nfree;
   for (size_t p = 0; p < state->block[b].nfree; p++)
     if (fabs(state->fit->x[k + p] - state->block[b].prior_mean[p]) >
-        CLEAR * state->fit->sigma[k + p])
+        UM_DIAGNOSIS_CLEAR * state->fit->sigma[k + p])
       return true;
   return false;
 }

@@ -12,6 +12,7 @@
 #include "diagnosis/next_impl.h"
 #include "diagnosis/nuisance_impl.h"
 #include "diagnosis/pair_swap_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/pulse_bic_impl.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/select_impl.h"
@@ -20,11 +21,6 @@
 #include "diagnosis/superseded_impl.h"
 #include "diagnosis/verdict_impl.h"
 #include "diagnosis/wanted_impl.h"
-
-#define LEVEL        0.01 /* family-wise false-alarm rate, when not asked for another */
-#define STEPS_MAX    4
-#define ALTERNATIVES 8
-#define FOLDS        5 /* blocks of time that are held out in turn */
 
 static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
 {
@@ -41,10 +37,10 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
     first = fmin(first, f->observations.t[j]);
     last = fmax(last, f->observations.t[j]);
   }
-  work->nfold = FOLDS;
+  work->nfold = UM_DIAGNOSIS_FOLDS;
   for (size_t j = 0; j < f->observations.count && last > first; j++) {
-    size_t fold = (size_t)(FOLDS * (f->observations.t[j] - first) / (last - first));
-    work->fold[j] = fold < FOLDS ? fold : FOLDS - 1;
+    size_t fold = (size_t)(UM_DIAGNOSIS_FOLDS * (f->observations.t[j] - first) / (last - first));
+    work->fold[j] = fold < UM_DIAGNOSIS_FOLDS ? fold : UM_DIAGNOSIS_FOLDS - 1;
   }
   return UM_OK;
 }
@@ -222,9 +218,9 @@ static enum um_status begin(struct um_context *context, struct um_sensitivity_fo
       .forward = forward,
       .candidates = candidates,
       .options = options,
-      .level = options->level > 0.0 ? options->level : LEVEL,
-      .steps_max = options->steps_max > 0 ? options->steps_max : STEPS_MAX,
-      .alternatives = options->alternatives > 0 ? options->alternatives : ALTERNATIVES,
+      .level = options->level > 0.0 ? options->level : UM_MISSING_HEAT_LEVEL,
+      .steps_max = options->steps_max > 0 ? options->steps_max : UM_DIAGNOSIS_STEPS_MAX,
+      .alternatives = options->alternatives > 0 ? options->alternatives : UM_DIAGNOSIS_ALTERNATIVES,
   };
   (*d)->forward = forward;
   (*d)->level = work->level;

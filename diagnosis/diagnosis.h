@@ -4,6 +4,7 @@
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_H
 
 #include "compare/segments.h"
+#include "diagnosis/policy.h"
 #include "inference/score.h"
 #include "missing_heat/residual.h"
 #include "missing_heat/unexplained.h"
@@ -38,15 +39,6 @@ enum um_diagnosis_standing {
   UM_STANDING_UNCERTAIN     /* none comes near, but it is within UM_DIAGNOSIS_SIGMAS of nothing */
 };
 const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
-
-/* Differences of BIC: what decides (odds of 150 to 1), up to where the next best is worth its name,
- * and below what the whole of a step is small, since an effect of half its worth is tied with it.
- */
-#define UM_DIAGNOSIS_EVIDENCE  10.0
-#define UM_DIAGNOSIS_NEXT_BEST 15.0
-#define UM_DIAGNOSIS_SMALL     20.0
-/* Of a value from where the effect does nothing: what is nearer is not certain. */
-#define UM_DIAGNOSIS_SIGMAS 2.0
 
 struct um_diagnosis_step {
   size_t candidate;

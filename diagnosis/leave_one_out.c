@@ -6,12 +6,10 @@
 #include "diagnosis/alternatives_impl.h"
 #include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/select_impl.h"
 #include "diagnosis/state_impl.h"
-
-#define PASSES 3   /* replacements at most */
-#define BETTER 2.0 /* in BIC, for an alternative to take over */
 
 bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate)
 {
@@ -71,7 +69,7 @@ static enum um_status judge(struct um_context *context, const struct um_diagnosi
   UM_CHECK(um_diagnosis_state_held_out(context, work, state, &held_out));
   put_own(state, b, held_out, step);
   UM_CHECK(um_diagnosis_fit_alternatives(context, work, &without, step, &best));
-  if (!last_pass && best.fit != NULL && best.fit->bic < state->fit->bic - BETTER) {
+  if (!last_pass && best.fit != NULL && best.fit->bic < state->fit->bic - UM_DIAGNOSIS_BETTER) {
     um_diagnosis_state_release(context, state);
     *state = best;
     best = (struct um_diagnosis_state){0};
@@ -172,9 +170,9 @@ enum um_status um_diagnosis_leave_one_out(struct um_context *context,
   if (effects == 0 || (effects == 1 && is_told(state, d))) return UM_OK;
   UM_TRY(um_core_allocate(context, effects, sizeof *cost, &cost));
   enum um_status status = UM_OK;
-  for (int pass = 0; pass < PASSES; pass++) {
+  for (int pass = 0; pass < UM_DIAGNOSIS_PASSES; pass++) {
     bool replaced = false;
-    status = judge_all(context, work, state, pass + 1 == PASSES, d, cost, &replaced);
+    status = judge_all(context, work, state, pass + 1 == UM_DIAGNOSIS_PASSES, d, cost, &replaced);
     if (status != UM_OK || !replaced) break;
   }
   if (status == UM_OK) {

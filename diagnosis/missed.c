@@ -30,7 +30,7 @@ static void unworthy(const struct um_sensitivity_candidate *c,
                      struct um_diagnosis_missed *missed)
 {
   size_t size = sizeof missed->why;
-  if (score->p >= 0.5)
+  if (score->p >= UM_INFERENCE_WRONG_SIDE)
     snprintf(missed->why, size, "it would have to go beyond the end of its range");
   else
     snprintf(missed->why, size, "explains a chi-square of %.3g%s, %s", score->statistic,

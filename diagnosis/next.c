@@ -20,18 +20,10 @@
 #include "core/constants.h"
 #include "core/order.h"
 #include "diagnosis/next_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 #include "diagnosis/verdict_impl.h"
 #include "environment/airmass.h"
-
-#define USUAL_RELATIVE    0.02  /* of a band that was not measured [1] */
-#define USUAL_TEMPERATURE 0.5   /* of a place that was not measured [K] */
-#define FAINT             0.01  /* floor of sigma, of the brightest one of the band */
-#define WORTH_SAYING      0.025 /* chi-square an observation: a thousand observations decide */
-#define NEAREST           4     /* alternatives of a step that are computed */
-#define HIGH              0.67  /* share of the observations that lie below a high airmass */
-#define RANGE             1.5   /* of airmasses, above which there is a high one */
-#define CLEARER           1.3   /* times the chi-square of all, for high airmass to be said */
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};
@@ -75,7 +67,8 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
     enum um_compare_segment g = light[i];
     if (s->count[g] == 0) continue;
     double worth = s->worth[g] / (double)s->count[g];
-    double least = isnan(s->airmass[g]) ? 1.0 : CLEARER; /* of those that are part of others */
+    double least =
+        isnan(s->airmass[g]) ? 1.0 : UM_DIAGNOSIS_CLEARER; /* of those that are part of others */
     if (!(worth > least * next->chi2_difference)) continue;
     um_core_free(context, next->of);
     next->of = NULL;
@@ -113,7 +106,8 @@ static enum um_status high_airmass(struct um_context *context,
   }
   if (n > 2) {
     qsort(airmass, n, sizeof *airmass, um_core_order_double);
-    if (airmass[n - 1] > RANGE * airmass[0]) *out = airmass[(size_t)(HIGH * (double)n)];
+    if (airmass[n - 1] > UM_DIAGNOSIS_RANGE * airmass[0])
+      *out = airmass[(size_t)(UM_DIAGNOSIS_HIGH * (double)n)];
   }
   um_core_free(context, airmass);
   return UM_OK;
@@ -133,13 +127,13 @@ static enum um_status offer_band(struct um_context *context, const struct um_sen
     above.airmass[g] = high[g];
   }
   double relative = measured_sigma(f, false, name), peak = 0.0;
-  if (isnan(relative)) relative = USUAL_RELATIVE;
+  if (isnan(relative)) relative = UM_DIAGNOSIS_USUAL_RELATIVE;
   for (size_t k = 0; k < a->nobs; k++)
     if (a->irradiance[k * a->nband + band] > peak) peak = a->irradiance[k * a->nband + band];
   for (size_t k = 0; k < a->nobs; k++) {
     double ea = a->irradiance[k * a->nband + band], eb = b->irradiance[k * b->nband + band];
     if (isnan(ea) || isnan(eb) || !(peak > 0.0)) continue;
-    double sigma = hypot(relative * ea, FAINT * peak);
+    double sigma = hypot(relative * ea, UM_DIAGNOSIS_FAINT * peak);
     double own = a->irradiance_error[k * a->nband + band];
     collect(&all, segment[k], ea - eb, sigma, own);
     if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], ea - eb, sigma, own);
@@ -173,7 +167,7 @@ static enum um_status offer_places(struct um_context *context,
     struct chi2_difference s = {0};
     for (size_t g = 0; g < UM_SEGMENT_COUNT; g++) s.airmass[g] = NAN;
     double sigma = measured_sigma(f, true, a->place[p].name);
-    if (isnan(sigma)) sigma = USUAL_TEMPERATURE;
+    if (isnan(sigma)) sigma = UM_DIAGNOSIS_USUAL_TEMPERATURE;
     for (size_t k = 0; k < a->nobs; k++)
       collect(&s, segment[k], a->place[p].mean[k] - b->place[p].mean[k], sigma, 0.0);
     UM_TRY(offer(context, &s, UM_QUANTITY_TEMPERATURE, a->place[p].name, next));
@@ -184,7 +178,7 @@ static enum um_status offer_places(struct um_context *context,
 static enum um_status say(struct um_context *context, struct um_diagnosis_next *next)
 {
   char above[48] = "";
-  if (next->of == NULL || next->chi2_difference < WORTH_SAYING) return UM_OK;
+  if (next->of == NULL || next->chi2_difference < UM_DIAGNOSIS_WORTH_SAYING) return UM_OK;
   if (!isnan(next->airmass))
     snprintf(above, sizeof above, ", at an airmass above %.2g", next->airmass);
   return um_core_asprintf(context, &next->what, "%s of %s, %s%s",
@@ -287,7 +281,8 @@ static enum um_status find_of_step(struct um_context *context, const struct um_d
   for (size_t i = 1; i < d->step[s].nalternative; i++) {
     const struct um_diagnosis_alternative *alternative = &d->step[s].alternative[i];
     if (!alternative->indistinguishable) continue;
-    UM_CHECK(find_one(context, work, state, d, s, alternative, looked < NEAREST ? run : NULL));
+    UM_CHECK(find_one(context, work, state, d, s, alternative,
+                      looked < UM_DIAGNOSIS_NEAREST ? run : NULL));
     looked++;
     UM_CHECK(um_core_progress_step(context, 1));
   }

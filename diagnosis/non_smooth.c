@@ -21,13 +21,8 @@
 
 #include "core/order.h"
 #include "diagnosis/non_smooth_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
-
-#define ROWS_MIN    10   /* of a temperature, that tell of its thermostat */
-#define EVALUATIONS 50   /* of one simplex */
-#define SMALL       0.02 /* simplex, in sides of the first, that is not worth an evaluation */
-#define SEEN        3.0  /* sigma: points that tell how wide the valley is */
-#define HELPS       2.0  /* chi-square that another simplex has to gain */
 
 static const double powers[] = {1.0, 1.5, 2.5, 4.0}; /* of the linear model's */
 
@@ -93,7 +88,7 @@ static enum um_status measured_shape(struct um_context *context,
       t[n++] = f->observations.measured[j];
   }
   qsort(t, n, sizeof *t, um_core_order_double);
-  if (n >= ROWS_MIN) {
+  if (n >= UM_DIAGNOSIS_ROWS_MIN) {
     out->on = t[n / 10];
     out->band = t[n - 1 - n / 10] - t[n / 10];
   }
@@ -242,9 +237,10 @@ static enum um_status descend(struct search *search, const double *sides, double
   if (simplex == NULL) return um_core_fail(search->context, UM_ERR_MEMORY, "out of memory");
   int code = gsl_multimin_fminimizer_set(simplex, &function, &at.vector, &by.vector);
   double first = gsl_multimin_fminimizer_size(simplex);
-  for (size_t i = 0; i < EVALUATIONS && code == GSL_SUCCESS && search->status == UM_OK; i++) {
+  for (size_t i = 0; i < UM_DIAGNOSIS_EVALUATIONS && code == GSL_SUCCESS && search->status == UM_OK;
+       i++) {
     code = gsl_multimin_fminimizer_iterate(simplex);
-    if (gsl_multimin_fminimizer_size(simplex) < SMALL * first) break;
+    if (gsl_multimin_fminimizer_size(simplex) < UM_DIAGNOSIS_SIMPLEX_END * first) break;
   }
   if (search->status == UM_OK && gsl_multimin_fminimizer_minimum(simplex) < search->lowest) {
     search->lowest = gsl_multimin_fminimizer_minimum(simplex);
@@ -268,7 +264,7 @@ static enum um_status search_from(struct search *search)
     double before = search->lowest;
     for (size_t k = 0; k < block->nfree; k++) sides[k] = sizes[i] * own[k];
     UM_TRY(descend(search, sides, x));
-    vain = search->lowest < before - HELPS ? 0 : vain + 1;
+    vain = search->lowest < before - UM_DIAGNOSIS_SIMPLEX_GAIN ? 0 : vain + 1;
   }
   for (size_t k = 0; k < block->nfree; k++) {
     size_t p = block->parameter[k];
@@ -285,7 +281,7 @@ static void widen(const struct search *search, const struct um_diagnosis_state *
   for (size_t i = 0; i < search->nseen; i++) {
     const double *point = search->seen + i * (n + 1);
     double higher = point[n] - fit->chi2 - fit->chi2_prior;
-    for (size_t k = 0; k < n && higher < SEEN * SEEN; k++) {
+    for (size_t k = 0; k < n && higher < UM_DIAGNOSIS_VALLEY * UM_DIAGNOSIS_VALLEY; k++) {
       double *sigma = &fit->sigma[first + k];
       double away = fabs(point[k] - fit->x[first + k]);
       if (!isnan(*sigma)) *sigma = fmax(*sigma, away / sqrt(fmax(higher, 1.0)));

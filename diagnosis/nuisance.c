@@ -4,9 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "diagnosis/policy.h"
 #include "sensitivity/stated.h"
-
-#define SHARE_OF_PRIOR 0.2 /* first step of a difference */
 
 enum um_status um_diagnosis_block_wanted(struct um_context *context,
                                          const struct um_diagnosis_work *work,
@@ -30,7 +29,7 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
         um_effect_transformed(of, of->default_value) - um_effect_transformed(of, of->null_value);
     out->prior_mean[p] = um_effect_transformed(of, present[p]);
     out->prior_sigma[p] = width;
-    out->step[p] = isfinite(width) ? SHARE_OF_PRIOR * width : fabs(away);
+    out->step[p] = isfinite(width) ? UM_SENSITIVITY_SHARE_OF_PRIOR * width : fabs(away);
     um_sensitivity_stated_range(work->forward, effect, wanted->target, p, present[p],
                                 &out->minimum[p], &out->maximum[p]);
     /* a start that the scenario has no room for */

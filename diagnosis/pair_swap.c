@@ -15,7 +15,6 @@
 #include "inference/algebra.h"
 #include "inference/projection.h"
 
-#define BETTER  2.0 /* in BIC, for a pair to take over */
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
 
 /* Columns of all candidates after the projection. */
@@ -172,14 +171,15 @@ static enum um_status exchange_with(struct um_context *context,
     const size_t *c = best[i].candidate;
     UM_CHECK(um_core_progress_step(context, 1));
     if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
-    status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - BETTER, &trial);
+    status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - UM_DIAGNOSIS_BETTER,
+                               &trial);
     if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
       um_core_message_clear(context);
       status = UM_OK;
       continue;
     }
     UM_CHECK(status);
-    if (trial.fit->bic < state->fit->bic - BETTER) {
+    if (trial.fit->bic < state->fit->bic - UM_DIAGNOSIS_BETTER) {
       struct um_diagnosis_state other = *state;
       *state = trial;
       trial = other;

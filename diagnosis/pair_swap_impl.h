@@ -2,9 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_PAIR_SWAP_IMPL_H
 #define UMBRA_DIAGNOSIS_PAIR_SWAP_IMPL_H
 
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
-
-#define UM_DIAGNOSIS_PAIRS 4 /* that are fitted in place of two */
 
 struct um_diagnosis_pair {
   size_t candidate[2];

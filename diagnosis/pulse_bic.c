@@ -2,15 +2,14 @@
  * stands beside,
  *
  *   BIC = chi2 + chi2_prior + (k + 4) ln n        (Schwarz 1978, Ann. Stat. 6:461) */
+#include "diagnosis/policy.h"
 #include "diagnosis/pulse_bic_impl.h"
 
 #include <math.h>
-
-#define OF_A_PULSE 4.0 /* parameters */
 
 double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,
                               const struct um_inference_fit *fit)
 {
   return heat->chi2_after + fit->chi2_prior +
-         ((double)fit->nparameter + OF_A_PULSE) * log((double)fit->nobservation);
+         ((double)fit->nparameter + UM_DIAGNOSIS_OF_A_PULSE) * log((double)fit->nobservation);
 }

@@ -7,13 +7,12 @@
 #include <string.h>
 
 #include "diagnosis/directions_impl.h"
+#include "diagnosis/policy.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/state_impl.h"
 #include "diagnosis/words.h"
 
 /* Prior widths from the null value. */
-#define UNUSUAL     1.0 /* below it a value is a usual one */
-#define IMPLAUSIBLE 3.0 /* beyond it only the prior decides */
 
 struct predicted_reduction {
   double worth;
@@ -51,7 +50,7 @@ sort_alternatives(struct um_context *context, const struct um_diagnosis_work *wo
                    ? -INFINITY
                    : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * penalty;
     /* the wrong side of a bound explains nothing */
-    if (!score[i].absorbed && score[i].p >= 0.5) p->worth = -score[i].p;
+    if (!score[i].absorbed && score[i].p >= UM_INFERENCE_WRONG_SIDE) p->worth = -score[i].p;
   }
   qsort(predicted_reduction, *nalternative, sizeof *predicted_reduction, compare_predicted);
   for (size_t i = 0; i < *nalternative; i++) alternative[i] = predicted_reduction[i].alternative;
@@ -125,8 +124,8 @@ static void relate(const struct um_diagnosis_alternative *winner,
                  r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
   if (!r->fitted || r->indistinguishable || !(behind < UM_DIAGNOSIS_NEXT_BEST)) return;
   double own = own_prior(c, r); /* of others' priors the alternative is not to blame */
-  r->excluded_by_prior =
-      own >= UNUSUAL * UNUSUAL && behind - own < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
+  r->excluded_by_prior = own >= UM_DIAGNOSIS_UNUSUAL * UM_DIAGNOSIS_UNUSUAL &&
+                         behind - own < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
   /* the linear model knows no range */
   r->excluded_by_range = !r->excluded_by_prior && !r->same_effect && is_at_bound(c, r) &&
                          r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
@@ -151,7 +150,7 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
     struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
     r->chi2_difference = i == 0 ? 0.0 : chi2_difference[r->candidate];
-    r->implausible = r->fitted && um_diagnosis_prior_widths(c, r->value) > IMPLAUSIBLE;
+    r->implausible = r->fitted && um_diagnosis_prior_widths(c, r->value) > UM_DIAGNOSIS_IMPLAUSIBLE;
     if (i == 0) continue;
     r->same_effect =
         um_diagnosis_is_same_effect(c, &work->candidates->candidate[winner->candidate]);

@@ -5,15 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "diagnosis/policy.h"
 #include "diagnosis/sentence_impl.h"
 #include "diagnosis/words.h"
 #include "orbit/time.h"
 
-#define RESEMBLES  0.3   /* share of a signature that the nuisances leave */
-#define CORRELATES 0.01  /* p of a correlation that is said */
-#define FAR_BEHIND 100.0 /* BIC of what others replaced that is left to the tables */
-#define NAMES      4     /* of a small group that are said */
-#define NOT_TRIED  "; not tried, though the linear model has them as good: "
+#define NOT_TRIED "; not tried, though the linear model has them as good: "
 
 struct text {
   char at[8192];
@@ -92,7 +89,8 @@ static void add_next_best(struct text *text, const struct um_diagnosis *d,
   }
 }
 
-/* The names of alternatives that are tied, or that were not tried, up to NAMES behind the label. */
+/* The names of alternatives that are tied, or that were not tried, the first few behind the label.
+ */
 static void add_names(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step, bool not_tried, const char *label)
 {
@@ -101,7 +99,7 @@ static void add_names(struct text *text, const struct um_diagnosis *d,
     const struct um_diagnosis_alternative *r = &step->alternative[i];
     if (!(not_tried ? r->not_tried : r->indistinguishable)) continue;
     others++;
-    if (n == NAMES) continue;
+    if (n == UM_DIAGNOSIS_NAMES) continue;
     add(text, "%s%s", n++ == 0 ? label : ", ", d->candidates->candidate[r->candidate].name);
   }
   if (others > n) add(text, " and %zu more", others - n);
@@ -166,7 +164,7 @@ static void add_superseded(struct text *text, const struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nsuperseded; i++) {
     const struct um_diagnosis_superseded *s = &d->superseded[i];
-    if (!s->alone || s->bic - d->bic_after > FAR_BEHIND) continue;
+    if (!s->alone || s->bic - d->bic_after > UM_DIAGNOSIS_FAR_BEHIND) continue;
     add(text, ". Alone, before others took its place, stood ");
     add_addition(text, d, &s->addition, s->sigma);
     add(text, " (BIC %+.1f)", s->bic - d->bic_after);
@@ -193,7 +191,7 @@ static void add_residual(struct text *text, const struct um_diagnosis *d)
       "model in "
       "the mean)",
       r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
-  if (r->coordinate != NULL && r->p < CORRELATES)
+  if (r->coordinate != NULL && r->p < UM_DIAGNOSIS_CORRELATES)
     add(text, " and correlates with %s", r->coordinate);
 }
 
@@ -202,7 +200,7 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 {
   size_t n = 0;
   for (size_t i = 0; i < d->nranking && n < 6; i++) {
-    if (!(d->ranking[i].score.kept < RESEMBLES)) continue;
+    if (!(d->ranking[i].score.kept < UM_DIAGNOSIS_RESEMBLES)) continue;
     add(text, "%s%s", n++ == 0 ? "; it does what these would: " : ", ",
         d->candidates->candidate[d->ranking[i].candidate].name);
   }
@@ -255,7 +253,7 @@ static void add_missed(struct text *text, const struct um_diagnosis *d, bool tes
   for (size_t i = 0; d->chosen && i < d->nmissed; i++) {
     const struct um_diagnosis_missed *m = &d->missed[i];
     if (m->tested && !tested) continue;
-    if (n < NAMES)
+    if (n < UM_DIAGNOSIS_NAMES)
       add(text, "%s%s (%s)", n == 0 ? "; not tried: " : ", ", m->name, m->why);
     else
       more++;

@@ -2,11 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
-
-#define NON_SMOOTH_ITERATIONS 6
-#define SHARE_OF_PRIOR                                                                             \
-  0.05 /* first step of a difference by a parameter unidentified under the null */
 
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
@@ -26,7 +23,7 @@ struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *
     block.prior_mean[k] = um_effect_transformed(of, null_value);
     block.prior_sigma[k] = of->prior_sigma;
     block.step[k] = k < c->ncolumn ? fabs(c->step[k]) / um_effect_transformed_slope(of, null_value)
-                                   : SHARE_OF_PRIOR * of->prior_sigma;
+                                   : UM_DIAGNOSIS_UNIDENTIFIED_STEP * of->prior_sigma;
   }
   return block;
 }
@@ -121,7 +118,7 @@ static size_t iterations(const struct um_diagnosis_work *work,
   for (size_t b = 0; b < state->nblock; b++)
     if (state->block[b].candidate != UM_COMPARE_NOWHERE &&
         work->candidates->candidate[state->block[b].candidate].nunidentified > 0)
-      return NON_SMOOTH_ITERATIONS;
+      return UM_DIAGNOSIS_NON_SMOOTH_STEPS;
   return 0;
 }
 

@@ -1,13 +1,9 @@
 /* The verdict on a diagnosis. */
 #include <math.h>
 
+#include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 #include "diagnosis/verdict_impl.h"
-
-#define NOT_NOISE 1e-3 /* p below which a residual is not white noise of the stated sigma */
-#define BAD_FIT   1.25 /* reduced chi-square above which what was found does not suffice .. */
-#define BAD_PART  2.0  /* .. and that of a channel */
-#define MOVED     5.0  /* sigmas by which a free nuisance has taken up something */
 
 /* A free nuisance that moved far took up something: a calibration, or an effect that resembles it.
  */
@@ -16,14 +12,16 @@ static bool nuisance_took_it(const struct um_diagnosis_state *state)
   for (size_t b = 0, k = 0; b < state->nnuisance; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++, k++)
       if (isinf(state->block[b].prior_sigma[p]) &&
-          fabs(state->fit->x[k] - state->block[b].prior_mean[p]) > MOVED * state->fit->sigma[k])
+          fabs(state->fit->x[k] - state->block[b].prior_mean[p]) >
+              UM_DIAGNOSIS_MOVED * state->fit->sigma[k])
         return true;
   return false;
 }
 
 bool um_diagnosis_is_noise(const struct um_inference_whiteness *w)
 {
-  return w->p_chi2 > NOT_NOISE && !(w->p_white < NOT_NOISE) && !(w->p_worst < NOT_NOISE);
+  return w->p_chi2 > UM_DIAGNOSIS_NOT_NOISE && !(w->p_white < UM_DIAGNOSIS_NOT_NOISE) &&
+         !(w->p_worst < UM_DIAGNOSIS_NOT_NOISE);
 }
 
 bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
@@ -68,7 +66,8 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
     if (!noise) return UM_VERDICT_UNEXPLAINED;
     return nuisance_took_it(state) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
   }
-  if (!noise && (d->chi2_reduced_after > BAD_FIT || d->final_whiteness.worst > BAD_PART))
+  if (!noise && (d->chi2_reduced_after > UM_DIAGNOSIS_BAD_FIT ||
+                 d->final_whiteness.worst > UM_DIAGNOSIS_BAD_PART))
     return UM_VERDICT_UNEXPLAINED;
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)

@@ -12,8 +12,8 @@
 #include <string.h>
 
 #include "inference/algebra.h"
+#include "inference/policy.h"
 
-#define RANK_TOLERANCE  1e-8  /* of a column's length */
 #define SLOPE_TOLERANCE 1e-10 /* of the product of lengths */
 
 /* Columns J S over the prior rows S / w, and the right side (r, p / w); a row that does not count
@@ -48,7 +48,7 @@ enum um_status um_inference_system_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n * total, sizeof *column, &column));
   UM_CHECK(um_core_allocate(context, total, sizeof *right, &right));
   fill(rows, column, right);
-  UM_CHECK(um_inference_qr_create(context, total, n, column, RANK_TOLERANCE, &qr));
+  UM_CHECK(um_inference_qr_create(context, total, n, column, UM_INFERENCE_RANK_TOLERANCE, &qr));
   um_inference_qr_rotate(qr, right);
   um_inference_qr_compress(qr, out->r);
   memcpy(out->y, right, n * sizeof *right);
@@ -127,7 +127,7 @@ static enum um_status solve_free(struct um_context *context, struct search *s, c
     if (!s->fixed[j])
       memcpy(s->part + k++ * s->nrow, s->column + j * s->nrow, s->nrow * sizeof *s->part);
   subtract(s, u, false);
-  UM_TRY(um_inference_qr_create(context, s->nrow, k, s->part, RANK_TOLERANCE, &qr));
+  UM_TRY(um_inference_qr_create(context, s->nrow, k, s->part, UM_INFERENCE_RANK_TOLERANCE, &qr));
   um_inference_qr_rotate(qr, s->error);
   um_inference_qr_solve(qr, s->error, s->target);
   um_inference_qr_destroy(context, &qr);

@@ -27,17 +27,15 @@
 #include "inference/algebra.h"
 #include "inference/bounded_impl.h"
 #include "inference/jacobian_impl.h"
+#include "inference/policy.h"
 
-#define ITERATIONS_MAX 20
-#define LOST           10.0 /* e, that noise of the model may hide */
-#define SLOW           30.0 /* e, the least that steps in succession have to gain .. */
-#define SLOW_STEPS     3    /* .. of this number */
-#define FAILED_STEPS   6    /* in succession, that are the end */
-#define POOR           0.25
-#define PRUNE_FACTOR   4.0 /* times its predicted reduction, a fit may still gain .. */
-#define PRUNE_STEPS    2   /* .. after so many steps */
-#define RICH           0.75
-#define FAIR           0.5
+#define LOST         10.0 /* e, that noise of the model may hide */
+#define SLOW         30.0 /* e, the least that steps in succession have to gain .. */
+#define SLOW_STEPS   3    /* .. of this number */
+#define FAILED_STEPS 6    /* in succession, that are the end */
+#define POOR         0.25
+#define RICH         0.75
+#define FAIR         0.5
 
 static void swap(double **a, double **b)
 {
@@ -214,8 +212,8 @@ static enum um_status judge(struct um_context *context, struct um_inference_desc
 static bool is_pruned(const struct um_inference_descent *d, double predicted)
 {
   double now = d->chi2 + d->chi2_prior;
-  return d->problem->prunes && d->iterations >= PRUNE_STEPS &&
-         now - PRUNE_FACTOR * predicted > d->problem->prune_above;
+  return d->problem->prunes && d->iterations >= UM_INFERENCE_PRUNE_STEPS &&
+         now - UM_INFERENCE_PRUNE_FACTOR * predicted > d->problem->prune_above;
 }
 
 /* One step, or the end. */
@@ -224,7 +222,8 @@ static enum um_status step(struct um_context *context, struct um_inference_desce
   enum um_status status;
   struct um_inference_system system = {0};
   double left, now = d->chi2 + d->chi2_prior;
-  size_t most = d->problem->iterations_max > 0 ? d->problem->iterations_max : ITERATIONS_MAX;
+  size_t most =
+      d->problem->iterations_max > 0 ? d->problem->iterations_max : UM_INFERENCE_STEPS_MAX;
   UM_CHECK(linearise(context, d, &system));
   UM_CHECK(um_inference_system_solve(context, &system, 0.0, d->lower, d->upper, d->u, &left));
   double predicted = now - left;

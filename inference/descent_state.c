@@ -1,9 +1,8 @@
 /* Where a fit stands: its memory, its priors, and what is not worth a run. */
 #include "inference/descent_state_impl.h"
+#include "inference/policy.h"
 
 #include <math.h>
-
-#define TOLERANCE 0.01 /* e, see descent.c */
 
 enum um_status um_inference_descent_reserve(struct um_context *context,
                                             struct um_inference_descent *d)
@@ -44,6 +43,7 @@ double um_inference_descent_tolerance(const struct um_inference_descent *descent
 {
   double dof = (double)descent->nobservation - (double)descent->n;
   double reduced = (descent->chi2 + descent->chi2_prior) / fmax(dof, 1.0);
-  double tolerance = descent->problem->tolerance > 0.0 ? descent->problem->tolerance : TOLERANCE;
+  double tolerance =
+      descent->problem->tolerance > 0.0 ? descent->problem->tolerance : UM_INFERENCE_END;
   return tolerance * fmax(1.0, reduced);
 }

@@ -13,8 +13,7 @@
 
 #include "inference/algebra.h"
 #include "inference/descent_impl.h"
-
-#define RANK_TOLERANCE 1e-8
+#include "inference/policy.h"
 
 static enum um_status check_parameter(struct um_context *context,
                                       const struct um_inference_fit_parameter *p, size_t j)
@@ -104,7 +103,7 @@ static enum um_status find_covariance(struct um_context *context,
            fit->nobservation * sizeof *column);
     column[j * total + fit->nobservation + j] = 1.0 / problem->parameter[j].prior_sigma;
   }
-  UM_CHECK(um_inference_qr_create(context, total, n, column, RANK_TOLERANCE, &qr));
+  UM_CHECK(um_inference_qr_create(context, total, n, column, UM_INFERENCE_RANK_TOLERANCE, &qr));
   um_inference_qr_covariance(qr, work, fit->covariance, determined);
   for (size_t j = 0; j < n; j++) {
     fit->sigma[j] = determined[j] ? sqrt(fit->covariance[j * n + j]) : INFINITY;

@@ -3,10 +3,7 @@
 #define UMBRA_INFERENCE_PROJECTION_H
 
 #include "inference/direction.h"
-
-#define UM_INFERENCE_RANK_TOLERANCE 1e-8 /* of a column's length, below which others express it */
-#define UM_INFERENCE_KEPT           1e-3 /* of a column's length, below which it is absorbed */
-#define UM_INFERENCE_VISIBLE        1e-6 /* length of a column that the observations can see */
+#include "inference/policy.h"
 
 struct um_inference_qr;
 

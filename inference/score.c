@@ -18,10 +18,10 @@
 
 #include "inference/algebra.h"
 #include "inference/distributions.h"
+#include "inference/policy.h"
 #include "inference/projection.h"
 
 #define COLUMNS_MAX 8
-#define ONE_TEST    0.9999 /* cosine above which two directions are one */
 
 /* A direction after the test, as the family needs it. */
 struct member {
@@ -117,7 +117,7 @@ static bool same_test(const struct member *a, const struct member *b, size_t nle
 {
   if (a->unit == NULL || b->unit == NULL) return false;
   double cosine = um_inference_dot(nleft, a->unit, b->unit);
-  if (!(fabs(cosine) > ONE_TEST)) return false;
+  if (!(fabs(cosine) > UM_INFERENCE_ONE_TEST)) return false;
   return b->side == (cosine > 0.0 ? a->side : -a->side);
 }
 

@@ -39,7 +39,6 @@ enum um_status um_inference_score_test(struct um_context *context, size_t nobser
  * place: out [ndirection], in [0, |signal after nuisances|^2]. An alternative below
  * UM_INFERENCE_SEPARABLE cannot be told from the truth: it would win with probability
  * Phi(-sqrt(D)/2). */
-#define UM_INFERENCE_SEPARABLE 25.0
 enum um_status
 um_inference_chi2_difference(struct um_context *context, size_t nobservation, const double *signal,
                              const struct um_inference_nuisance *nuisance, size_t ndirection,

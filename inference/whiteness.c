@@ -12,14 +12,15 @@
 #include <math.h>
 
 #include "inference/distributions.h"
+#include "inference/policy.h"
 #include "inference/score.h"
-
-#define LAGS_MAX 10
 
 /* p of e[n]; false when there are too few observations or all are 0. */
 static bool ljung_box(size_t n, const double *e, double *p)
 {
-  size_t lags = n / 5 < LAGS_MAX ? n / 5 : LAGS_MAX;
+  size_t lags = n / UM_INFERENCE_ROWS_OF_A_LAG < UM_INFERENCE_LAGS_MAX
+                    ? n / UM_INFERENCE_ROWS_OF_A_LAG
+                    : UM_INFERENCE_LAGS_MAX;
   double squares = 0.0, q = 0.0, m = (double)n;
   for (size_t t = 0; t < n; t++) squares += e[t] * e[t];
   if (lags == 0 || squares == 0.0) return false;

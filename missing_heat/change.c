@@ -11,10 +11,8 @@
 #include <math.h>
 
 #include "inference/algebra.h"
+#include "missing_heat/policy.h"
 #include "model/run.h"
-
-#define STEPS   3
-#define SETTLED 0.01 /* of the power */
 
 /* Values over sigma of the observations with the pulse. */
 static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,
@@ -59,7 +57,7 @@ enum um_status um_missing_heat_change(struct um_context *context,
   UM_CHECK(um_core_allocate(context, nobservation, sizeof *value, &value));
   UM_CHECK(um_core_allocate(context, nleft, sizeof *left, &left));
   UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
-  for (int k = 0; k < STEPS; k++) {
+  for (int k = 0; k < UM_MISSING_HEAT_STEPS; k++) {
     UM_CHECK(run_with(context, base, place, from, to, *power, value));
     for (size_t j = 0; j < nobservation; j++) value[j] -= cold[j];
     um_inference_projection_apply(projection, value, left);
@@ -68,7 +66,7 @@ enum um_status um_missing_heat_change(struct um_context *context,
     if (!(square > 0.0) || !(with > 0.0)) break; /* the line has lost its sense */
     *power *= with / square;
     *chi2 = with * with / square;
-    if (fabs(with / square - 1.0) < SETTLED) break;
+    if (fabs(with / square - 1.0) < UM_MISSING_HEAT_SETTLED) break;
   }
 done:
   um_core_free(context, cold);

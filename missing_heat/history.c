@@ -13,9 +13,7 @@
 #include <string.h>
 
 #include "inference/algebra.h"
-
-#define TOLERANCE 1e-13 /* of the rank: lambda is the one that decides */
-#define DECADES   14    /* of lambda about the ratio of the traces of D'D and L'L, either way */
+#include "missing_heat/policy.h"
 
 struct history {
   size_t n, nobservation;
@@ -50,7 +48,8 @@ static enum um_status history_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, h->nobservation, sizeof *h->right, &h->right));
   UM_CHECK(um_core_allocate(context, n * n, sizeof *h->work, &h->work));
   UM_CHECK(um_core_allocate(context, nleft, sizeof *rotated, &rotated));
-  UM_CHECK(um_inference_qr_create(context, nleft, n, bins->column, TOLERANCE, &qr));
+  UM_CHECK(
+      um_inference_qr_create(context, nleft, n, bins->column, UM_MISSING_HEAT_RANK_TOLERANCE, &qr));
   memcpy(rotated, residual, nleft * sizeof *rotated);
   um_inference_qr_rotate(qr, rotated);
   um_inference_qr_compress(qr, h->r);
@@ -86,7 +85,8 @@ static enum um_status solve(struct um_context *context, struct history *h, doubl
 {
   struct um_inference_qr *qr = NULL;
   damp(h, lambda);
-  UM_TRY(um_inference_qr_create(context, h->nobservation, h->n, h->column, TOLERANCE, &qr));
+  UM_TRY(um_inference_qr_create(context, h->nobservation, h->n, h->column,
+                                UM_MISSING_HEAT_RANK_TOLERANCE, &qr));
   um_inference_qr_rotate(qr, h->right);
   um_inference_qr_solve(qr, h->right, heat);
   if (covariance != NULL) um_inference_qr_covariance(qr, h->work, covariance, NULL);
@@ -111,11 +111,11 @@ enum um_status um_missing_heat_history(struct um_context *context,
   UM_CHECK(um_core_allocate(context, bins->nbin * bins->nbin, sizeof *covariance, &covariance));
   /* trace(D'D) / trace(L'L), nearly: each of the n - 2 rows of L adds 1 + 4 + 1 to its own */
   double scale = um_inference_dot(bins->nbin * bins->nbin, h.r, h.r) / (6.0 * n);
-  double low = -DECADES, high = DECADES;
+  double low = -UM_MISSING_HEAT_DECADES, high = UM_MISSING_HEAT_DECADES;
   if (!(scale > 0.0)) scale = 1.0;
   UM_CHECK(solve(context, &h, scale * pow(10.0, low), heat, &least, NULL));
   double wanted = fmax((double)bins->nleft, least + n);
-  for (int k = 0; k < 30; k++) {
+  for (int k = 0; k < UM_MISSING_HEAT_HALVINGS; k++) {
     double middle = 0.5 * (low + high);
     UM_CHECK(solve(context, &h, scale * pow(10.0, middle), heat, &chi2, NULL));
     if (chi2 <= wanted)

@@ -1,9 +1,10 @@
 /* What no effect of the catalogue explains: where the residual lives, and the heat that would
  * explain it. Every place is tried with every pulse between two times of observation, on at most
- * BINS_MAX bins; where times lie denser, the best places again with all of them about the edges
- * found. Bonferroni's correction counts every place and pair of edges as a test of its own, which
- * they are not: "found" is said too rarely rather than too often. A pulse that is significant but
- * leaves more than a twentieth of what is too much in chi-square is not the explanation. */
+ * UM_MISSING_HEAT_BINS_MAX bins; where times lie denser, the best places again with all of them
+ * about the edges found. Bonferroni's correction counts every place and pair of edges as a test of
+ * its own, which they are not: "found" is said too rarely rather than too often. A pulse that is
+ * significant but leaves more than a twentieth of what is too much in chi-square is not the
+ * explanation. */
 #include "missing_heat/unexplained.h"
 
 #include <math.h>
@@ -14,14 +15,8 @@
 #include "inference/distributions.h"
 #include "missing_heat/change_impl.h"
 #include "missing_heat/history_impl.h"
+#include "missing_heat/policy.h"
 #include "missing_heat/residual.h"
-
-#define BINS_MAX 60
-#define REFINED  3    /* best places that are looked at again */
-#define ABOUT    2    /* bins about an edge that are looked at again */
-#define WORTHY   0.5  /* of the best chi-square, below which a place is not looked at again */
-#define LEVEL    0.01 /* of false alarm */
-#define LEFT     0.05 /* of chi-square above its expectation, that an explanation may leave */
 
 /* --- where the residual lives ---------------------------------------------------------------- */
 
@@ -101,7 +96,7 @@ static enum um_status find_edges(struct um_context *context, struct search *s)
 {
   const struct um_model_precomputed *precomputed = s->base.variant.precomputed;
   size_t n = s->nobs = precomputed->nobs;
-  s->nbin = n - 1 < BINS_MAX ? n - 1 : BINS_MAX;
+  s->nbin = n - 1 < UM_MISSING_HEAT_BINS_MAX ? n - 1 : UM_MISSING_HEAT_BINS_MAX;
   UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
   UM_TRY(um_core_allocate(context, n, sizeof *s->time, &s->time));
   UM_TRY(um_core_allocate(context, n, sizeof *s->wanted, &s->wanted));
@@ -162,8 +157,9 @@ done:
 /* Observations about an edge of the first look. */
 static void want(struct search *s, size_t edge)
 {
-  size_t from = s->edge[edge > ABOUT ? edge - ABOUT : 0];
-  size_t to = s->edge[edge + ABOUT < s->nbin ? edge + ABOUT : s->nbin];
+  size_t from = s->edge[edge > UM_MISSING_HEAT_ABOUT ? edge - UM_MISSING_HEAT_ABOUT : 0];
+  size_t to =
+      s->edge[edge + UM_MISSING_HEAT_ABOUT < s->nbin ? edge + UM_MISSING_HEAT_ABOUT : s->nbin];
   for (size_t k = from; k <= to; k++) s->wanted[k] = true;
 }
 
@@ -258,9 +254,10 @@ static enum um_status find_heat(struct um_context *context, struct search *s,
   UM_TRY(look_everywhere(context, s, out));
   sort(out, s->origin);
   um_core_quiet_begin(context);
-  for (size_t i = 0; i < out->nheat && i < REFINED && status == UM_OK; i++) {
+  for (size_t i = 0; i < out->nheat && i < UM_MISSING_HEAT_REFINED && status == UM_OK; i++) {
     size_t place = s->origin[i];
-    if (!(out->heat[i].chi2_explained > WORTHY * out->heat[0].chi2_explained)) continue;
+    if (!(out->heat[i].chi2_explained > UM_MISSING_HEAT_WORTHY * out->heat[0].chi2_explained))
+      continue;
     if (s->nbin < s->nobs - 1)
       status = look_again(context, s, &s->pulse[place], place, &out->heat[i]);
     if (status == UM_OK) status = check(context, s, place, &out->heat[i]);
@@ -276,8 +273,9 @@ static bool is_found(const struct um_missing_heat_unexplained *u, size_t nbin, d
   if (u->nheat == 0) return false;
   double tests = (double)u->nheat * 0.5 * (double)nbin * (double)(nbin + 1);
   double p = um_inference_chi2_q(u->heat[0].chi2_explained, 1.0);
-  double left = fmax(LEFT * (u->chi2_before - dof), 3.0 * sqrt(2.0 * dof));
-  return p * tests < LEVEL && u->chi2_after - dof < left;
+  double left = fmax(UM_MISSING_HEAT_LEFT * (u->chi2_before - dof),
+                     UM_MISSING_HEAT_SCATTER * sqrt(2.0 * dof));
+  return p * tests < UM_MISSING_HEAT_LEVEL && u->chi2_after - dof < left;
 }
 
 enum um_status um_missing_heat_unexplained_create(struct um_context *context,

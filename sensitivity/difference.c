@@ -16,18 +16,7 @@
 #include <string.h>
 
 #include "effects/effects.h"
-
-#define SHARE_OF_PRIOR 0.2
-#define PRIORS_MAX     2.0   /* widths that a step may reach */
-#define LONGEST        100.0 /* factor on a first step that is too short */
-#define MARGIN         1.5   /* beyond what is asked of a longer one */
-#define SHORTER        10.0  /* divides a step that goes too far, or is refused */
-#define SEEN           1e-3 /* largest change of an observation [sigma] that a step makes at least */
-#define ABOVE_NOISE    10.0 /* and how often the noise it is */
-#define UNSEEN         1.0 /* root of the chi-square of all observations that no value is found by */
-#define FAR            30.0 /* rms change [sigma] at which a step is far from a derivative */
-#define NOTHING        1e-6 /* largest change [sigma] that is none */
-#define LOST           3.0  /* changes below so many times the noise are not seen */
+#include "sensitivity/policy.h"
 
 static enum um_status evaluate(struct um_context *context, const struct um_sensitivity_point *point,
                                const struct um_sensitivity_candidate *c, const double *values,
@@ -77,8 +66,8 @@ double um_sensitivity_first_step(const struct um_sensitivity_candidate *c, size_
   double minimum = c->minimum[which], maximum = c->maximum[which];
   double size = fabs(p->default_value - null);
   if (isfinite(p->prior_sigma))
-    size = SHARE_OF_PRIOR * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0);
-  if (!(size > 0.0)) size = 0.01 * (maximum - minimum);
+    size = UM_SENSITIVITY_SHARE_OF_PRIOR * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0);
+  if (!(size > 0.0)) size = UM_SENSITIVITY_SHARE_OF_RANGE * (maximum - minimum);
   if (null + size <= maximum) return size;
   if (null - size >= minimum) return -size;
   return maximum - null > null - minimum ? maximum - null : minimum - null;
@@ -87,7 +76,8 @@ double um_sensitivity_first_step(const struct um_sensitivity_candidate *c, size_
 /* What the largest change of an observation should be [sigma]. */
 static double wanted(const struct um_sensitivity_change *change, double noise)
 {
-  return change->fresh ? fmax(SEEN, ABOVE_NOISE * noise) : SEEN;
+  return change->fresh ? fmax(UM_SENSITIVITY_SEEN, UM_SENSITIVITY_ABOVE_NOISE * noise)
+                       : UM_SENSITIVITY_SEEN;
 }
 
 /* The step that moves the observations enough, from how far they moved, within range and
@@ -102,10 +92,10 @@ static double longer(const struct um_sensitivity_candidate *c, size_t which, dou
   if (change->largest >= aim || (change->largest == 0.0 && !change->fresh)) return step;
   double room = step > 0.0 ? c->maximum[which] - null : null - c->minimum[which];
   if (isfinite(p->prior_sigma))
-    room =
-        fmin(room, fmax(size, PRIORS_MAX * p->prior_sigma * (p->logarithmic ? fabs(null) : 1.0)));
-  if (change->length * room / size < UNSEEN) return step;
-  size *= fmin(LONGEST, fmax(2.0, MARGIN * aim / change->largest));
+    room = fmin(room, fmax(size, UM_SENSITIVITY_PRIORS_MAX * p->prior_sigma *
+                                     (p->logarithmic ? fabs(null) : 1.0)));
+  if (change->length * room / size < UM_SENSITIVITY_UNSEEN) return step;
+  size *= fmin(UM_SENSITIVITY_LONGEST, fmax(2.0, UM_SENSITIVITY_MARGIN * aim / change->largest));
   return copysign(fmin(size, room), step);
 }
 
@@ -133,7 +123,8 @@ static enum um_status move(const struct um_sensitivity_mover *m, double step,
 static enum um_status move_first(const struct um_sensitivity_mover *m, double *step,
                                  struct um_sensitivity_change *change)
 {
-  static const double part[] = {1.0, -1.0, 1.0 / SHORTER, -1.0 / SHORTER};
+  static const double part[] = {1.0, -1.0, 1.0 / UM_SENSITIVITY_SHORTER,
+                                -1.0 / UM_SENSITIVITY_SHORTER};
   const struct um_sensitivity_candidate *c = m->candidate;
   enum um_status status = UM_ERR_REFUSED;
   double first = *step;
@@ -173,8 +164,8 @@ enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *m, d
   double more = longer(m->candidate, m->p, m->at[m->p], *step, change, m->point->noise);
   double factor = more / *step;
   if (factor > 1.0 && !change->smooth) UM_TRY(go_longer(m, more, step, change));
-  if (change->rms > FAR && !acts_behind(m->candidate->effect)) {
-    *step /= SHORTER;
+  if (change->rms > UM_SENSITIVITY_FAR && !acts_behind(m->candidate->effect)) {
+    *step /= UM_SENSITIVITY_SHORTER;
     factor = 1.0;
     UM_TRY(move(m, *step, change));
   }
@@ -190,10 +181,11 @@ enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *m, d
 
 bool um_sensitivity_alive(const struct um_sensitivity_change *change, double noise)
 {
-  return change->largest >= NOTHING && !(change->fresh && change->largest < LOST * noise);
+  return change->largest >= UM_SENSITIVITY_NOTHING &&
+         !(change->fresh && change->largest < UM_SENSITIVITY_LOST * noise);
 }
 
 bool um_sensitivity_is_nothing(const struct um_sensitivity_change *change)
 {
-  return change->largest < NOTHING;
+  return change->largest < UM_SENSITIVITY_NOTHING;
 }

@@ -8,9 +8,7 @@
 #include <string.h>
 
 #include "core/order.h"
-
-#define COLD_SHARE 0.25 /* of the range, from its cold end */
-#define COLDEST    0.05 /* quantile of the measurements: the coldest one is noise */
+#include "sensitivity/policy.h"
 
 /* "body.+y" is also measured as "+y". */
 static bool is_of(const char *measured, const char *target)
@@ -34,7 +32,7 @@ static enum um_status measured_cold(struct um_context *context,
   }
   if (n > 0) {
     qsort(value, n, sizeof *value, um_core_order_double);
-    *out = value[(size_t)(COLDEST * (double)(n - 1))];
+    *out = value[(size_t)(UM_SENSITIVITY_COLDEST * (double)(n - 1))];
   }
   um_core_free(context, value);
   return UM_OK;
@@ -50,7 +48,7 @@ static double modelled_cold(const struct um_model_result *result, const char *ta
       low = fmin(low, place->mean[k]); /* which the thermostat senses */
       high = fmax(high, place->mean[k]);
     }
-    return low + COLD_SHARE * (high - low);
+    return low + UM_SENSITIVITY_COLD_SHARE * (high - low);
   }
   return NAN;
 }

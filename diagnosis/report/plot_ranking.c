@@ -185,7 +185,7 @@ enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
   size_t shown, tested;
   char below[200];
   UM_TRY(choose_bars(context, d, &bar, &shown, &tested));
-  double level = d->level > 0.0 ? d->level : 0.01;
+  double level = d->level > 0.0 ? d->level : UM_MISSING_HEAT_LEVEL;
   double line = threshold(level, tested), longest = line;
   for (size_t i = 0; i < shown; i++)
     longest = fmax(longest, fmax(explained(d, &bar[i]), bar[i].score->score.statistic));

@@ -1,0 +1,133 @@
+/* Every number that decides a verdict: unit, and where it comes from. Those of rooms below stand in
+ * headers of their own:
+ *
+ *   inference/policy.h     what observations see, what can be told apart, where a fit ends
+ *   sensitivity/policy.h   steps of differences, which candidates are alive
+ *   missing_heat/policy.h  whether heat explains a residual; the false-alarm rate
+ *   files of effects/      widths of priors, with their sources; which sides may have solar cells
+ *
+ * HAND: chosen by hand, and not calibrated. LAB: chosen by hand too, and in force when the
+ * laboratory last ran in full (make lab; 654 cases on 2026-11-22, its figures are in
+ * scenarios/hidden-effect/README.md) and met its goals. That shows that the number serves, not that
+ * another would not. Where scans and simplices begin stands in non_smooth.c. */
+#ifndef UMBRA_DIAGNOSIS_POLICY_H
+#define UMBRA_DIAGNOSIS_POLICY_H
+
+#include "inference/policy.h"
+#include "missing_heat/policy.h"
+#include "sensitivity/policy.h"
+
+/* ---- noise, or not (verdict.c) ---- */
+
+/* p below which a residual is not white noise of the stated sigma [1]. Three tests (chi-square,
+ * autocorrelation, worst channel) refuse a complete model in at most 0.3 %. LAB: 1 of 200, where
+ * 0.6 are expected. */
+#define UM_DIAGNOSIS_NOT_NOISE 1e-3
+/* Reduced chi-square [1] of all, and of a channel, up to which an effect suffices though the rest
+ * is not quite noise. HAND: the model is never exact. 1.25 is 2.8 standard deviations sqrt(2 / n)
+ * of 250 observations. LAB asks the same 1.25 (met in 99.7 %), and 2.25 of a channel (98.6 %). */
+#define UM_DIAGNOSIS_BAD_FIT  1.25
+#define UM_DIAGNOSIS_BAD_PART 2.0
+/* Distance of a free nuisance from its start [sigma] at which it has taken up something. HAND: 6e-7
+ * by chance. */
+#define UM_DIAGNOSIS_MOVED 5.0
+
+/* ---- one effect against another ---- */
+
+/* Difference of BIC [1] that decides: odds exp(10 / 2) = 148 to 1, "very strong" of Kass & Raftery
+ * 1995, JASA 90:773. LAB. */
+#define UM_DIAGNOSIS_EVIDENCE 10.0
+/* Difference of BIC [1] up to which the next best is named, and fits are not pruned: odds 1800
+ * to 1. LAB: no verdict moved when 15 took the place of 10. */
+#define UM_DIAGNOSIS_NEXT_BEST 15.0
+/* Worth of a step in BIC [1], below which it is small. Derived: twice the evidence, since an effect
+ * that does half as well is then within the evidence of it. */
+#define UM_DIAGNOSIS_SMALL 20.0
+/* Difference of BIC [1] by which an effect, or a pair, takes the place of what was found. Kass &
+ * Raftery 1995: less is "not worth more than a bare mention". LAB. */
+#define UM_DIAGNOSIS_BETTER 2.0
+/* Distance of a value from where the effect does nothing [sigma], within which it is uncertain.
+ * Convention: 4.6 % by chance. */
+#define UM_DIAGNOSIS_SIGMAS 2.0
+/* Distance from the usual [prior widths] from which on the prior may keep a value out, and beyond
+ * which a value is implausible. Convention: one and three sigma. */
+#define UM_DIAGNOSIS_UNUSUAL     1.0
+#define UM_DIAGNOSIS_IMPLAUSIBLE 3.0
+/* Parameters of a pulse in BIC [1]. Counted: place, start, stop, power. */
+#define UM_DIAGNOSIS_OF_A_PULSE 4.0
+
+/* ---- how far the search goes: it may miss, never accuse ---- */
+
+/* Effects that are added, and candidates that are fitted in a round, when not asked for another
+ * number. LAB. */
+#define UM_DIAGNOSIS_STEPS_MAX    4
+#define UM_DIAGNOSIS_ALTERNATIVES 8
+/* Rounds of a step, while the best leaves a reduced chi-square above this [1]. LAB. */
+#define UM_DIAGNOSIS_ROUNDS      2
+#define UM_DIAGNOSIS_GOOD_ENOUGH 1.3
+/* Share of the best score [1] from which on a candidate is fitted, in the first round and in later
+ * ones: by so much the linear model may underrate a non-linear one. LAB. */
+#define UM_DIAGNOSIS_REACH       0.25
+#define UM_DIAGNOSIS_LATER_REACH 0.5
+/* Scans of candidates with parameters unidentified under the null, in a round. LAB: each costs a
+ * scan of 8 to 16 runs. */
+#define UM_DIAGNOSIS_UNIDENTIFIED_MAX 2
+/* Fits of a step beyond those, of candidates that score within the evidence. HAND. */
+#define UM_DIAGNOSIS_TIES 12
+/* Pairs that are fitted in place of two effects, and replacements at the end, at most. LAB. */
+#define UM_DIAGNOSIS_PAIRS  4
+#define UM_DIAGNOSIS_PASSES 3
+/* Distance from nothing [sigma] at which an effect is not tried without. Derived: chi-square would
+ * rise by 36, and BIC falls by ln n, which is less for any n below 1e15. */
+#define UM_DIAGNOSIS_CLEAR 6.0
+/* Blocks of time that are held out in turn. Hastie, Tibshirani & Friedman 2009, Elements of
+ * Statistical Learning, section 7.10: five or ten. Nothing is decided by them. */
+#define UM_DIAGNOSIS_FOLDS 5
+
+/* ---- parameters unidentified under the null (non_smooth.c, state.c) ---- */
+
+/* First step of a difference [prior widths]. LAB. */
+#define UM_DIAGNOSIS_UNIDENTIFIED_STEP 0.05
+/* Steps of such a fit at most. LAB: more of them only follow discontinuities. */
+#define UM_DIAGNOSIS_NON_SMOOTH_STEPS 6
+/* Temperatures of its place that tell of a thermostat at least. Derived: a tenth of them is one. */
+#define UM_DIAGNOSIS_ROWS_MIN 10
+/* Evaluations of one simplex at most, and its size [of the first] that is not worth another. LAB.
+ */
+#define UM_DIAGNOSIS_EVALUATIONS 50
+#define UM_DIAGNOSIS_SIMPLEX_END 0.02
+/* Chi-square that another simplex has to gain [1]. LAB: as much as BETTER, in BIC. */
+#define UM_DIAGNOSIS_SIMPLEX_GAIN 2.0
+/* Points up to here [sigma] tell how wide the valley is. Convention: three sigma. LAB. */
+#define UM_DIAGNOSIS_VALLEY 3.0
+
+/* ---- the next measurement (next.c) ---- */
+
+/* Expected chi-square of an observation [1] that is worth saying. Derived: a thousand observations
+ * make UM_INFERENCE_SEPARABLE. */
+#define UM_DIAGNOSIS_WORTH_SAYING 0.025
+/* Sigma of what was not measured: of a band [1], of a place [K]; and floor of a band's, of its
+ * brightest observation [1]. HAND. */
+#define UM_DIAGNOSIS_USUAL_RELATIVE    0.02
+#define UM_DIAGNOSIS_USUAL_TEMPERATURE 0.5
+#define UM_DIAGNOSIS_FAINT             0.01
+/* Alternatives of a step that are computed. HAND. */
+#define UM_DIAGNOSIS_NEAREST 4
+/* High airmass: above this share of the observations [1], where the largest is so many times the
+ * least [1], and said where it is worth so many times all observations [1]. HAND. */
+#define UM_DIAGNOSIS_HIGH    0.67
+#define UM_DIAGNOSIS_RANGE   1.5
+#define UM_DIAGNOSIS_CLEARER 1.3
+
+/* ---- what is said (summary.c) ---- */
+
+/* Share of a signature [1] below which nuisances do what an effect would. HAND. */
+#define UM_DIAGNOSIS_RESEMBLES 0.3
+/* p of a correlation [1] that is said. Convention. */
+#define UM_DIAGNOSIS_CORRELATES 0.01
+/* BIC [1] behind the end, beyond which what was replaced is left to the tables. HAND. */
+#define UM_DIAGNOSIS_FAR_BEHIND 100.0
+/* Names of a group that are said. HAND. */
+#define UM_DIAGNOSIS_NAMES 4
+
+#endif

@@ -1,0 +1,47 @@
+/* Numbers of sensitivity/ that decide which candidates are alive and where their search begins:
+ * unit, and where each comes from. HAND and LAB mean what diagnosis/policy.h says. The tolerance of
+ * evaluations is derived in sensitivity/forward.h, the share of a step that temperatures are moved
+ * by in sensitivity/moves.c. */
+#ifndef UMBRA_SENSITIVITY_POLICY_H
+#define UMBRA_SENSITIVITY_POLICY_H
+
+/* ---- steps of differences (difference.c) ---- */
+
+/* First step [prior widths]. LAB: a tenth of a width moves a derivative of a smooth model by some
+ * percent, which matters less to a score. */
+#define UM_SENSITIVITY_SHARE_OF_PRIOR 0.2
+/* Of the range [1], where neither prior nor default say more. HAND. */
+#define UM_SENSITIVITY_SHARE_OF_RANGE 0.01
+/* A longer step reaches so far [prior widths]. LAB. */
+#define UM_SENSITIVITY_PRIORS_MAX 2.0
+/* A step that is too short grows by so much at most, and by so much more than is asked [1]. LAB. */
+#define UM_SENSITIVITY_LONGEST 100.0
+#define UM_SENSITIVITY_MARGIN  1.5
+/* Divides a step that goes too far, or is refused [1]. LAB. */
+#define UM_SENSITIVITY_SHORTER 10.0
+/* Largest change of an observation that a step makes at least [sigma], and how often the noise of
+ * an integration anew it is [1]: the derivative is then good to a tenth. LAB. */
+#define UM_SENSITIVITY_SEEN        1e-3
+#define UM_SENSITIVITY_ABOVE_NOISE 10.0
+/* rms change from which on a step is far from a derivative [sigma]. LAB. */
+#define UM_SENSITIVITY_FAR 30.0
+
+/* ---- who is alive ---- */
+
+/* Root of the chi-square of all observations [sigma], at the furthest plausible value, that no
+ * longer step is tried for. Derived: one sigma in all is within noise. */
+#define UM_SENSITIVITY_UNSEEN 1.0
+/* Largest change of an observation [sigma] that is none. HAND: a millionth of its noise. */
+#define UM_SENSITIVITY_NOTHING 1e-6
+/* Changes below so many times the noise of an integration [1] are not seen. Convention: three
+ * sigma. LAB. */
+#define UM_SENSITIVITY_LOST 3.0
+
+/* ---- where a thermostat switches, before it is fitted (scan.c) ---- */
+
+/* Where its place was measured: the quantile of its temperatures [1]. LAB: the coldest alone is
+ * noise. Elsewhere: the share of the model's own range from its cold end [1]. LAB. */
+#define UM_SENSITIVITY_COLDEST    0.05
+#define UM_SENSITIVITY_COLD_SHARE 0.25
+
+#endif
