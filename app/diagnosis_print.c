@@ -6,7 +6,7 @@
 #include "compare/metrics.h"
 #include "compare/refine.h"
 #include "diagnosis/report/channels.h"
-#include "diagnosis/words.h"
+#include "diagnosis/value_text.h"
 #include "sensitivity/stated.h"
 
 #define WIDTH 96     /* of the sentence [characters] */

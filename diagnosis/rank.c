@@ -10,7 +10,7 @@
 #include "diagnosis/policy.h"
 #include "diagnosis/rank_impl.h"
 #include "diagnosis/state_impl.h"
-#include "diagnosis/words.h"
+#include "diagnosis/value_text.h"
 
 /* Prior widths from the null value. */
 

@@ -5,7 +5,7 @@
 
 #include "compare/time_text.h"
 #include "core/json.h"
-#include "diagnosis/words.h"
+#include "diagnosis/value_text.h"
 
 void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
                                    const char *text)

@@ -7,8 +7,8 @@
 #include "diagnosis/alternatives_impl.h"
 #include "diagnosis/diagnosis_impl.h"
 #include "diagnosis/leave_one_out_impl.h"
-#include "diagnosis/sentence_impl.h"
 #include "diagnosis/state_impl.h"
+#include "diagnosis/summary_impl.h"
 #include "diagnosis/verdict_impl.h"
 
 #define PLATE_STEP "24" /* [s] */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/sentence_impl.h"
+#include "diagnosis/summary_impl.h"
 #include "diagnosis/superseded_impl.h"
 #include "diagnosis/verdict_impl.h"
 #include "tests/support/cmocka_all.h"

@@ -1,6 +1,6 @@
 /* Values of effects in words: the parameter, and beside it what the scenario states as a whole. */
-#ifndef UMBRA_DIAGNOSIS_WORDS_H
-#define UMBRA_DIAGNOSIS_WORDS_H
+#ifndef UMBRA_DIAGNOSIS_VALUE_TEXT_H
+#define UMBRA_DIAGNOSIS_VALUE_TEXT_H
 
 #include "sensitivity/candidate.h"
 #include "sensitivity/forward.h"

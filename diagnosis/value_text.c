@@ -1,5 +1,5 @@
 /* Values of effects in words. */
-#include "diagnosis/words.h"
+#include "diagnosis/value_text.h"
 
 #include <math.h>
 #include <stdarg.h>

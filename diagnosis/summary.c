@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "diagnosis/policy.h"
-#include "diagnosis/sentence_impl.h"
-#include "diagnosis/words.h"
+#include "diagnosis/summary_impl.h"
+#include "diagnosis/value_text.h"
 #include "orbit/time.h"
 
 #define NOT_TRIED "; not tried, though the linear model has them as good: "

@@ -1,6 +1,6 @@
 /* The verdict in words. Private to diagnosis/. */
-#ifndef UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
-#define UMBRA_DIAGNOSIS_SENTENCE_IMPL_H
+#ifndef UMBRA_DIAGNOSIS_SUMMARY_IMPL_H
+#define UMBRA_DIAGNOSIS_SUMMARY_IMPL_H
 
 #include "diagnosis/diagnosis.h"
 
