@@ -9,7 +9,7 @@
 #include "diagnosis/value_text.h"
 #include "sensitivity/stated.h"
 
-#define WIDTH 96     /* of the sentence [characters] */
+#define WIDTH 96     /* of the summary [characters] */
 #define WORSE 5      /* fitted alternatives that are listed */
 #define TINY  1e-300 /* smaller p are not told apart */
 
@@ -90,7 +90,7 @@ static void print_alternative(const struct um_diagnosis *d,
                               const struct um_diagnosis_alternative *alternative)
 {
   const struct um_sensitivity_candidate *c = &d->candidates->candidate[alternative->candidate];
-  char text[UM_DIAGNOSIS_WORDS];
+  char text[UM_DIAGNOSIS_VALUES_MAX];
   um_diagnosis_values_text(d->forward, c->effect, c->target, alternative->value, alternative->sigma,
                            text);
   printf("%s%s%s", c->name, text[0] != '\0' ? " " : "", text);
@@ -135,7 +135,7 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
                                       "small, what it is cannot be known",
                                       "needed, but within two sigmas of nothing"};
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
-  if (!step->removed) printf("  %s\n", label[step->standing]);
+  if (!step->removed) printf("  %s\n", label[step->confidence]);
   for (size_t r = 1; r < step->nalternative; r++) {
     const struct um_diagnosis_alternative *alternative = &step->alternative[r];
     double behind = alternative->bic - winner->bic;
@@ -234,7 +234,7 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
 {
   const struct um_diagnosis *d = diagnosis;
   const struct um_sensitivity_forward *f = d->forward;
-  print_wrapped(d->sentence != NULL ? d->sentence : "");
+  print_wrapped(d->summary != NULL ? d->summary : "");
   printf("\nverdict: %s\n", um_diagnosis_verdict_name(d->verdict));
   printf("%s against %s: %zu observations", f->model->scenario->name, f->measurements->path,
          f->observations.count);

@@ -198,11 +198,11 @@ static enum um_status diagnose(struct um_context *context, const struct um_diagn
   UM_CHECK(keep_end(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
-  um_diagnosis_stand(d);
+  um_diagnosis_confidence_assign(d);
   UM_CHECK(look_at_residual(context, work, &bare, d));
   if (!work->options->no_next) UM_CHECK(um_diagnosis_next_find(context, work, state, d));
   UM_CHECK(um_diagnosis_missed_find(context, work, d));
-  UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
+  UM_CHECK(um_diagnosis_summary_write(context, d, &d->summary));
 done:
   um_diagnosis_state_release(context, &bare);
   return status;
@@ -290,7 +290,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   put_as_wanted(wanted, d);
   d->verdict =
       um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
-  UM_CHECK(um_diagnosis_sentence(context, d, &d->sentence));
+  UM_CHECK(um_diagnosis_summary_write(context, d, &d->summary));
   *out = d;
   d = NULL;
 done:

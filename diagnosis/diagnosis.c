@@ -7,10 +7,10 @@ const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
   return name[verdict];
 }
 
-const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing)
+const char *um_diagnosis_confidence_name(enum um_diagnosis_confidence confidence)
 {
   static const char *const name[] = {"certain", "one_of_group", "small", "uncertain"};
-  return name[standing];
+  return name[confidence];
 }
 
 const struct um_diagnosis_step *um_diagnosis_step_of(const struct um_diagnosis *d,
@@ -62,7 +62,7 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   struct um_diagnosis *d = *diagnosis;
   um_diagnosis_steps_clear(context, d);
   um_diagnosis_end_clear(context, d);
-  um_core_free(context, d->sentence);
+  um_core_free(context, d->summary);
   um_core_free(context, d->step);
   um_core_free(context, d->value_before);
   um_core_free(context, d->ranking);

@@ -32,13 +32,13 @@ struct um_diagnosis_alternative {
 };
 
 /* How well an effect of a step is known. */
-enum um_diagnosis_standing {
-  UM_STANDING_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
-  UM_STANDING_ONE_OF_GROUP, /* it or one of those that do as well */
-  UM_STANDING_SMALL,        /* it explains so little that what it is cannot be known */
-  UM_STANDING_UNCERTAIN     /* none comes near, but it is within UM_DIAGNOSIS_SIGMAS of nothing */
+enum um_diagnosis_confidence {
+  UM_CONFIDENCE_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
+  UM_CONFIDENCE_ONE_OF_GROUP, /* it or one of those that do as well */
+  UM_CONFIDENCE_SMALL,        /* it explains so little that what it is cannot be known */
+  UM_CONFIDENCE_UNCERTAIN     /* none comes near, but it is within UM_DIAGNOSIS_SIGMAS of nothing */
 };
-const char *um_diagnosis_standing_name(enum um_diagnosis_standing standing);
+const char *um_diagnosis_confidence_name(enum um_diagnosis_confidence confidence);
 
 struct um_diagnosis_step {
   size_t candidate;
@@ -51,9 +51,9 @@ struct um_diagnosis_step {
   double *value; /* [nobservation] model values as of this step, linear unit; NULL: not kept */
   size_t nalternative;
   struct um_diagnosis_alternative *alternative; /* by BIC, then by score; [0] is the winner */
-  bool by_prior;                       /* only the priors tell the winner from its alternatives */
-  bool removed;                        /* by the backward check */
-  enum um_diagnosis_standing standing; /* once the verdict is made */
+  bool by_prior; /* only the priors tell the winner from its alternatives */
+  bool removed;  /* by the backward check */
+  enum um_diagnosis_confidence confidence; /* once the verdict is made */
 };
 
 /* An effect of an earlier step that does not stay: others took its place. */
@@ -96,7 +96,7 @@ struct um_diagnosis_missed {
 
 struct um_diagnosis {
   enum um_diagnosis_verdict verdict;
-  char *sentence;                               /* the verdict in words, for a person */
+  char *summary;                                /* the verdict in words, for a person */
   double level;                                 /* family-wise false-alarm rate that was used */
   struct um_sensitivity_forward *forward;       /* borrowed */
   struct um_sensitivity_candidates *candidates; /* borrowed */

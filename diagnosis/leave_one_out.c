@@ -151,14 +151,14 @@ static enum um_status judge_all(struct um_context *context, const struct um_diag
  * no steps yet; one of it may be left alone. */
 static bool is_told(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
 {
-  size_t standing = 0, known = 0;
+  size_t kept = 0, known = 0;
   for (size_t s = 0; s < d->nstep; s++) {
     if (d->step[s].removed) continue;
-    standing++;
+    kept++;
     for (size_t b = state->nnuisance; b < state->nblock; b++)
       known += d->step[s].candidate == state->block[b].candidate;
   }
-  return standing == known && known == state->nblock - state->nnuisance;
+  return kept == known && known == state->nblock - state->nnuisance;
 }
 
 enum um_status um_diagnosis_leave_one_out(struct um_context *context,

@@ -301,7 +301,7 @@ enum um_status um_diagnosis_next_find(struct um_context *context,
   for (int small = 0; small < 2 && d->nnext == 0; small++)
     for (size_t s = 0; s < d->nstep; s++)
       if (um_diagnosis_has_group(&d->step[s]) &&
-          (d->step[s].standing == UM_STANDING_SMALL) == (small == 1))
+          (d->step[s].confidence == UM_CONFIDENCE_SMALL) == (small == 1))
         UM_TRY(find_of_step(context, work, state, d, s));
   for (size_t i = 0; i < d->nnext; i++) { /* one that was computed counts, the hardest first */
     struct um_diagnosis_next *next = &d->next_of[i];

@@ -291,8 +291,8 @@ static void widen(const struct search *search, const struct um_diagnosis_state *
 
 /* Whether a parameter unidentified under the null moves the observations at all, by a sigma in its
  * prior width: an angle about an axis of symmetry does not, and nothing is non-smooth then. */
-static bool has_jags(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
-                     size_t b)
+static bool is_non_smooth(const struct um_diagnosis_work *work,
+                          const struct um_diagnosis_state *state, size_t b)
 {
   const struct um_diagnosis_block *block = &state->block[b];
   const struct um_sensitivity_candidate *c = &work->candidates->candidate[block->candidate];
@@ -313,7 +313,7 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
   enum um_status status;
   struct um_diagnosis_state trial = {0};
   struct search search = {.context = context, .work = work, .b = b, .status = UM_OK};
-  if (!has_jags(work, state, b)) return UM_OK;
+  if (!is_non_smooth(work, state, b)) return UM_OK;
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &trial));
   search.state = &trial;
   search.lowest = state->fit->chi2 + state->fit->chi2_prior;

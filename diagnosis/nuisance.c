@@ -32,7 +32,7 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
     out->step[p] = isfinite(width) ? UM_SENSITIVITY_SHARE_OF_PRIOR * width : fabs(away);
     um_sensitivity_stated_range(work->forward, effect, wanted->target, p, present[p],
                                 &out->minimum[p], &out->maximum[p]);
-    /* a start that the scenario has no room for */
+    /* a start outside the range that the scenario leaves */
     out->addition.value[p] = fmin(fmax(wanted->value[p], out->minimum[p]), out->maximum[p]);
     if (!(out->step[p] > 0.0)) out->step[p] = 1e-3 * (of->maximum - of->minimum);
   }

@@ -155,9 +155,8 @@ done:
 }
 
 /* Pairs in place of the last block and block b. */
-static enum um_status exchange_with(struct um_context *context,
-                                    const struct um_diagnosis_work *work, size_t b,
-                                    struct um_diagnosis_state *state, bool *better)
+static enum um_status swap_with(struct um_context *context, const struct um_diagnosis_work *work,
+                                size_t b, struct um_diagnosis_state *state, bool *better)
 {
   enum um_status status;
   struct um_diagnosis_state less = {0}, without = {0}, trial = {0};
@@ -201,7 +200,7 @@ enum um_status um_diagnosis_pair_swap(struct um_context *context,
 {
   for (size_t b = state->nnuisance; b + 1 < state->nblock; b++) {
     bool better = false;
-    UM_TRY(exchange_with(context, work, b, state, &better));
+    UM_TRY(swap_with(context, work, b, state, &better));
     if (better) break; /* blocks have moved; the next step looks again */
   }
   return UM_OK;

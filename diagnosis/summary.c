@@ -32,7 +32,7 @@ static void add(struct text *text, const char *format, ...)
 static void add_use(struct text *text, const struct um_diagnosis *d, const struct um_effect *effect,
                     const char *target, const double *value, const double *sigma)
 {
-  char values[UM_DIAGNOSIS_WORDS];
+  char values[UM_DIAGNOSIS_VALUES_MAX];
   um_diagnosis_values_text(d->forward, effect, target, value, sigma, values);
   add(text, "%s%s%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "",
       values[0] != '\0' ? " " : "", values);
@@ -127,20 +127,20 @@ static void add_small(struct text *text, const struct um_diagnosis *d,
 
 /* ---- the effects ---- */
 
-/* Those of a standing, behind its label. */
-static void add_standing(struct text *text, const struct um_diagnosis *d,
-                         enum um_diagnosis_standing standing, const char *label)
+/* The effects of a class of confidence, behind its label. */
+static void add_confidence(struct text *text, const struct um_diagnosis *d,
+                           enum um_diagnosis_confidence confidence, const char *label)
 {
   size_t n = 0;
   for (size_t i = 0; i < d->naddition; i++) {
     const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[i]);
-    if (step == NULL || step->standing != standing) continue;
-    add(text, "%s%s", n > 0 && standing == UM_STANDING_CERTAIN ? " and " : label,
-        n > 0 && standing == UM_STANDING_CERTAIN ? "" : ": ");
+    if (step == NULL || step->confidence != confidence) continue;
+    add(text, "%s%s", n > 0 && confidence == UM_CONFIDENCE_CERTAIN ? " and " : label,
+        n > 0 && confidence == UM_CONFIDENCE_CERTAIN ? "" : ": ");
     add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
-    if (standing == UM_STANDING_ONE_OF_GROUP) add_group(text, d, step);
-    if (standing == UM_STANDING_SMALL) add_small(text, d, step);
-    if (standing != UM_STANDING_SMALL) {
+    if (confidence == UM_CONFIDENCE_ONE_OF_GROUP) add_group(text, d, step);
+    if (confidence == UM_CONFIDENCE_SMALL) add_small(text, d, step);
+    if (confidence != UM_CONFIDENCE_SMALL) {
       add_excluded(text, d, step);
       add_next_best(text, d, step);
     }
@@ -227,10 +227,10 @@ static void say_not_identifiable(struct text *text, const struct um_diagnosis *d
   }
   add(text, "Not identifiable: ");
   add_residual(text, d);
-  add_standing(text, d, UM_STANDING_CERTAIN, ". Certain");
-  add_standing(text, d, UM_STANDING_UNCERTAIN, ". Needed, but within two sigmas of nothing");
-  add_standing(text, d, UM_STANDING_ONE_OF_GROUP, ". One of a group");
-  add_standing(text, d, UM_STANDING_SMALL, ". Small and unknown");
+  add_confidence(text, d, UM_CONFIDENCE_CERTAIN, ". Certain");
+  add_confidence(text, d, UM_CONFIDENCE_UNCERTAIN, ". Needed, but within two sigmas of nothing");
+  add_confidence(text, d, UM_CONFIDENCE_ONE_OF_GROUP, ". One of a group");
+  add_confidence(text, d, UM_CONFIDENCE_SMALL, ". Small and unknown");
   add_superseded(text, d);
   add_fall(text, d);
 }
@@ -283,8 +283,8 @@ static void say_unexplained(struct text *text, const struct um_diagnosis *d)
   add_heat(text, d->unexplained);
 }
 
-enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
-                                     char **out)
+enum um_status um_diagnosis_summary_write(struct um_context *context, const struct um_diagnosis *d,
+                                          char **out)
 {
   struct text text = {{0}, 0};
   switch (d->verdict) {

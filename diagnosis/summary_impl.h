@@ -4,7 +4,7 @@
 
 #include "diagnosis/diagnosis.h"
 
-enum um_status um_diagnosis_sentence(struct um_context *context, const struct um_diagnosis *d,
-                                     char **out);
+enum um_status um_diagnosis_summary_write(struct um_context *context, const struct um_diagnosis *d,
+                                          char **out);
 
 #endif

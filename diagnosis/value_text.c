@@ -48,7 +48,7 @@ void um_diagnosis_whole_text(const struct um_diagnosis_whole *whole, char out[16
 void um_diagnosis_values_text(const struct um_sensitivity_forward *forward,
                               const struct um_effect *effect, const char *target,
                               const double *value, const double *sigma,
-                              char out[UM_DIAGNOSIS_WORDS])
+                              char out[UM_DIAGNOSIS_VALUES_MAX])
 {
   out[0] = '\0';
   for (size_t p = 0; p < effect->nparameter; p++) {
@@ -57,12 +57,13 @@ void um_diagnosis_values_text(const struct um_sensitivity_forward *forward,
     char text[160];
     bool plain = strcmp(of->unit, "1") == 0;
     if (isnan(sigma[p]) && value[p] == of->null_value) continue;
-    append(out, UM_DIAGNOSIS_WORDS, "%s%s %.4g", out[0] != '\0' ? " " : "", of->name, value[p]);
-    if (isfinite(sigma[p])) append(out, UM_DIAGNOSIS_WORDS, " +- %.2g", sigma[p]);
-    if (!plain) append(out, UM_DIAGNOSIS_WORDS, " %s", of->unit);
+    append(out, UM_DIAGNOSIS_VALUES_MAX, "%s%s %.4g", out[0] != '\0' ? " " : "", of->name,
+           value[p]);
+    if (isfinite(sigma[p])) append(out, UM_DIAGNOSIS_VALUES_MAX, " +- %.2g", sigma[p]);
+    if (!plain) append(out, UM_DIAGNOSIS_VALUES_MAX, " %s", of->unit);
     if (!um_diagnosis_whole_find(forward, effect, target, p, value[p], sigma[p], &whole)) continue;
     um_diagnosis_whole_text(&whole, text);
-    append(out, UM_DIAGNOSIS_WORDS, " %s", text);
+    append(out, UM_DIAGNOSIS_VALUES_MAX, " %s", text);
   }
 }
 

@@ -91,17 +91,17 @@ static bool is_matched(const struct um_diagnosis_step *step, double scale)
   return false;
 }
 
-void um_diagnosis_stand(struct um_diagnosis *d)
+void um_diagnosis_confidence_assign(struct um_diagnosis *d)
 {
   double scale = 1.0;
   if (d->verdict == UM_VERDICT_UNEXPLAINED) scale = fmax(1.0, d->chi2_reduced_after);
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];
     if (!is_matched(step, scale))
-      step->standing = is_near_nothing(d, step) ? UM_STANDING_UNCERTAIN : UM_STANDING_CERTAIN;
+      step->confidence = is_near_nothing(d, step) ? UM_CONFIDENCE_UNCERTAIN : UM_CONFIDENCE_CERTAIN;
     else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
-      step->standing = UM_STANDING_SMALL;
+      step->confidence = UM_CONFIDENCE_SMALL;
     else
-      step->standing = UM_STANDING_ONE_OF_GROUP;
+      step->confidence = UM_CONFIDENCE_ONE_OF_GROUP;
   }
 }

@@ -14,6 +14,6 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step);
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
                                              struct um_diagnosis *d);
 /* How well the effect of each step is known, after the verdict. */
-void um_diagnosis_stand(struct um_diagnosis *d);
+void um_diagnosis_confidence_assign(struct um_diagnosis *d);
 
 #endif

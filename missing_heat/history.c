@@ -17,11 +17,11 @@
 
 struct history {
   size_t n, nobservation;
-  double *r, *y;  /* [n][n] by columns, [n]: D compressed, and what it meets */
-  double rest;    /* chi-square that no history explains */
-  double *column; /* [n][nobservation] with the damping below */
-  double *right;  /* [nobservation] */
-  double *work;   /* [n][n] */
+  double *r, *y;    /* [n][n] by columns, [n]: D compressed, and what it meets */
+  double chi2_left; /* chi-square that no history explains */
+  double *column;   /* [n][nobservation] with the damping below */
+  double *right;    /* [nobservation] */
+  double *work;     /* [n][n] */
 };
 
 static void history_release(struct um_context *context, struct history *h)
@@ -54,7 +54,7 @@ static enum um_status history_create(struct um_context *context,
   um_inference_qr_rotate(qr, rotated);
   um_inference_qr_compress(qr, h->r);
   memcpy(h->y, rotated, least * sizeof *rotated);
-  h->rest = um_inference_dot(nleft - least, rotated + least, rotated + least);
+  h->chi2_left = um_inference_dot(nleft - least, rotated + least, rotated + least);
 done:
   um_core_free(context, rotated);
   um_inference_qr_destroy(context, &qr);
@@ -91,7 +91,7 @@ static enum um_status solve(struct um_context *context, struct history *h, doubl
   um_inference_qr_solve(qr, h->right, heat);
   if (covariance != NULL) um_inference_qr_covariance(qr, h->work, covariance, NULL);
   um_inference_qr_destroy(context, &qr);
-  *chi2 = h->rest;
+  *chi2 = h->chi2_left;
   for (size_t i = 0; i < h->n; i++) {
     double left = h->y[i];
     for (size_t j = 0; j < h->n; j++) left -= h->r[j * h->n + i] * heat[j];

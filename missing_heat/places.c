@@ -6,13 +6,13 @@
 
 #include <string.h>
 
-/* Nodes of a body's place "part.group<suffix>", with their weights times `share`. */
-static void append(const struct um_thermal_place *from, double share,
+/* Nodes of a body's place "part.group<suffix>", with their weights times `fraction`. */
+static void append(const struct um_thermal_place *from, double fraction,
                    struct um_missing_heat_place *to)
 {
   for (size_t i = 0; from != NULL && i < from->nnode; i++) {
     to->node[to->nnode] = from->node[i];
-    to->weight[to->nnode++] = share * from->weight[i];
+    to->weight[to->nnode++] = fraction * from->weight[i];
   }
 }
 
@@ -33,11 +33,11 @@ static enum um_status fill(struct um_context *context, const struct um_thermal_p
                            const struct um_thermal_place *back, struct um_missing_heat_place *out)
 {
   size_t n = (front != NULL ? front->nnode : 0) + (back != NULL ? back->nnode : 0);
-  double share = front != NULL && back != NULL ? 0.5 : 1.0;
+  double fraction = front != NULL && back != NULL ? 0.5 : 1.0;
   UM_TRY(um_core_allocate(context, n, sizeof *out->node, &out->node));
   UM_TRY(um_core_allocate(context, n, sizeof *out->weight, &out->weight));
-  append(front, share, out);
-  append(back, share, out);
+  append(front, fraction, out);
+  append(back, fraction, out);
   return UM_OK;
 }
 

@@ -4,7 +4,7 @@
 
 #include "model/model.h"
 
-/* Where heat may be: nodes with shares of sum 1. */
+/* Where heat may be: nodes with weights of sum 1. */
 struct um_missing_heat_place {
   char *name;
   uint32_t *node;

@@ -62,7 +62,7 @@ static void put_head(FILE *file, const struct um_diagnosis *d, const char *comma
   fprintf(file, "# Written by umbra %s: ", version);
   put_line(file, command);
   fprintf(file, "# Verdict: %s. ", um_diagnosis_verdict_name(d->verdict));
-  put_line(file, d->sentence != NULL ? d->sentence : "");
+  put_line(file, d->summary != NULL ? d->summary : "");
   fprintf(file, "# Reduced chi-square %.4g before, %.4g after.\n", d->chi2_reduced,
           d->chi2_reduced_after);
 }

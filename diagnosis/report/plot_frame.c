@@ -39,8 +39,8 @@ static void add_doubt(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
   size_t n = 0, not_tried = 0;
-  if (step->standing == UM_STANDING_CERTAIN) return;
-  if (step->standing == UM_STANDING_UNCERTAIN) {
+  if (step->confidence == UM_CONFIDENCE_CERTAIN) return;
+  if (step->confidence == UM_CONFIDENCE_UNCERTAIN) {
     add(text, " (within two sigmas of nothing)");
     return;
   }

@@ -154,7 +154,7 @@ static void put_bars(const struct um_diagnosis *d, const struct bar *bar, size_t
   }
 }
 
-/* In a panel of its own: beside the bars it would have no room. */
+/* In a panel of its own: beside the bars it would be too narrow. */
 static void put_key(struct um_plot *plot, double level, size_t tested)
 {
   static const char *const title[NROLE] = {[LINEAR] = "linear model, not fitted",

@@ -127,7 +127,7 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   um_diagnosis_report_json_parameters(file, d, step->addition.effect, step->addition.target,
                                       step->addition.value, step->sigma);
   um_diagnosis_report_json_text(file, ",\n     ", "standing",
-                                um_diagnosis_standing_name(step->standing));
+                                um_diagnosis_confidence_name(step->confidence));
   um_core_json_field(file, ",\n     ", "p_value", step->p_value);
   um_core_json_field(file, ", ", "delta_bic", step->delta_bic);
   um_core_json_field(file, ", \"held_out\": {", "before", step->held_out_before);
@@ -184,7 +184,7 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   um_diagnosis_report_json_text(file, ",\n  ", "command", command);
   um_diagnosis_report_json_text(file, ",\n  ", "version", version);
   um_diagnosis_report_json_text(file, ",\n  ", "verdict", um_diagnosis_verdict_name(d->verdict));
-  um_diagnosis_report_json_text(file, ",\n  ", "sentence", d->sentence);
+  um_diagnosis_report_json_text(file, ",\n  ", "sentence", d->summary);
   um_core_json_field(file, ",\n  ", "level", d->level);
   um_core_json_field(file, ",\n  ", "model_share", d->forward->observations.model_share);
   fprintf(file, ", \"optics_samples\": %d, \"optics_samples_of_scenario\": %d", d->forward->samples,

@@ -106,7 +106,7 @@ static bool is_tied(const struct case_of *c, size_t step, const char *name)
 static void assert_verdict(const struct case_of *c, enum um_diagnosis_verdict expected)
 {
   if (c->d->verdict != expected)
-    fail_msg("%s: %s", um_diagnosis_verdict_name(c->d->verdict), c->d->sentence);
+    fail_msg("%s: %s", um_diagnosis_verdict_name(c->d->verdict), c->d->summary);
 }
 
 static const char *const places[] = {"bus.+x", "panel.front"};
@@ -121,7 +121,7 @@ static void test_complete(void **state)
   assert_ok(diagnose(&options, &c));
   assert_verdict(&c, UM_VERDICT_COMPLETE);
   assert_int_equal(c.d->nstep, 0);
-  assert_non_null(strstr(c.d->sentence, "Nothing is missing"));
+  assert_non_null(strstr(c.d->summary, "Nothing is missing"));
   end(&c);
 }
 
@@ -211,7 +211,7 @@ static void test_less_extraction(void **state)
   only_channel("lwir");
   assert_ok(diagnose(&options, &c));
   assert_verdict(&c, UM_VERDICT_NOT_IDENTIFIABLE);
-  print_message("  %s\n", c.d->sentence);
+  print_message("  %s\n", c.d->summary);
   const char *first = name_of(&c, 0);
   bool extraction = strcmp(first, "panel_extraction:panel") == 0;
   if (!extraction) assert_string_equal(first, "solar_absorptance:grey_panel");

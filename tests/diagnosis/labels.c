@@ -59,13 +59,13 @@ static void one_make(struct one *o, double null_value, bool logarithmic, double 
 }
 
 static void assert_judged(struct one *o, enum um_diagnosis_verdict verdict,
-                          enum um_diagnosis_standing standing)
+                          enum um_diagnosis_confidence confidence)
 {
   const struct um_diagnosis_state nothing = {0};
   o->d.verdict = um_diagnosis_judge(&nothing, &o->d);
   assert_int_equal(o->d.verdict, verdict);
-  um_diagnosis_stand(&o->d);
-  assert_int_equal(o->step.standing, standing);
+  um_diagnosis_confidence_assign(&o->d);
+  assert_int_equal(o->step.confidence, confidence);
 }
 
 /* 115,568 +- 107,477 J/K is 1.1 sigma from nothing: whatever its BIC, it is not certain. */
@@ -74,26 +74,26 @@ static void near_nothing_is_not_certain(void **state)
   (void)state;
   struct one o;
   one_make(&o, 0.0, false, 115568.0, 107477.0);
-  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
-  assert_string_equal(um_diagnosis_standing_name(o.step.standing), "uncertain");
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
+  assert_string_equal(um_diagnosis_confidence_name(o.step.confidence), "uncertain");
   one_make(&o, 0.0, false, 115568.0, 50000.0); /* 2.3 sigma */
-  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
   /* observations that scatter by 1.2 of what they say: 2.1 of such sigmas, then 1.9 */
   o.d.chi2_reduced_after = 1.2;
-  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
   o.d.chi2_reduced_after = 1.45;
-  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
   /* a factor 0.5 is ln 2 from 1, which is 2.8 of its sigma 0.125 / 0.5, and 1.7 of 0.2 / 0.5 */
   one_make(&o, 1.0, true, 0.5, 0.125);
-  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
   o.step.sigma[0] = 0.2;
-  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_UNCERTAIN);
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
   /* without a sigma at the end of its range, or as a switch */
   one_make(&o, 0.0, false, 5.0, NAN);
-  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
   one_make(&o, 0.0, false, 0.0, NAN);
   o.candidate.is_switch = true;
-  assert_judged(&o, UM_VERDICT_FOUND, UM_STANDING_CERTAIN);
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
 }
 
 /* One that was not fitted leaves the winner uncertain, and is called not tried. */
@@ -104,9 +104,9 @@ static void not_tried_is_no_tie(void **state)
   one_make(&o, 0.0, false, 5.0, 1.0);
   o.step.nalternative = 2;
   o.alternative[1].not_tried = true;
-  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_ONE_OF_GROUP);
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_ONE_OF_GROUP);
   o.step.delta_bic = -10.0;
-  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_STANDING_SMALL);
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_SMALL);
 }
 
 /* What does a little better than the effect of a step does not take its place in the list. */

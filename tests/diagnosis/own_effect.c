@@ -90,7 +90,7 @@ static void own_effect_is_named(void **state)
   OK(um_sensitivity_forward_create(context, path, &changes, measured, 1.0, &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
   OK(um_diagnosis_create(context, forward, candidates, &options, &d));
-  print_message("  %s\n", d->sentence);
+  print_message("  %s\n", d->summary);
   assert_int_equal(d->verdict, UM_VERDICT_FOUND);
   assert_int_equal(d->naddition, 1);
   assert_string_equal(d->addition[0].effect->name, "pileup");

@@ -72,7 +72,7 @@ static inline struct diagnosed diagnose(const struct lists *lists)
   OK(um_sensitivity_candidates_create(context, c.forward, NULL, 0, &options.candidates,
                                       &c.candidates));
   OK(um_diagnosis_create(context, c.forward, c.candidates, &options, &c.d));
-  print_message("  %s: %s\n", um_diagnosis_verdict_name(c.d->verdict), c.d->sentence);
+  print_message("  %s: %s\n", um_diagnosis_verdict_name(c.d->verdict), c.d->summary);
   return c;
 }
 
@@ -97,7 +97,7 @@ static inline const struct um_diagnosis_alternative *alternative(const struct di
 
 static inline void says(const struct diagnosed *c, const char *words)
 {
-  if (strstr(c->d->sentence, words) == NULL) fail_msg("no '%s' in: %s", words, c->d->sentence);
+  if (strstr(c->d->summary, words) == NULL) fail_msg("no '%s' in: %s", words, c->d->summary);
 }
 
 #define LIST(...) ((const char *const[]){__VA_ARGS__, NULL})

@@ -34,33 +34,34 @@ static void test_titles(void **state)
     enum um_diagnosis_verdict verdict;
     size_t naddition;
     bool chosen;
-    enum um_diagnosis_standing standing;
+    enum um_diagnosis_confidence confidence;
     bool not_tried;
     const char *says;
   } cases[] = {
-      {UM_VERDICT_COMPLETE, 0, false, UM_STANDING_CERTAIN, false, "complete, nothing added"},
-      {UM_VERDICT_FOUND, 2, false, UM_STANDING_CERTAIN, false,
+      {UM_VERDICT_COMPLETE, 0, false, UM_CONFIDENCE_CERTAIN, false, "complete, nothing added"},
+      {UM_VERDICT_FOUND, 2, false, UM_CONFIDENCE_CERTAIN, false,
        "found: internal_power of bus, panel_extraction of panel"},
-      {UM_VERDICT_FOUND, 1, true, UM_STANDING_CERTAIN, false, "fitted: internal_power of bus"},
-      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_STANDING_ONE_OF_GROUP, false,
+      {UM_VERDICT_FOUND, 1, true, UM_CONFIDENCE_CERTAIN, false, "fitted: internal_power of bus"},
+      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_ONE_OF_GROUP, false,
        "not identifiable: internal_power of bus (drawn) or emittance:grey_white"},
-      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_STANDING_ONE_OF_GROUP, true,
+      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_ONE_OF_GROUP, true,
        "not identifiable: internal_power of bus, 1 not tried"},
-      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_STANDING_UNCERTAIN, false,
+      {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_UNCERTAIN, false,
        "not identifiable: internal_power of bus (within two sigmas of nothing)"},
-      {UM_VERDICT_NOT_IDENTIFIABLE, 0, false, UM_STANDING_CERTAIN, false,
+      {UM_VERDICT_NOT_IDENTIFIABLE, 0, false, UM_CONFIDENCE_CERTAIN, false,
        "not identifiable, nothing added: a nuisance took it up"},
-      {UM_VERDICT_UNEXPLAINED, 1, false, UM_STANDING_CERTAIN, false,
+      {UM_VERDICT_UNEXPLAINED, 1, false, UM_CONFIDENCE_CERTAIN, false,
        "unexplained, even with internal_power of bus"},
-      {UM_VERDICT_UNEXPLAINED, 0, false, UM_STANDING_CERTAIN, false, "unexplained, nothing added"},
-      {UM_VERDICT_UNEXPLAINED, 1, true, UM_STANDING_CERTAIN, false,
+      {UM_VERDICT_UNEXPLAINED, 0, false, UM_CONFIDENCE_CERTAIN, false,
+       "unexplained, nothing added"},
+      {UM_VERDICT_UNEXPLAINED, 1, true, UM_CONFIDENCE_CERTAIN, false,
        "fitted, and not explained by: internal_power of bus"},
   };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     w.d.verdict = cases[i].verdict;
     w.d.naddition = cases[i].naddition;
     w.d.candidates = cases[i].chosen ? NULL : candidates;
-    w.step[0].standing = cases[i].standing;
+    w.step[0].confidence = cases[i].confidence;
     w.alternative[1].not_tried = cases[i].not_tried;
     w.alternative[1].indistinguishable = !cases[i].not_tried;
     um_diagnosis_report_plot_verdict(&w.d, text, sizeof text);
@@ -69,7 +70,7 @@ static void test_titles(void **state)
   w.d.candidates = candidates;
   w.d.naddition = 2;
   w.d.verdict = UM_VERDICT_NOT_IDENTIFIABLE;
-  w.step[0].standing = UM_STANDING_ONE_OF_GROUP;
+  w.step[0].confidence = UM_CONFIDENCE_ONE_OF_GROUP;
   w.unexplained.found = false;
   write_out(&w);
   assert_ok(um_diagnosis_report_plot(context, &w.d, "out"));

@@ -168,7 +168,7 @@ static inline void world_make(struct world *w)
   w->candidates =
       (struct um_sensitivity_candidates){.count = 3, .nobservation = n, .candidate = w->candidate};
   *d = (struct um_diagnosis){.verdict = UM_VERDICT_NOT_IDENTIFIABLE,
-                             .sentence = sentence,
+                             .summary = sentence,
                              .level = 0.01,
                              .forward = w->forward,
                              .candidates = &w->candidates,
@@ -203,7 +203,7 @@ static inline void world_make(struct world *w)
                                           .sigma = {0.7},
                                           .p_value = 1e-9,
                                           .delta_bic = -4990.0,
-                                          .standing = UM_STANDING_ONE_OF_GROUP,
+                                          .confidence = UM_CONFIDENCE_ONE_OF_GROUP,
                                           .held_out_before = 5000.0,
                                           .held_out = 130.0,
                                           .chi2 = d->chi2_after,

@@ -113,7 +113,7 @@ static enum um_diagnosis_verdict diagnose(struct um_sensitivity_forward *f, doub
   *chi2_reduced = d->chi2_reduced;
   *nstep = d->nstep;
   print_message("  %s, %zu steps; baseline's reduced chi-square %.3f: %s\n",
-                um_diagnosis_verdict_name(verdict), d->nstep, d->chi2_reduced, d->sentence);
+                um_diagnosis_verdict_name(verdict), d->nstep, d->chi2_reduced, d->summary);
   um_diagnosis_destroy(context, &d);
   um_sensitivity_candidates_destroy(context, &candidates);
   return verdict;

@@ -66,7 +66,7 @@ static void parameter_that_does_nothing(void **state)
   assert_int_equal(c->ncolumn, 2);
   assert_int_equal(c->nunidentified, 1);
   OK(um_diagnosis_create(context, forward, candidates, &options, &d));
-  print_message("  %s\n  %zu evaluations, %.3g s\n", d->sentence, forward->evaluations,
+  print_message("  %s\n  %zu evaluations, %.3g s\n", d->summary, forward->evaluations,
                 forward->seconds);
   assert_true(d->naddition >= 1);
   assert_string_equal(d->addition[0].effect->name, "attitude_offset");

@@ -29,11 +29,11 @@ static void prior_is_said(void **state)
   const struct um_diagnosis_alternative *sun = alternative(&c, 0, "solar_irradiance");
   assert_true(sun->excluded_by_prior && !sun->excluded_by_range && !sun->indistinguishable);
   assert_true(fabs(sun->chi2 - c.d->chi2_after) < UM_DIAGNOSIS_EVIDENCE);
-  assert_int_equal(strncmp(c.d->sentence, "Missing: zero_point:vis factor 0.", 33), 0);
+  assert_int_equal(strncmp(c.d->summary, "Missing: zero_point:vis factor 0.", 33), 0);
   says(&c, "only the prior of solar_irradiance keeps out solar_irradiance irradiance_factor 0.");
   says(&c, "instead of 1361 W/m^2)");
   says(&c, "which fits as well");
-  assert_int_equal(c.d->step[0].standing, UM_STANDING_CERTAIN);
+  assert_int_equal(c.d->step[0].confidence, UM_CONFIDENCE_CERTAIN);
   end(&c);
 
   lists.with = LIST("zero_point:vis,factor=0.9");
@@ -42,7 +42,7 @@ static void prior_is_said(void **state)
   sun = alternative(&c, 0, "solar_irradiance");
   assert_true(sun->bic - c.d->step[0].alternative[0].bic >= UM_DIAGNOSIS_NEXT_BEST);
   assert_false(sun->excluded_by_prior);
-  assert_null(strstr(c.d->sentence, "solar_irradiance"));
+  assert_null(strstr(c.d->summary, "solar_irradiance"));
   end(&c);
 }
 
@@ -65,7 +65,7 @@ static void range_is_said(void **state)
   c = diagnose(&lists);
   none = alternative(&c, 0, "panel_extraction:wing");
   assert_false(none->excluded_by_range);
-  assert_null(strstr(c.d->sentence, "panel_extraction"));
+  assert_null(strstr(c.d->summary, "panel_extraction"));
   end(&c);
 }
 
@@ -78,7 +78,7 @@ static void values_are_whole(void **state)
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_FOUND);
   double value, sigma = 237.0 * c.d->addition_sigma[0][0];
-  const char *at = strstr(c.d->sentence, "(outgoing longwave radiation ");
+  const char *at = strstr(c.d->summary, "(outgoing longwave radiation ");
   assert_non_null(at);
   value = strtod(at + strlen("(outgoing longwave radiation "), NULL);
   assert_true(fabs(value - 200.0) <= 3.0 * sigma + 0.05);
@@ -102,8 +102,8 @@ static void next_is_at_high_airmass(void **state)
                         .to = 456.0};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_NOT_IDENTIFIABLE);
-  assert_int_equal(strncmp(c.d->sentence, "Not identifiable: the residual is worst in", 42), 0);
-  assert_true(strstr(c.d->sentence, "Missing") == NULL);
+  assert_int_equal(strncmp(c.d->summary, "Not identifiable: the residual is worst in", 42), 0);
+  assert_true(strstr(c.d->summary, "Missing") == NULL);
   says(&c, "One of a group: ");
   says(&c, " or ");
   assert_int_equal(c.d->nnext, 1);
@@ -154,10 +154,10 @@ static void each_effect_has_its_label(void **state)
   assert_int_equal(c.d->verdict, UM_VERDICT_NOT_IDENTIFIABLE);
   assert_int_equal(c.d->nstep, 2);
   assert_string_equal(c.d->step[0].addition.effect->name, "earth_ir");
-  assert_int_equal(c.d->step[0].standing, UM_STANDING_CERTAIN);
-  assert_int_equal(c.d->step[1].standing, UM_STANDING_SMALL);
+  assert_int_equal(c.d->step[0].confidence, UM_CONFIDENCE_CERTAIN);
+  assert_int_equal(c.d->step[1].confidence, UM_CONFIDENCE_SMALL);
   assert_true(-c.d->step[1].delta_bic < UM_DIAGNOSIS_SMALL);
-  assert_int_equal(strncmp(c.d->sentence, "Not identifiable: the residual is worst in", 42), 0);
+  assert_int_equal(strncmp(c.d->summary, "Not identifiable: the residual is worst in", 42), 0);
   says(&c, ". Certain: earth_ir. Small and unknown: ");
   says(&c, ", worth ");
   end(&c);
@@ -180,7 +180,7 @@ static void both_discs_are_tried(void **state)
     assert_true(c.d->naddition >= 1);
     assert_string_equal(c.d->addition[0].effect->name, "penumbra");
     assert_true(c.d->addition[0].value[0] == (double)darkened);
-    assert_int_equal(c.d->step[0].standing, UM_STANDING_CERTAIN);
+    assert_int_equal(c.d->step[0].confidence, UM_CONFIDENCE_CERTAIN);
     for (size_t i = 1; i < c.d->step[0].nalternative; i++)
       if (c.d->step[0].alternative[i].same_effect)
         assert_false(c.d->step[0].alternative[i].indistinguishable);
@@ -208,11 +208,11 @@ static void allowance_is_said(void **state)
   white.verdict = UM_VERDICT_FOUND;
   d.naddition = white.naddition = 0; /* no forward to ask about values */
   char *sentence;
-  OK(um_diagnosis_sentence(context, &white, &sentence));
+  OK(um_diagnosis_summary_write(context, &white, &sentence));
   assert_null(strstr(sentence, "not quite noise"));
   um_core_free(context, sentence);
   d.verdict = UM_VERDICT_FOUND;
-  OK(um_diagnosis_sentence(context, &d, &sentence));
+  OK(um_diagnosis_summary_write(context, &d, &sentence));
   assert_non_null(strstr(sentence, "what is left is not quite noise (p 1e-05)"));
   um_core_free(context, sentence);
 }
@@ -226,25 +226,25 @@ static void standings(void **state)
                                           {.fitted = true, .bic = 114.0}};
   struct um_diagnosis_step step = {.nalternative = 2, .alternative = a, .delta_bic = -9300.0};
   struct um_diagnosis d = {.nstep = 1, .step = &step, .verdict = UM_VERDICT_FOUND};
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_CERTAIN);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_CERTAIN);
   d.verdict = UM_VERDICT_UNEXPLAINED;
   d.chi2_reduced_after = 2.0;
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_ONE_OF_GROUP);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_ONE_OF_GROUP);
   step.delta_bic = -39.0;
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_SMALL);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_SMALL);
   d.verdict = UM_VERDICT_NOT_IDENTIFIABLE;
   a[1].indistinguishable = true;
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_ONE_OF_GROUP);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_ONE_OF_GROUP);
   step.delta_bic = -14.0;
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_SMALL);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_SMALL);
   step.by_prior = true;
-  um_diagnosis_stand(&d);
-  assert_int_equal(step.standing, UM_STANDING_CERTAIN);
+  um_diagnosis_confidence_assign(&d);
+  assert_int_equal(step.confidence, UM_CONFIDENCE_CERTAIN);
 }
 
 /* An effect that others replaced stays on record, one that is still there does not. */
@@ -291,7 +291,7 @@ static void abstaining_begins_with_the_residual(void **state)
       .residual = {.channel = channel, .coordinate = coordinate, .chi2_reduced = 20.0, .mean = 3.0},
       .unexplained = &u};
   char *sentence;
-  OK(um_diagnosis_sentence(context, &d, &sentence));
+  OK(um_diagnosis_summary_write(context, &d, &sentence));
   print_message("  %s\n", sentence);
   assert_int_equal(
       strncmp(sentence, "Unexplained: the residual is worst in temperature bus.+y", 56), 0);

@@ -87,7 +87,7 @@ static bool ask(struct um_context *context, const struct question *q, const char
                                             &candidates));
   UM_CHECK(um_diagnosis_create(context, forward, candidates, &options, &d));
   refused = d->verdict == UM_VERDICT_NOT_IDENTIFIABLE;
-  snprintf(answer, LAB_TEXT, "%s", d->sentence);
+  snprintf(answer, LAB_TEXT, "%s", d->summary);
 done:
   if (status != UM_OK) snprintf(answer, LAB_TEXT, "%s", um_core_message(context));
   if (status != UM_OK && status != UM_ERR_INPUT) refused = false;
