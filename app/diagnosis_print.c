@@ -100,8 +100,8 @@ static void print_alternative(const struct um_diagnosis *d,
 static const char *relation(const struct um_diagnosis_alternative *r, double behind)
 {
   if (r->indistinguishable) return "cannot be told from";
-  if (r->excluded_by_prior) return "only the prior keeps out";
-  if (r->excluded_by_range) return "only the end of its range keeps out";
+  if (r->excluded_by_prior) return "kept out by its prior alone:";
+  if (r->excluded_by_range) return "kept out by the end of its range alone:";
   if (r->fitted && behind < UM_DIAGNOSIS_NEXT_BEST)
     return r->same_effect ? "as well with" : "next best";
   return NULL;
@@ -133,7 +133,7 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
 {
   static const char *const label[] = {"certain", "one of a group",
                                       "small, what it is cannot be known",
-                                      "needed, but within two sigmas of nothing"};
+                                      "needed, but within two sigmas of no effect"};
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
   if (!step->removed) printf("  %s\n", label[step->confidence]);
   for (size_t r = 1; r < step->nalternative; r++) {
@@ -150,7 +150,7 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
   size_t n = 0;
   for (size_t r = 1; r < step->nalternative; r++)
     if (step->alternative[r].not_tried)
-      printf("%s%s", n++ == 0 ? "  not tried, though the linear model has them as good: " : ", ",
+      printf("%s%s", n++ == 0 ? "  not fitted, though the linear model rates them as good: " : ", ",
              d->candidates->candidate[step->alternative[r].candidate].name);
   if (n > 0) putchar('\n');
 }
@@ -196,8 +196,7 @@ static void print_superseded(const struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nsuperseded; i++) {
     const struct um_diagnosis_superseded *s = &d->superseded[i];
-    printf("\ntaken over by others, BIC %+.1f%s: ", s->bic - d->bic_after,
-           s->alone ? " alone" : "");
+    printf("\nreplaced by others, BIC %+.1f%s: ", s->bic - d->bic_after, s->alone ? " alone" : "");
     print_name(s->addition.effect, s->addition.target);
     printf("\n");
     print_parameters(d, s->addition.effect, s->addition.target, s->addition.value, s->sigma);
@@ -207,7 +206,7 @@ static void print_superseded(const struct um_diagnosis *d)
 static void print_residual(const struct um_missing_heat_residual *r)
 {
   if (r->channel == NULL) return;
-  printf("residual: worst in %s, chi-square %.3g an observation, in the mean %+.2g sigma",
+  printf("residual: worst in %s, chi-square %.3g per observation, %+.2g sigma on average",
          r->channel, r->chi2_reduced, r->mean);
   if (r->coordinate != NULL) printf(", correlates with %s (p %.2g)", r->coordinate, r->p);
   printf("\n");

@@ -191,7 +191,7 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
   size_t tried = 0;
-  um_core_progress_begin(context, "fitting candidates that score as well", UM_DIAGNOSIS_TIES);
+  um_core_progress_begin(context, "fitting candidates with tied scores", UM_DIAGNOSIS_TIES);
   for (size_t i = 0; i < step->nalternative && tried < UM_DIAGNOSIS_TIES; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
     const struct um_diagnosis_alternative *ahead = best_fitted(step);

@@ -17,10 +17,10 @@ static const char *untested(const struct um_sensitivity_candidate *c,
 {
   if (c->insensitive && c->why != NULL) return c->why;
   if (c->insensitive && um_effect_fitted(c->effect) > 1)
-    return "no observation changes with it at the values where its search begins";
+    return "no observation changes with it where its search begins";
   if (c->insensitive || score == NULL) return "no observation changes with it";
-  if (score->absorbed) return "what is fitted along does the same";
-  if (fate == UM_FATE_REFUSED) return "the model cannot be computed with the values it would need";
+  if (score->absorbed) return "what is fitted with it has the same signature";
+  if (fate == UM_FATE_REFUSED) return "the model refuses the values that it needs";
   return NULL;
 }
 
@@ -31,11 +31,11 @@ static void unworthy(const struct um_sensitivity_candidate *c,
 {
   size_t size = sizeof missed->why;
   if (score->p >= UM_INFERENCE_WRONG_SIDE)
-    snprintf(missed->why, size, "it would have to go beyond the end of its range");
+    snprintf(missed->why, size, "its best value is beyond the end of its range");
   else
-    snprintf(missed->why, size, "explains a chi-square of %.3g%s, %s", score->statistic,
-             c->nunidentified > 0 ? " at the values where its search begins" : "",
-             score->p_corrected < level ? "too little for a fit" : "as noise does");
+    snprintf(missed->why, size, "it explains a chi-square of %.3g%s, %s", score->statistic,
+             c->nunidentified > 0 ? " where its search begins" : "",
+             score->p_corrected < level ? "too little for a fit" : "no more than noise does");
 }
 
 static void judge(const struct um_diagnosis_work *work, size_t i, struct um_diagnosis *d)

@@ -43,10 +43,11 @@ enum um_status um_diagnosis_nuisance_check(struct um_context *context,
                                            const struct um_diagnosis_nuisance_effect *nuisance)
 {
   if (nuisance->per == NULL || strcmp(nuisance->per, "set") == 0) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "nuisance '%s' per '%.40s': an effect that is free per observation fits any "
-                      "measurement; accepted: per set",
-                      nuisance->effect->name, nuisance->per);
+  return um_core_fail(
+      context, UM_ERR_INPUT,
+      "nuisance '%s' per '%.40s': an effect that is free at each observation fits any "
+      "measurement; accepted: per set",
+      nuisance->effect->name, nuisance->per);
 }
 
 enum um_status um_diagnosis_nuisances(struct um_context *context,

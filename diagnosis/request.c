@@ -182,7 +182,7 @@ static enum um_status take_scenario(struct um_context *context, const struct um_
   for (size_t i = 0; i < from->nuisance.count; i++) {
     const struct um_scenario_nuisance *n = &nuisance[i];
     if (n->free && !isnan(n->sigma))
-      return um_document_mark_fail(context, &n->at, "sigma and free; accepted: one of them");
+      return um_document_mark_fail(context, &n->at, "both sigma and free; accepted: one of them");
     enum um_status status = add_nuisance(context, model, r, n->effect, n->target,
                                          n->free ? INFINITY : n->sigma, n->per);
     if (status == UM_ERR_INPUT)

@@ -10,7 +10,7 @@
 #include "diagnosis/value_text.h"
 #include "orbit/time.h"
 
-#define NOT_TRIED "; not tried, though the linear model has them as good: "
+#define NOT_TRIED "; not fitted, though the linear model rates them as good: "
 
 struct text {
   char at[8192];
@@ -63,11 +63,13 @@ static void add_excluded(struct text *text, const struct um_diagnosis *d,
     const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
     bool tied = step->by_prior && r->indistinguishable;
     if (!tied && !r->excluded_by_prior && !r->excluded_by_range) continue;
-    add(text, "; only the %s of %s keeps out ", r->excluded_by_range ? "range" : "prior", c->name);
+    add(text, "; ");
     add_alternative(text, d, r);
-    if (!r->excluded_by_range)
-      add(text, ", %.2g prior widths from the usual", um_diagnosis_prior_widths(c, r->value));
-    add(text, "%s", r->excluded_by_range ? ", the end of it" : ", which fits as well");
+    if (r->excluded_by_range)
+      add(text, " would fit as well, but its range ends there");
+    else
+      add(text, " fits as well, but is %.2g prior widths from the usual value",
+          um_diagnosis_prior_widths(c, r->value));
   }
 }
 
@@ -165,7 +167,7 @@ static void add_superseded(struct text *text, const struct um_diagnosis *d)
   for (size_t i = 0; i < d->nsuperseded; i++) {
     const struct um_diagnosis_superseded *s = &d->superseded[i];
     if (!s->alone || s->bic - d->bic_after > UM_DIAGNOSIS_FAR_BEHIND) continue;
-    add(text, ". Alone, before others took its place, stood ");
+    add(text, ". Found first and then replaced: ");
     add_addition(text, d, &s->addition, s->sigma);
     add(text, " (BIC %+.1f)", s->bic - d->bic_after);
   }
@@ -187,9 +189,8 @@ static void add_residual(struct text *text, const struct um_diagnosis *d)
   const struct um_missing_heat_residual *r = &d->residual;
   if (r->channel == NULL) return;
   add(text,
-      "the residual is worst in %s (chi-square %.3g an observation, measured %.2g sigma %s the "
-      "model in "
-      "the mean)",
+      "the residual is worst in %s (chi-square %.3g per observation; measured %.2g sigma %s the "
+      "model on average)",
       r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
   if (r->coordinate != NULL && r->p < UM_DIAGNOSIS_CORRELATES)
     add(text, " and correlates with %s", r->coordinate);
@@ -201,7 +202,7 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
   size_t n = 0;
   for (size_t i = 0; i < d->nranking && n < 6; i++) {
     if (!(d->ranking[i].score.kept < UM_DIAGNOSIS_RESEMBLES)) continue;
-    add(text, "%s%s", n++ == 0 ? "; it does what these would: " : ", ",
+    add(text, "%s%s", n++ == 0 ? "; it may stand for " : ", ",
         d->candidates->candidate[d->ranking[i].candidate].name);
   }
 }
@@ -213,7 +214,7 @@ static void add_heat(struct text *text, const struct um_missing_heat_unexplained
   const struct um_missing_heat *h = &u->heat[0];
   um_orbit_time_format(h->start, start);
   add(text, ". %s %.4g +- %.2g J in %s from %s +- %.2g s for %.4g s",
-      u->found ? "Missing heat explains it:" : "Missing heat explains a part at best:", h->energy,
+      u->found ? "Missing heat explains it:" : "Missing heat explains only a part:", h->energy,
       h->energy_sigma, h->place, start, h->start_sigma, h->stop - h->start);
 }
 
@@ -228,7 +229,7 @@ static void say_not_identifiable(struct text *text, const struct um_diagnosis *d
   add(text, "Not identifiable: ");
   add_residual(text, d);
   add_confidence(text, d, UM_CONFIDENCE_CERTAIN, ". Certain");
-  add_confidence(text, d, UM_CONFIDENCE_UNCERTAIN, ". Needed, but within two sigmas of nothing");
+  add_confidence(text, d, UM_CONFIDENCE_UNCERTAIN, ". Needed, but within two sigmas of no effect");
   add_confidence(text, d, UM_CONFIDENCE_ONE_OF_GROUP, ". One of a group");
   add_confidence(text, d, UM_CONFIDENCE_SMALL, ". Small and unknown");
   add_superseded(text, d);

@@ -147,11 +147,12 @@ static const char *why_none(const struct um_sensitivity_forward *forward,
                             const struct um_effect *effect, const char *target,
                             const struct um_sensitivity_candidates_options *o)
 {
-  if (effect->on_by_default && !is_off(forward->model, effect)) return "the scenario has it on";
+  if (effect->on_by_default && !is_off(forward->model, effect))
+    return "the scenario already has it on";
   if (!effect->on_by_default && effect->nparameter == 0) return "it has nothing to fit";
   if (listed(o->exclude, o->nexclude, effect, target)) return "it is excluded";
-  if (target == NULL) return "nothing here that it acts on";
-  return "it is there already, or another target stands for the same thing";
+  if (target == NULL) return "the scenario has nothing that it acts on";
+  return "it is there already, or another target is the same thing";
 }
 
 static bool is_listed(const char *text, const struct um_sensitivity_candidates *list)

@@ -256,7 +256,7 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
   double unit;
   um_diagnosis_report_value_text(h->energy, h->energy_sigma, "±", energy);
   snprintf(below, sizeof below, "%s %.150s: best pulse %s J",
-           diagnosis->unexplained->found ? "missing heat of" : "explains a part at best: heat of",
+           diagnosis->unexplained->found ? "missing heat of" : "explains only a part: heat of",
            h->place, energy);
   um_plot_picture(plot, "heat", WIDTH, TOP + 24 + HEAT + 58);
   um_plot_title(plot, diagnosis->forward->model->scenario->name, below);

@@ -233,8 +233,8 @@ static void test_refusals(void **state)
   put_world("");
   measure(NULL, 0, NULL, 0);
   assert_refused(diagnose(&options, &c), UM_ERR_INPUT,
-                 "nuisance 'attitude_offset' per 'observation': an effect that is free per "
-                 "observation fits any measurement; accepted: per set");
+                 "nuisance 'attitude_offset' per 'observation': an effect that is free at "
+                 "each observation fits any measurement; accepted: per set");
   end(&c);
 }
 

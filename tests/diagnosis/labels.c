@@ -252,8 +252,9 @@ static void what_is_not_tried_is_named(void **state)
                         .of = "vis"};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
-  says(&c, "none of the effects asked for could be tried; not tried: penumbra (the scenario has it "
-           "on), heat_capacity:wing (no observation changes with it)");
+  says(&c,
+       "none of the effects asked for could be tried; not tried: penumbra (the scenario already "
+       "has it on), heat_capacity:wing (no observation changes with it)");
   assert_int_equal(c.d->nmissed, 2);
   assert_false(c.d->missed[0].tested || c.d->missed[1].tested);
   end(&c);

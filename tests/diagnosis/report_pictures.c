@@ -47,7 +47,7 @@ static void test_titles(void **state)
       {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_ONE_OF_GROUP, true,
        "not identifiable: internal_power of bus, 1 not tried"},
       {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_UNCERTAIN, false,
-       "not identifiable: internal_power of bus (within two sigmas of nothing)"},
+       "not identifiable: internal_power of bus (within two sigmas of no effect)"},
       {UM_VERDICT_NOT_IDENTIFIABLE, 0, false, UM_CONFIDENCE_CERTAIN, false,
        "not identifiable, nothing added: a nuisance took it up"},
       {UM_VERDICT_UNEXPLAINED, 1, false, UM_CONFIDENCE_CERTAIN, false,
@@ -79,7 +79,7 @@ static void test_titles(void **state)
       ("'not identifiable: internal_power of bus (drawn) or emittance:grey_white, "
        "panel_extraction of panel'"),
       "'pass: band irradiance lwir: rms ",
-      "'explains a part at best: heat of bus.interior: best pulse 4400 ± 300 J'"};
+      "'explains only a part: heat of bus.interior: best pulse 4400 ± 300 J'"};
   expect_in(script, want, sizeof want / sizeof want[0]);
   assert_null(strstr(script, "'with "));
   um_core_free(context, script);

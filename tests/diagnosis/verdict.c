@@ -30,9 +30,9 @@ static void prior_is_said(void **state)
   assert_true(sun->excluded_by_prior && !sun->excluded_by_range && !sun->indistinguishable);
   assert_true(fabs(sun->chi2 - c.d->chi2_after) < UM_DIAGNOSIS_EVIDENCE);
   assert_int_equal(strncmp(c.d->summary, "Missing: zero_point:vis factor 0.", 33), 0);
-  says(&c, "only the prior of solar_irradiance keeps out solar_irradiance irradiance_factor 0.");
+  says(&c, "; solar_irradiance irradiance_factor 0.");
   says(&c, "instead of 1361 W/m^2)");
-  says(&c, "which fits as well");
+  says(&c, " fits as well, but is ");
   assert_int_equal(c.d->step[0].confidence, UM_CONFIDENCE_CERTAIN);
   end(&c);
 
@@ -59,7 +59,8 @@ static void range_is_said(void **state)
   const struct um_diagnosis_alternative *none = alternative(&c, 0, "panel_extraction:wing");
   print_message("  behind by %g\n", none->bic - c.d->step[0].alternative[0].bic);
   assert_true(none->excluded_by_range && !none->excluded_by_prior && !none->indistinguishable);
-  says(&c, "only the range of panel_extraction:wing keeps out");
+  says(&c, "; panel_extraction:wing efficiency ");
+  says(&c, " would fit as well, but its range ends there");
   end(&c);
   lists.with = LIST("solar_absorptance:grey_panel,absorptance_shift=0.08");
   c = diagnose(&lists);

@@ -93,7 +93,7 @@ static void test_list(void **state)
   assert_string_equal(list->dropped[0].name, "extinction:lwir");
   assert_string_equal(list->dropped[0].why, "it is excluded");
   assert_string_equal(list->dropped[1].name, "penumbra");
-  assert_string_equal(list->dropped[1].why, "the scenario has it on");
+  assert_string_equal(list->dropped[1].why, "the scenario already has it on");
   um_sensitivity_candidates_destroy(context, &list);
   static const char *const nowhere[] = {"extinction:swir"};
   o = (struct um_sensitivity_candidates_options){.only = nowhere, .nonly = 1};
