@@ -1,4 +1,4 @@
-/* The candidates of the largest predicted reduction are fitted in earnest. */
+/* Non-linear fits of the candidates that the linear model ranks best. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,9 +8,8 @@
 #include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 
-/* Alternatives are fitted in rounds while the best of them leaves a residual that is not noise. */
-
-/* Jacobian of the state's fit and the signatures of candidates, by transformed parameters. */
+/* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
+ * parameters. */
 static enum um_status jacobian_with(struct um_context *context,
                                     const struct um_diagnosis_work *work,
                                     const struct um_diagnosis_state *state, const size_t *candidate,
@@ -57,7 +56,7 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
     UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
   }
   if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
-  /* a switch is on at once: the values of before are not those of the start */
+  /* a switch is on from the start, so the state's values are not those of the start */
   UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
                                   jacobian, prune_above));
 done:
@@ -69,8 +68,8 @@ done:
   return status;
 }
 
-/* Fit one alternative, unless it is far from a tie with the one that is ahead (NULL: none is); keep
- * its state when it is the best so far. */
+/* Fit one alternative. The fit is pruned where it cannot come near the one ahead (NULL: none is).
+ * Its state is kept when it is the best so far. */
 static enum um_status try_alternative(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       const struct um_diagnosis_state *state,
@@ -118,7 +117,7 @@ static int compare_fitted(const void *pa, const void *pb)
   return 0;
 }
 
-/* qsort is not stable, and alternatives that were not fitted keep their order. */
+/* Insertion sort: qsort is not stable, and alternatives that were not fitted keep their order. */
 static void sort_fitted(struct um_diagnosis_alternative *alternative, size_t n)
 {
   for (size_t i = 1; i < n; i++)
@@ -129,7 +128,7 @@ static void sort_fitted(struct um_diagnosis_alternative *alternative, size_t n)
     }
 }
 
-/* Whether an alternative's score is worth a fit: within reach of the best. */
+/* Whether an alternative's score is near enough to the best for a fit. */
 static bool is_worth(const struct um_diagnosis_alternative *alternative,
                      const struct um_diagnosis_alternative *best, int round)
 {
@@ -149,8 +148,8 @@ static const struct um_diagnosis_alternative *best_fitted(const struct um_diagno
   return best;
 }
 
-/* Whether an alternative with parameters unidentified under the null would have to fit better than
- * noise does in order to better the one that is ahead, since each of them costs ln n. */
+/* Whether an alternative with parameters unidentified under the null cannot win. Each of them costs
+ * ln n in BIC; it cannot win where it would have to fit better than noise does. */
 static bool is_hopeless(const struct um_diagnosis_work *work,
                         const struct um_diagnosis_state *state, size_t nunidentified,
                         const struct um_diagnosis_alternative *ahead)
@@ -161,8 +160,8 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
          n - (double)(state->nparameter + nunidentified + 1);
 }
 
-/* Alternatives from..until that have parameters unidentified under the null, or those that have
- * none. */
+/* Fit alternatives from..until. shaped: those with parameters unidentified under the null; else
+ * those without. */
 static enum um_status try_alternatives(struct um_context *context,
                                        const struct um_diagnosis_work *work,
                                        const struct um_diagnosis_state *state, bool shaped,
@@ -209,7 +208,7 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
   return UM_OK;
 }
 
-/* The best by predicted reduction, in rounds. */
+/* Fit the best by predicted reduction, in rounds, until one leaves hardly more than noise. */
 static enum um_status try_rounds(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state,
                                  struct um_diagnosis_step *step, struct um_diagnosis_state *best)

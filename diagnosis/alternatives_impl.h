@@ -1,19 +1,19 @@
-/* Candidates fitted in earnest. Private to diagnosis/. */
+/* Non-linear fits of candidates. Private to diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 #define UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* The state with candidates added at their null values and all fitted, pruned where it is far
- * from a BIC below `prune_above` (INFINITY: never). UM_ERR_REFUSED, UM_ERR_NUMERIC: an effect
- * refuses such values. */
+/* A copy of the state with candidates added at their null values, fitted together. The fit is
+ * pruned where its BIC will not come below `prune_above` (INFINITY: never). UM_ERR_REFUSED,
+ * UM_ERR_NUMERIC: an effect refuses such values. */
 enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state, const size_t *candidate,
                                  size_t ncandidate, double prune_above,
                                  struct um_diagnosis_state *out);
-/* Fit alternatives of a step in their order until those left are out of reach; sort them by
- * evidence. best: the state with the best of those fitted here, or as it was. */
+/* Fit the alternatives of a step in their order, until the scores of those left are too low; sort
+ * them by BIC. best: the state with the best of those fitted here; unchanged where none was. */
 enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
                                              const struct um_diagnosis_work *work,
                                              const struct um_diagnosis_state *state,

@@ -1,11 +1,11 @@
-/* Effects that are no longer worth their parameters are taken out again. */
+/* Removes effects that are no longer worth their parameters by BIC. */
 #include <math.h>
 
 #include "diagnosis/backward_impl.h"
 #include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 
-/* A free parameter of the block stands many sigmas from where it does nothing: it is needed. */
+/* A parameter of the block is many sigmas from where it does nothing: the effect is needed. */
 static bool is_clear(const struct um_diagnosis_state *state, size_t b)
 {
   size_t k = 0;

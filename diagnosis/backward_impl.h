@@ -5,7 +5,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* Take out effects that are no longer needed; marks their steps. */
+/* Remove effects that are no longer needed, and mark their steps as removed. */
 enum um_status um_diagnosis_backward(struct um_context *context,
                                      const struct um_diagnosis_work *work,
                                      struct um_diagnosis_state *state, struct um_diagnosis *d);

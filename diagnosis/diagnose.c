@@ -1,5 +1,6 @@
-/* The method: fit what is uncertain anyway, then test, fit and add effects one after another until
- * nothing significant is left; check backward; say what is found and what cannot be known. */
+/* The method, step by step. Fit the nuisances. Test, fit and add effects one after another, until
+ * nothing significant is left. Remove what is no longer needed. Say what is found and what cannot
+ * be known. */
 #include "diagnosis/diagnose.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
   for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) values[p] = NAN;
 }
 
-/* Blocks of equal numbers of observations in order of time of the whole set. */
+/* Cross-validation folds: blocks of equally many observations, in order of time. */
 static enum um_status make_folds(struct um_context *context, struct um_diagnosis_work *work)
 {
   const struct um_sensitivity_forward *f = work->forward;
@@ -45,7 +46,7 @@ static enum um_status make_folds(struct um_context *context, struct um_diagnosis
   return UM_OK;
 }
 
-/* The scenario as it stands, its nuisances fitted. */
+/* The scenario as it is, with its nuisances fitted. */
 static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
@@ -128,7 +129,7 @@ static enum um_status keep_end(struct um_context *context, const struct um_diagn
 
 /* --- what follows ----------------------------------------------------------------------------- */
 
-/* What the residual of the baseline looks like, where the answer is not plain. */
+/* Describe the residual of the baseline, where the verdict abstains. */
 static enum um_status look_at_residual(struct um_context *context,
                                        const struct um_diagnosis_work *work,
                                        const struct um_diagnosis_state *bare,
@@ -145,7 +146,7 @@ static enum um_status look_at_residual(struct um_context *context,
   return status;
 }
 
-/* Heat that is missing beside a state. */
+/* Look for missing heat in the residual of a state. */
 static enum um_status look_for_heat(struct um_context *context,
                                     const struct um_diagnosis_work *work,
                                     const struct um_diagnosis_state *state,
@@ -161,8 +162,8 @@ static enum um_status look_for_heat(struct um_context *context,
   return status;
 }
 
-/* The effects that were added may only have mended what a pulse of heat did. The scenario as it
- * stands with the best pulse (its place, start, stop and power paid for) against the effects: */
+/* The effects that were added may only mimic a pulse of heat. So the BIC of the scenario with the
+ * best pulse, which has four parameters, is compared with that of the scenario with the effects. */
 static enum um_status weigh_heat(struct um_context *context, const struct um_diagnosis_work *work,
                                  struct um_diagnosis_state *state,
                                  const struct um_diagnosis_state *bare, struct um_diagnosis *d)
@@ -252,7 +253,7 @@ done:
   return status;
 }
 
-/* Effects as they were asked for, not as they were added. */
+/* Sort the additions into the order of the request. */
 static void put_as_wanted(const struct um_model_addition *wanted, struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->naddition; i++)

@@ -1,6 +1,4 @@
-/* From a scenario and measurements to the effect that is missing: signatures, score test, fit of
- * alternatives, forward selection, backward check, what cannot be told apart, what to measure next.
- */
+/* From a scenario and measurements to the effect that is missing (docs/diagnosis.md). */
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSE_H
 #define UMBRA_DIAGNOSIS_DIAGNOSE_H
 

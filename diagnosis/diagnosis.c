@@ -1,4 +1,4 @@
-/* A diagnosis as it is kept. */
+/* Names of verdicts and classes, and the memory of a diagnosis. */
 #include "diagnosis/diagnosis_impl.h"
 
 const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)

@@ -1,5 +1,5 @@
-/* What a diagnosis holds: the verdict, its steps with their alternatives, what stayed and what was
- * left. */
+/* The result of a diagnosis: the verdict, its steps with their alternatives, the effects that were
+ * added, the residual. */
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSIS_H
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_H
 
@@ -10,24 +10,24 @@
 #include "missing_heat/unexplained.h"
 #include "sensitivity/candidates.h"
 
-/* A candidate that was tested, and fitted where its score was among the best. */
+/* A candidate in a step: always tested, and fitted where its score was among the best. */
 struct um_diagnosis_alternative {
   size_t candidate; /* of the candidates */
   struct um_inference_score score;
   bool fitted;
-  bool converged; /* false: pruned on the way, so its best BIC is at most `bic` */
+  bool converged; /* false: the fit was pruned, and its BIC might have become less */
   double value[UM_EFFECT_PARAMETERS_MAX],
       sigma[UM_EFFECT_PARAMETERS_MAX]; /* of the effect's parameters */
   double chi2, bic, held_out;          /* with it added; NaN when not fitted */
   double chi2_prior;                   /* of all priors, within bic */
   double chi2_difference;              /* expected chi-square between the winner and it */
   bool indistinguishable;              /* from the winner: fitted, and within the evidence of it */
-  bool not_tried;   /* by the linear model as good as the winner, and not fitted: nobody knows */
-  bool refused;     /* not fitted since the model refuses its values */
+  bool not_tried;   /* the linear model rates it as good as the winner, but it was not fitted */
+  bool refused;     /* not fitted: the model refuses its values */
   bool implausible; /* further than 3 prior widths from its null value */
-  bool same_effect; /* the winner's effect on the winner's target: a switch on otherwise */
-  /* not tied, though within UM_DIAGNOSIS_NEXT_BEST, but only since its prior or the end of its
-   * range keeps it from the values that these observations want: it would fit as well */
+  bool same_effect; /* the winner's effect on its target, with another value of a switch */
+  /* It would fit as well as the winner without its prior, or beyond the end of its range. Its BIC
+   * is within UM_DIAGNOSIS_NEXT_BEST, but not within the evidence. */
   bool excluded_by_prior, excluded_by_range;
 };
 
@@ -35,8 +35,9 @@ struct um_diagnosis_alternative {
 enum um_diagnosis_confidence {
   UM_CONFIDENCE_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
   UM_CONFIDENCE_ONE_OF_GROUP, /* it or one of those that do as well */
-  UM_CONFIDENCE_SMALL,        /* it explains so little that what it is cannot be known */
-  UM_CONFIDENCE_UNCERTAIN     /* none comes near, but it is within UM_DIAGNOSIS_SIGMAS of nothing */
+  UM_CONFIDENCE_SMALL,        /* one of several, and the step explains too little to decide */
+  UM_CONFIDENCE_UNCERTAIN     /* no other comes near, but its value is within UM_DIAGNOSIS_SIGMAS of
+                                   no effect */
 };
 const char *um_diagnosis_confidence_name(enum um_diagnosis_confidence confidence);
 
@@ -56,12 +57,12 @@ struct um_diagnosis_step {
   enum um_diagnosis_confidence confidence; /* once the verdict is made */
 };
 
-/* An effect of an earlier step that does not stay: others took its place. */
+/* An effect of an earlier step that others replaced. */
 struct um_diagnosis_superseded {
   struct um_model_addition addition; /* as fitted then */
   double sigma[UM_EFFECT_PARAMETERS_MAX];
   double chi2, bic; /* with it and what was there before it */
-  bool alone;       /* nothing was there before it but nuisances */
+  bool alone;       /* it was the only effect then */
 };
 
 enum um_diagnosis_verdict {
@@ -72,7 +73,7 @@ enum um_diagnosis_verdict {
 };
 const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict);
 
-/* What would tell the winner of a step from one of its alternatives. */
+/* The observation that would tell the winner of a step from one of its alternatives. */
 struct um_diagnosis_next {
   char *what; /* "temperature of body.+y in the umbra"; NULL: nothing that this scenario has */
   enum um_compare_quantity quantity;
@@ -115,7 +116,7 @@ struct um_diagnosis {
   struct um_diagnosis_alternative *ranking; /* [nranking] of all candidates on the baseline, by p */
   size_t nranking;
   double bic_after;
-  bool allowance; /* what is left is not quite noise, and was accepted all the same */
+  bool allowance; /* the residual is not quite noise, and was accepted all the same */
   struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,
                                                nor where the model is complete */
   bool chosen;                              /* the user said which effects to look for */

@@ -1,14 +1,14 @@
-/* A diagnosis in the making. Private to diagnosis/. */
+/* Parts of a diagnosis, cleared before they are made anew. Private to diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSIS_IMPL_H
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_IMPL_H
 
 #include "diagnosis/diagnosis.h"
 
-/* No steps any more. */
+/* Free the steps. */
 void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d);
-/* No effects and nuisances at the end any more. */
+/* Free the final effects and nuisances. */
 void um_diagnosis_end_clear(struct um_context *context, struct um_diagnosis *d);
-/* No next measurement any more. */
+/* Free the next measurements. */
 void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d);
 
 #endif

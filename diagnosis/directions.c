@@ -14,7 +14,7 @@ void um_diagnosis_directions_release(struct um_context *context, struct um_diagn
   um_core_free(context, d->nuisance_sigma);
 }
 
-/* Transformed unit in which a direction is handed over: the step of its difference, so that a
+/* Unit of a direction [transformed]: the step of its difference, so that a
  * length says what a step does, whatever the unit of the parameter. */
 double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k)
 {

@@ -4,7 +4,7 @@
 
 #include "diagnosis/state_impl.h"
 
-/* Directions of the candidates, and what they borrow. */
+/* Directions of the candidates, and the memory they point into. */
 struct um_diagnosis_directions {
   struct um_inference_direction *direction; /* [count of candidates] */
   double *column;                           /* whitened signatures, one after another */
@@ -18,8 +18,8 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
                                             const struct um_diagnosis_state *state,
                                             struct um_diagnosis_directions *d);
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d);
-/* Transformed unit in which a column of a candidate is handed over: the step of its difference, so
- * that a length says what a step does, whatever the unit of the parameter. */
+/* The unit of a column of a candidate [transformed]: the step of its difference. So the length of a
+ * column is the effect of a step, whatever the unit of the parameter. */
 double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k);
 /* Residual [n] with the parameters of the state at the means of their priors:
  *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0. */

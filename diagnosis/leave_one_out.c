@@ -1,5 +1,5 @@
-/* Several effects, each judged beside the others that stayed: what happens without it, and who
- * could take its place. */
+/* Each of several effects is judged beside the others: the fit without it, and the alternatives
+ * that could replace it. */
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate)
   return true;
 }
 
-/* The effect itself leads the alternatives of its step, with the fit that is known. */
+/* Put the effect first among the alternatives of its step, with the fit that it has already. */
 static void put_own(const struct um_diagnosis_state *state, size_t b, double held_out,
                     struct um_diagnosis_step *step)
 {
@@ -37,7 +37,7 @@ static void put_own(const struct um_diagnosis_state *state, size_t b, double hel
   um_diagnosis_state_sigma(state, b, own->sigma);
 }
 
-/* The block as the last one, so that a step can be filled from it. */
+/* The state with the block moved to the end, where um_diagnosis_step_fill expects it. */
 static enum um_status with_last(struct um_context *context, const struct um_diagnosis_work *work,
                                 const struct um_diagnosis_state *without,
                                 const struct um_diagnosis_state *state, size_t b,
@@ -53,7 +53,7 @@ static enum um_status with_last(struct um_context *context, const struct um_diag
   return status;
 }
 
-/* One effect; *replaced: an alternative betters it and stands in its place in the state. */
+/* Judge one effect. *replaced: a better alternative has replaced it in the state. */
 static enum um_status judge(struct um_context *context, const struct um_diagnosis_work *work,
                             struct um_diagnosis_state *state, size_t b, bool last_pass,
                             struct um_diagnosis_step *step, double *chi2_without, bool *replaced)
@@ -76,7 +76,7 @@ static enum um_status judge(struct um_context *context, const struct um_diagnosi
     *replaced = true;
     goto done;
   }
-  /* one that does a little better than it is an alternative to it, not the other way round */
+  /* what does only a little better stays an alternative, and the effect leads */
   um_diagnosis_put_first(step, state->block[b].candidate);
   UM_CHECK(with_last(context, work, &without, state, b, &own));
   UM_CHECK(um_diagnosis_step_fill(context, work, &without, &own, step));
@@ -87,7 +87,7 @@ done:
   return status;
 }
 
-/* The effect whose absence costs most comes first. */
+/* Sort steps by the chi-square without their effect, falling. */
 static void sort_steps(struct um_diagnosis *d, double *cost)
 {
   for (size_t i = 1; i < d->nstep; i++)
@@ -101,7 +101,7 @@ static void sort_steps(struct um_diagnosis *d, double *cost)
     }
 }
 
-/* Values and chi-square as the effects are added in that order. */
+/* Model values and chi-square of each step, as the effects are added in that order. */
 static enum um_status fill_series(struct um_context *context, const struct um_diagnosis_work *work,
                                   const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
@@ -147,8 +147,8 @@ static enum um_status judge_all(struct um_context *context, const struct um_diag
   return UM_OK;
 }
 
-/* Whether the steps that stand are those of the effects. A pair that took the place of others has
- * no steps yet; one of it may be left alone. */
+/* Whether every effect has its step. A pair that replaced others has none yet, and one of the pair
+ * may be left alone. */
 static bool is_told(const struct um_diagnosis_state *state, const struct um_diagnosis *d)
 {
   size_t kept = 0, known = 0;

@@ -1,5 +1,5 @@
-/* Candidates that were not fitted, with the reason: who asks for an effect hears what became of it,
- * and a verdict claims nothing of what was not tried. */
+/* Candidates that were not fitted, each with its reason. Who asks for an effect is told what became
+ * of it. A verdict claims nothing of what was not tried. */
 #include "diagnosis/missed_impl.h"
 
 #include <stdio.h>
@@ -11,7 +11,7 @@ static const struct um_inference_score *score_of(const struct um_diagnosis *d, s
   return NULL;
 }
 
-/* Not tested at all. */
+/* Why a candidate could not be tested; NULL: it was. */
 static const char *untested(const struct um_sensitivity_candidate *c,
                             const struct um_inference_score *score, enum um_diagnosis_fate fate)
 {
@@ -24,7 +24,7 @@ static const char *untested(const struct um_sensitivity_candidate *c,
   return NULL;
 }
 
-/* Tested, and no fit was worth it. */
+/* Why a candidate that was tested was not fitted. */
 static void unworthy(const struct um_sensitivity_candidate *c,
                      const struct um_inference_score *score, double level,
                      struct um_diagnosis_missed *missed)

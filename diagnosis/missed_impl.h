@@ -5,7 +5,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/work_impl.h"
 
-/* Fill what was missed, once all fits are made and the baseline is ranked. */
+/* Fill d->missed, after all fits are made and the baseline is ranked. */
 enum um_status um_diagnosis_missed_find(struct um_context *context,
                                         const struct um_diagnosis_work *work,
                                         struct um_diagnosis *d);

@@ -29,7 +29,7 @@ static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PE
                                                 UM_SEGMENT_UMBRA};
 
 struct chi2_difference {
-  double airmass[UM_SEGMENT_COUNT];                        /* they lie above it; NaN: all */
+  double airmass[UM_SEGMENT_COUNT]; /* observations above this airmass; NaN: all */
   double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT]; /* means over the observations */
   size_t count[UM_SEGMENT_COUNT];
 };
@@ -58,7 +58,7 @@ static void collect(struct chi2_difference *s, enum um_compare_segment segment, 
   s->count[segment]++;
 }
 
-/* Keep the best of a channel where it beats what is kept. */
+/* Keep the best segment of a channel where it is better than what is kept. */
 static enum um_status offer(struct um_context *context, const struct chi2_difference *s,
                             enum um_compare_quantity quantity, const char *of,
                             struct um_diagnosis_next *next)
@@ -223,7 +223,9 @@ done:
   return status;
 }
 
-/* What the effects say of each other: the one whose words name the other goes first. */
+/* What the effects' descriptors say of telling them apart. The one that names the other is
+ * preferred.
+ */
 static const char *told_apart(const struct um_effect *winner, const struct um_effect *other)
 {
   if (winner->separated_by != NULL && strstr(winner->separated_by, other->name) != NULL)
@@ -233,7 +235,8 @@ static const char *told_apart(const struct um_effect *winner, const struct um_ef
   return winner->separated_by != NULL ? winner->separated_by : other->separated_by;
 }
 
-/* What would tell one alternative; run[0]: with the winner. */
+/* Find the observation that tells one alternative from the winner. run[0]: with the winner; NULL:
+ * only what the descriptors say. */
 static enum um_status find_one(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d,
                                size_t s, const struct um_diagnosis_alternative *alternative,

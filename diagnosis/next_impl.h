@@ -5,8 +5,9 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* What would tell the winner of each step with a group from its alternatives, one for each, and
- * the hardest of them, into d. Small steps are looked at where there are no others. */
+/* Fill d->next_of: for each alternative of each step with a group, the observation that would tell
+ * it from the winner; and d->next, the hardest of them. Small steps count only where there are no
+ * others. */
 enum um_status um_diagnosis_next_find(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       const struct um_diagnosis_state *state,

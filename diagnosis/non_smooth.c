@@ -24,12 +24,13 @@
 #include "diagnosis/policy.h"
 #include "diagnosis/state_impl.h"
 
-static const double powers[] = {1.0, 1.5, 2.5, 4.0}; /* of the linear model's */
+/* Amplitudes to scan [of the linear model's]. */
+static const double powers[] = {1.0, 1.5, 2.5, 4.0};
 
-/* Sides of simplices one after another, in those of `side`. */
+/* Sides of the simplices [1], in units of `side`; one simplex after another. */
 static const double sizes[] = {1.0, -1.0, 0.3, 2.0, -0.3, -2.0};
 
-/* The amplitude that the residual of the state asks for by the linear model. */
+/* The best amplitude by the linear model. */
 static double linear_amplitude(const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state,
                                const struct um_sensitivity_candidate *c)
@@ -57,7 +58,7 @@ static enum um_status chi2_at(struct um_context *context, const struct um_diagno
   enum um_status status =
       um_sensitivity_forward_evaluate(context, work->forward, all, state->nblock, value);
   *out = 0.0;
-  if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) { /* no place to begin */
+  if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) { /* cannot begin here */
     um_core_message_clear(context);
     *out = INFINITY;
     return UM_OK;
@@ -67,8 +68,8 @@ static enum um_status chi2_at(struct um_context *context, const struct um_diagno
   return status;
 }
 
-/* What the observations of the candidate's own temperature say of its shape, where there are some:
- * it is hardly ever below on_K, and between there and band_K above most of the time. */
+/* What measured temperatures of its place say of a thermostat: they are hardly ever below on_K, and
+ * most of the time between on_K and band_K above it. */
 struct unidentified {
   double on, band; /* [K]; NaN: nothing */
 };
@@ -96,8 +97,8 @@ static enum um_status measured_shape(struct um_context *context,
   return UM_OK;
 }
 
-/* The values to begin the scan with: null values, but the temperature by `on` and a width by `band`
- * [K] where they are numbers. */
+/* Start values of the scan: null values, but the temperature `on` and the width `band` [K] where
+ * they are not NaN. */
 static void put_unidentified(const struct um_sensitivity_candidate *c,
                              struct unidentified unidentified, double *value)
 {
@@ -204,7 +205,7 @@ static double prior_of(const struct um_diagnosis_block *block, const double *x)
   return sum;
 }
 
-/* Chi-square with the priors' at transformed values x; far up outside the range. */
+/* Chi-square with that of the priors at transformed values x; 1e300 outside the range. */
 static double height(const gsl_vector *x, void *user)
 {
   struct search *s = user;
@@ -224,7 +225,8 @@ static double height(const gsl_vector *x, void *user)
   return chi2;
 }
 
-/* One simplex from x with these sides; x takes the best point where it is lower than all before. */
+/* One simplex from x with these sides. x becomes its best vertex where that is the lowest so far.
+ */
 static enum um_status descend(struct search *search, const double *sides, double *x)
 {
   size_t n = search->state->block[search->b].nfree;
@@ -273,7 +275,7 @@ static enum um_status search_from(struct search *search)
   return UM_OK;
 }
 
-/* Sigmas of the block in the fit of a state. */
+/* Raise the sigmas of the block to what the evaluations seen say. */
 static void widen(const struct search *search, const struct um_diagnosis_state *state)
 {
   struct um_inference_fit *fit = state->fit;
@@ -289,8 +291,8 @@ static void widen(const struct search *search, const struct um_diagnosis_state *
   }
 }
 
-/* Whether a parameter unidentified under the null moves the observations at all, by a sigma in its
- * prior width: an angle about an axis of symmetry does not, and nothing is non-smooth then. */
+/* Whether a parameter unidentified under the null moves the observations by a sigma within its
+ * prior width. An angle about an axis of symmetry does not, and then chi-square is smooth. */
 static bool is_non_smooth(const struct um_diagnosis_work *work,
                           const struct um_diagnosis_state *state, size_t b)
 {

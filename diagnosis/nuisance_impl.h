@@ -1,4 +1,4 @@
-/* What is uncertain anyway, as blocks. Private to diagnosis/. */
+/* Nuisances as blocks of a state. Private to diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 #define UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 

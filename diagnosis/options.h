@@ -1,10 +1,10 @@
-/* What a diagnosis may look for and what it takes as uncertain. */
+/* What a diagnosis looks for, and its nuisances. */
 #ifndef UMBRA_DIAGNOSIS_OPTIONS_H
 #define UMBRA_DIAGNOSIS_OPTIONS_H
 
 #include "sensitivity/candidates.h"
 
-/* Something that is uncertain anyway: its direction is projected out and it is fitted along. */
+/* A nuisance: its direction is projected out of the tests, and it is fitted with the effects. */
 struct um_diagnosis_nuisance_effect {
   const struct um_effect *effect;
   const char *target;

@@ -1,10 +1,10 @@
-/* Two effects in place of two. The best single candidate may be neither of two hidden effects but
- * one that resembles their sum, and forward selection then goes on to mend it. So after each step
- * all pairs are ranked by what they explain together by the linear model,
+/* Replaces two effects by a better pair. The best single candidate may be neither of two hidden
+ * effects, but one that resembles their sum. So after each step all pairs are ranked by what they
+ * explain together in the linear model,
  *
  *   S_ij = |projection of r on [D_i D_j]|^2,     with the priors as pseudo-observations,
  *
- * beside the effects that stay, and the best of them are fitted in earnest. */
+ * beside the other effects. The best pairs are fitted. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,7 +99,7 @@ static enum um_status explained(struct um_context *context, const struct left *l
   return UM_OK;
 }
 
-/* Keep the best, falling. */
+/* Insert the pair into the list of the best, which is sorted by worth, falling. */
 static void offer(struct um_diagnosis_pair *best, size_t *count, struct um_diagnosis_pair pair)
 {
   size_t at = *count < UM_DIAGNOSIS_PAIRS ? (*count)++ : UM_DIAGNOSIS_PAIRS;
@@ -114,7 +114,7 @@ static bool is_open(const struct um_diagnosis_work *work, const struct um_diagno
                     size_t i)
 {
   const struct um_sensitivity_candidate *c = &work->candidates->candidate[i];
-  /* parameters unidentified under the null want a scan, which pairs are too many for */
+  /* parameters unidentified under the null need a scan each, and there are too many pairs */
   return !c->insensitive && c->nunidentified == 0 && !um_diagnosis_is_taken(state, c);
 }
 
@@ -154,7 +154,7 @@ done:
   return status;
 }
 
-/* Pairs in place of the last block and block b. */
+/* Try pairs instead of the last block and block b. */
 static enum um_status swap_with(struct um_context *context, const struct um_diagnosis_work *work,
                                 size_t b, struct um_diagnosis_state *state, bool *better)
 {

@@ -1,4 +1,4 @@
-/* Which candidates the residual points to, and which of them these observations cannot tell apart.
+/* Ranks candidates by what they explain of the residual, and marks those that cannot be told apart.
  *
  * A candidate's predicted reduction is the chi-square it explains less the BIC penalty of its
  * parameters, S - dof ln n (Schwarz 1978, Ann. Stat. 6:461). */
@@ -49,7 +49,7 @@ sort_alternatives(struct um_context *context, const struct um_diagnosis_work *wo
     p->worth = score[i].absorbed
                    ? -INFINITY
                    : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * penalty;
-    /* the wrong side of a bound explains nothing */
+    /* beyond a bound it explains nothing */
     if (!score[i].absorbed && score[i].p >= UM_INFERENCE_WRONG_SIDE) p->worth = -score[i].p;
   }
   qsort(predicted_reduction, *nalternative, sizeof *predicted_reduction, compare_predicted);
@@ -86,7 +86,7 @@ done:
   return status;
 }
 
-/* A fitted value stands at an end of the candidate's range. */
+/* Whether a fitted value is at an end of the candidate's range. */
 static bool is_at_bound(const struct um_sensitivity_candidate *c,
                         const struct um_diagnosis_alternative *alternative)
 {
@@ -113,7 +113,7 @@ static double own_prior(const struct um_sensitivity_candidate *c,
   return sum;
 }
 
-/* What an alternative is beside the winner of its step. */
+/* How an alternative relates to the winner of its step. */
 static void relate(const struct um_diagnosis_alternative *winner,
                    struct um_diagnosis_alternative *r, const struct um_sensitivity_candidate *c)
 {
@@ -123,7 +123,7 @@ static void relate(const struct um_diagnosis_alternative *winner,
                  r->chi2_difference < UM_INFERENCE_SEPARABLE &&
                  r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
   if (!r->fitted || r->indistinguishable || !(behind < UM_DIAGNOSIS_NEXT_BEST)) return;
-  double own = own_prior(c, r); /* of others' priors the alternative is not to blame */
+  double own = own_prior(c, r); /* only its own priors count */
   r->excluded_by_prior = own >= UM_DIAGNOSIS_UNUSUAL * UM_DIAGNOSIS_UNUSUAL &&
                          behind - own < UM_DIAGNOSIS_EVIDENCE && !r->same_effect;
   /* the linear model knows no range */

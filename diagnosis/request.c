@@ -62,7 +62,7 @@ static enum um_status add_nuisance(struct um_context *context, const struct um_m
 
 /* ---- texts of the command line ---- */
 
-/* A copy that the request owns. */
+/* Copy a text; the request owns the copy. */
 static enum um_status keep(struct um_context *context, struct um_diagnosis_request *r,
                            const char *text, char **out)
 {

@@ -5,7 +5,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* Figures of a step from the state before it to the best one after, and the winner's group. */
+/* Fill a step from the state before it and the best state after it, with the winner's group. */
 enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       const struct um_diagnosis_state *state,

@@ -1,4 +1,4 @@
-/* Effects that are fitted together, as one vector of parameters. */
+/* Fits several effects together, as one vector of parameters. */
 #include <math.h>
 #include <string.h>
 
@@ -122,7 +122,7 @@ static size_t iterations(const struct um_diagnosis_work *work,
   return 0;
 }
 
-/* The chi-square of a BIC: what is left of it for observations and priors. */
+/* The chi-square of observations and priors that makes this BIC. */
 static double chi2_of_bic(const struct um_diagnosis_work *work,
                           const struct um_diagnosis_state *state, double bic)
 {

@@ -1,5 +1,5 @@
-/* The verdict in words: a plain answer first names what is missing; one that abstains first says
- * what the residual looks like. Each effect stands with its own label. */
+/* The verdict in words. Where something is found, it is named first. Where the verdict abstains,
+ * the residual is described first. Each effect has its class of confidence. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -52,9 +52,9 @@ static void add_alternative(struct text *text, const struct um_diagnosis *d,
   add_use(text, d, c->effect, c->target, r->value, r->sigma);
 }
 
-/* ---- what stands beside one effect ---- */
+/* ---- alternatives of one effect ---- */
 
-/* What only the priors or the end of a range keep out. */
+/* Alternatives that only their prior or the end of their range excludes. */
 static void add_excluded(struct text *text, const struct um_diagnosis *d,
                          const struct um_diagnosis_step *step)
 {
@@ -73,7 +73,8 @@ static void add_excluded(struct text *text, const struct um_diagnosis *d,
   }
 }
 
-/* The next best that is neither tied nor kept out, and the same effect switched on otherwise. */
+/* The next best that is neither tied nor excluded, and the same effect with another switch value.
+ */
 static void add_next_best(struct text *text, const struct um_diagnosis *d,
                           const struct um_diagnosis_step *step)
 {
@@ -91,8 +92,7 @@ static void add_next_best(struct text *text, const struct um_diagnosis *d,
   }
 }
 
-/* The names of alternatives that are tied, or that were not tried, the first few behind the label.
- */
+/* The label, and the first few names of the alternatives that are tied, or that were not tried. */
 static void add_names(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step, bool not_tried, const char *label)
 {
@@ -107,7 +107,7 @@ static void add_names(struct text *text, const struct um_diagnosis *d,
   if (others > n) add(text, " and %zu more", others - n);
 }
 
-/* One effect of its group, all with their values. */
+/* The alternatives of a group, with their values. */
 static void add_group(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
@@ -182,7 +182,7 @@ static void add_fall(struct text *text, const struct um_diagnosis *d)
              fmin(d->final_whiteness.p_white, d->final_whiteness.p_worst)));
 }
 
-/* ---- what abstains ---- */
+/* ---- verdicts that abstain ---- */
 
 static void add_residual(struct text *text, const struct um_diagnosis *d)
 {
@@ -196,7 +196,7 @@ static void add_residual(struct text *text, const struct um_diagnosis *d)
     add(text, " and correlates with %s", r->coordinate);
 }
 
-/* What a free nuisance that moved does as well. */
+/* Effects that a free nuisance which moved may stand for. */
 static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 {
   size_t n = 0;
@@ -236,7 +236,7 @@ static void say_not_identifiable(struct text *text, const struct um_diagnosis *d
   add_fall(text, d);
 }
 
-/* That nothing explains the residual, of no more than was tried. */
+/* That nothing explains the residual. It claims no more than was tried. */
 static const char *claim(const struct um_diagnosis *d)
 {
   size_t untested = 0;
@@ -247,7 +247,7 @@ static const char *claim(const struct um_diagnosis *d)
                       : "no effect of the catalogue explains it";
 }
 
-/* Candidates that were not fitted, with the reason; tested: those, too, that were tested. */
+/* Candidates that were not fitted, each with its reason. tested: also those that were tested. */
 static void add_missed(struct text *text, const struct um_diagnosis *d, bool tested)
 {
   size_t n = 0, more = 0;

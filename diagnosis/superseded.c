@@ -1,5 +1,5 @@
-/* A single effect that stood for several, until they were found: it stays on record, since without
- * the evidence for several it would have been the answer. */
+/* An effect that was found first, and that several others replaced. It stays on record: without the
+ * evidence for several it would have been the answer. */
 #include "diagnosis/superseded_impl.h"
 
 #include <string.h>

@@ -1,13 +1,13 @@
-/* Effects that did not stay. Private to diagnosis/. */
+/* Effects that were replaced. Private to diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 #define UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/state_impl.h"
 
-/* Every step so far, before they are judged anew. */
+/* Record every step so far, before they are judged anew. */
 enum um_status um_diagnosis_superseded_take(struct um_context *context, struct um_diagnosis *d);
-/* Those that the end has not, nor as a step that was taken out, stay on the list. */
+/* Keep on record those that are neither in the final state nor in a step. */
 void um_diagnosis_superseded_keep(const struct um_diagnosis_state *state, struct um_diagnosis *d);
 
 #endif

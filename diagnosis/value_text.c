@@ -1,4 +1,4 @@
-/* Values of effects in words. */
+/* Values of effects as text. */
 #include "diagnosis/value_text.h"
 
 #include <math.h>

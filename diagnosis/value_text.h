@@ -1,4 +1,5 @@
-/* Values of effects in words: the parameter, and beside it what the scenario states as a whole. */
+/* Values of effects as text: the parameter, and beside it the number of the scenario that it makes.
+ */
 #ifndef UMBRA_DIAGNOSIS_VALUE_TEXT_H
 #define UMBRA_DIAGNOSIS_VALUE_TEXT_H
 

@@ -5,8 +5,8 @@
 #include "diagnosis/state_impl.h"
 #include "diagnosis/verdict_impl.h"
 
-/* A free nuisance that moved far took up something: a calibration, or an effect that resembles it.
- */
+/* Whether a free nuisance moved far. Then it has absorbed something: a calibration, or an effect
+ * that resembles it. */
 static bool nuisance_took_it(const struct um_diagnosis_state *state)
 {
   for (size_t b = 0, k = 0; b < state->nnuisance; b++)
@@ -32,16 +32,16 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
   return false;
 }
 
-/* Factor on sigmas where observations scatter more than they say: their true sigma is larger by the
- * root of reduced chi-square. Where they scatter less, nothing is made more certain. */
+/* Factor on sigmas where observations scatter more than stated: the root of reduced chi-square.
+ * Where they scatter less it is 1, and nothing is made more certain. */
 static double scatter(const struct um_diagnosis *d)
 {
   return sqrt(fmax(1.0, d->chi2_reduced_after));
 }
 
-/* Whether no parameter of the effect that is tested stands clear of where it does nothing. Its
- * sigma is marginal: all that is fitted along may move. A switch has no such value, one at the end
- * of its range no sigma. */
+/* Whether every tested parameter of the effect is near the value where it does nothing. Sigma is
+ * marginal: everything else may move. A switch has no such value. A parameter at the end of its
+ * range has no sigma. */
 static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
   const struct um_sensitivity_candidate *c =
@@ -77,8 +77,8 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
   return UM_VERDICT_FOUND;
 }
 
-/* Alternatives within the evidence of the winner; scale: by which differences of BIC are too large,
- * since observations scatter more than they say. */
+/* Whether alternatives are within the evidence of the winner. scale: differences of BIC are too
+ * large by this factor, where observations scatter more than stated. */
 static bool is_matched(const struct um_diagnosis_step *step, double scale)
 {
   if (um_diagnosis_has_group(step)) return true;

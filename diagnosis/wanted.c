@@ -1,7 +1,7 @@
-/* Effects that a person chose, fitted as a diagnosis fits those that it finds: one after another,
- * each from the scenario as it stands with all before it. Chi-square of several effects has more
- * than one minimum; this way ends in the one that a diagnosis ends in, the order on the command
- * line does not matter. */
+/* Effects that a person chose, fitted as a diagnosis fits those that it finds. They are added one
+ * after another, each at its null value. Chi-square of several effects has more than one minimum;
+ * so this ends in the one that a diagnosis ends in. The order on the command line does not matter.
+ */
 #include "diagnosis/wanted_impl.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static enum um_status block_of(struct um_context *context, const struct um_diagn
   return um_diagnosis_block_wanted(context, work, &whole, INFINITY, out);
 }
 
-/* Those that start somewhere, are switched, or move no observation. */
+/* Add the effects with a start value, switches, and effects that move no observation. */
 static enum um_status add_as_said(struct um_context *context, const struct um_diagnosis_work *work,
                                   const struct um_model_addition *wanted, size_t nwanted,
                                   struct um_diagnosis_state *state)
@@ -49,7 +49,7 @@ static enum um_status add_as_said(struct um_context *context, const struct um_di
   return um_diagnosis_state_fit(context, work, state, NULL, NULL, INFINITY);
 }
 
-/* The one that explains most of what is left. */
+/* Add the effect that explains most of the residual. */
 static enum um_status add_best(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_model_addition *wanted,
                                struct um_diagnosis_alternative *ranking,

@@ -1,11 +1,11 @@
-/* What a pulse of heat does to the observations in full: the linear response serves to find it, but
- * kelvins of warming bend the radiance by per cents. The pulse goes into a model of its own as a
- * source, and its power into a straight line through 0 and what came out:
+/* The power of a pulse of heat by the model itself. The linear response serves to find the pulse,
+ * but a few kelvins change the radiance non-linearly by per cents. So the model is run with the
+ * pulse as a source, and the power follows from a line through 0 and the result:
  *
  *   P <- P d'r / d'd,   d the change of the observations at P, both after the nuisances,
  *
- * until it moves by less than a hundredth (secant steps: what is then wrong is that times the
- * bend). */
+ * until it moves by less than a hundredth. These are secant steps, so the error is then far less.
+ */
 #include "missing_heat/change_impl.h"
 
 #include <math.h>
@@ -63,7 +63,7 @@ enum um_status um_missing_heat_change(struct um_context *context,
     um_inference_projection_apply(projection, value, left);
     double square = um_inference_dot(nleft, left, left);
     double with = um_inference_dot(nleft, left, residual);
-    if (!(square > 0.0) || !(with > 0.0)) break; /* the line has lost its sense */
+    if (!(square > 0.0) || !(with > 0.0)) break; /* no power improves the fit */
     *power *= with / square;
     *chi2 = with * with / square;
     if (fabs(with / square - 1.0) < UM_MISSING_HEAT_SETTLED) break;

@@ -5,8 +5,8 @@
 #include "inference/projection.h"
 #include "missing_heat/observations_impl.h"
 
-/* Power of a pulse by the model itself, and the chi-square that it explains, from a power that the
- * linear response gave. residual: [nleft]. Errors of the runs. */
+/* Improve *power, which the linear response gave, with runs of the model. *chi2: what the pulse
+ * then explains. residual: [nleft]. Errors of the runs. */
 enum um_status um_missing_heat_change(struct um_context *context,
                                       const struct um_missing_heat_base *base,
                                       struct um_inference_projection *projection,

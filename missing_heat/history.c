@@ -5,8 +5,8 @@
  *
  * with the largest lambda at which |r - D h|^2 is what noise alone would leave (Morozov 1966): the
  * number of observations, or, where the best history leaves more, that and a unit for each of its
- * bins. sigma: of the posterior, (D'D + lambda L'L)^-1; what is damped is taken to be smooth in
- * truth. */
+ * bins. sigma: of the posterior, (D'D + lambda L'L)^-1, which takes the true history to be smooth.
+ */
 #include "missing_heat/history_impl.h"
 
 #include <math.h>

@@ -82,7 +82,7 @@ static double explained(const struct um_missing_heat_bins *bins, size_t i, size_
   return with * *power;
 }
 
-/* Scatter of start and energy about the best. */
+/* Sigmas of start and energy: the scatter of all pulses about the best. */
 static void scatter(const struct um_missing_heat_bins *bins, struct um_missing_heat_pulse *best)
 {
   double sum = 0.0, start2 = 0.0, energy2 = 0.0;
@@ -97,7 +97,7 @@ static void scatter(const struct um_missing_heat_bins *bins, struct um_missing_h
       start2 += weight * (t[i] - t[best->from]) * (t[i] - t[best->from]);
       energy2 += weight * (off * off + length * length / length2(bins, i, j));
     }
-  /* an edge stands for what is nearer to it than to its neighbours */
+  /* the start may lie anywhere within half a bin of the edge */
   double width = best->from > 0 ? t[best->from] - t[best->from - 1] : t[1] - t[0];
   best->start_sigma = sqrt(start2 / sum + width * width / 12.0);
   best->energy_sigma = sqrt(energy2 / sum);

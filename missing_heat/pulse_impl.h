@@ -4,7 +4,7 @@
 
 #include "inference/projection.h"
 
-/* Observations after the nuisances against bins of heat. */
+/* Responses of the observations to heat in each bin, with the nuisances projected out. */
 struct um_missing_heat_bins {
   size_t nbin, nleft;
   double *edge;   /* [nbin + 1] t_tai [s] */
@@ -26,7 +26,7 @@ struct um_missing_heat_pulse {
   double power;    /* [W] */
   double start_sigma, energy_sigma;
 };
-/* The best of all pulses between two edges. Sigmas about it, with all pulses weighed by their
+/* The best of all pulses between two edges. Its sigmas are those of all pulses, weighted by their
  * likelihood. */
 void um_missing_heat_pulse_find(const struct um_missing_heat_bins *bins,
                                 struct um_missing_heat_pulse *out);

@@ -1,5 +1,5 @@
-/* Where a residual lives: the channel whose chi-square is furthest above its expectation, in units
- * of its spread sqrt(2 n), and there the coordinate of the smallest p. */
+/* Finds the channel whose chi-square is furthest above its expectation, in units of its spread
+ * sqrt(2 n), and the coordinate whose correlation with that channel has the smallest p. */
 #include "missing_heat/residual.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "compare/compare.h"
 
-/* One channel, weighed by the sigma that the diagnosis weighs by. */
+/* One channel, weighted by the sigma of the diagnosis. */
 struct weighed {
   double chi2, mean, excess, count;
 };
@@ -29,7 +29,7 @@ static struct weighed weigh(const struct um_sensitivity_forward *f,
   return w;
 }
 
-/* Where p underflows, the correlation itself. */
+/* The correlation of the smallest p; where p underflows, the largest correlation. */
 static const struct um_compare_correlation *
 strongest(const struct um_compare_channel_comparison *channel)
 {

@@ -1,10 +1,9 @@
-/* What no effect of the catalogue explains: where the residual lives, and the heat that would
- * explain it. Every place is tried with every pulse between two times of observation, on at most
- * UM_MISSING_HEAT_BINS_MAX bins; where times lie denser, the best places again with all of them
- * about the edges found. Bonferroni's correction counts every place and pair of edges as a test of
- * its own, which they are not: "found" is said too rarely rather than too often. A pulse that is
- * significant but leaves more than a twentieth of what is too much in chi-square is not the
- * explanation. */
+/* Looks for heat that explains a residual. Every place is tried with every pulse between two edges
+ * of at most UM_MISSING_HEAT_BINS_MAX bins. Where observations are denser, the best places are
+ * tried again with all times near the edges found. Bonferroni's correction counts every place and
+ * pair of edges as an independent test, which they are not: "found" is said too rarely rather than
+ * too often. A significant pulse that leaves more than a twentieth of the excess in chi-square is
+ * not the explanation. */
 #include "missing_heat/unexplained.h"
 
 #include <math.h>
@@ -18,7 +17,7 @@
 #include "missing_heat/policy.h"
 #include "missing_heat/residual.h"
 
-/* --- where the residual lives ---------------------------------------------------------------- */
+/* --- the coordinate of the residual ---------------------------------------------------------- */
 
 static enum um_status find_coordinate(struct um_context *context,
                                       const struct um_missing_heat_base *base, double fitted,
@@ -46,7 +45,7 @@ struct search {
   size_t nobs;
   double *t;                           /* [nobs] at the satellite */
   size_t *edge;                        /* [nbin + 1] of the observations */
-  size_t nbin;                         /* of the first look */
+  size_t nbin;                         /* of the first search */
   double *time;                        /* [nobs] scratch of edges */
   bool *wanted;                        /* [nobs] scratch */
   size_t *origin;                      /* [heat] place of each result */
@@ -68,7 +67,7 @@ static void search_release(struct um_context *context, struct search *s)
   um_core_free(context, s->pulse);
 }
 
-/* Residual after the nuisances, and its chi-square. */
+/* Project the nuisances out of the residual; its chi-square after that. */
 static enum um_status project(struct um_context *context, struct search *s, const double *value,
                               const double *nuisance, size_t nnuisance, double *chi2)
 {
@@ -91,7 +90,7 @@ done:
   return status;
 }
 
-/* Times of the observations at the satellite, and edges of the first look. */
+/* Times of the observations at the satellite, and the edges of the first search. */
 static enum um_status find_edges(struct um_context *context, struct search *s)
 {
   const struct um_model_precomputed *precomputed = s->base.variant.precomputed;
@@ -131,7 +130,7 @@ static void take_pulse(const struct um_missing_heat_bins *bins,
   heat->energy_sigma = pulse->energy_sigma;
 }
 
-/* A place on the bins of the first look: pulse and history. */
+/* Best pulse and history of a place, on the bins of the first search. */
 static enum um_status look(struct um_context *context, struct search *s, size_t place,
                            struct um_missing_heat *heat)
 {
@@ -154,7 +153,7 @@ done:
   return status;
 }
 
-/* Observations about an edge of the first look. */
+/* Mark the observations near an edge of the first search. */
 static void want(struct search *s, size_t edge)
 {
   size_t from = s->edge[edge > UM_MISSING_HEAT_ABOUT ? edge - UM_MISSING_HEAT_ABOUT : 0];
@@ -163,8 +162,8 @@ static void want(struct search *s, size_t edge)
   for (size_t k = from; k <= to; k++) s->wanted[k] = true;
 }
 
-/* The same place with all times about the edges of its best pulse. What the first look says of its
- * scatter stays, where it is more. */
+/* Search the same place with all times near the edges of its best pulse. The sigmas of the first
+ * search stay where they are larger. */
 static enum um_status look_again(struct um_context *context, struct search *s,
                                  struct um_missing_heat_pulse *first, size_t place,
                                  struct um_missing_heat *heat)
@@ -192,9 +191,9 @@ done:
   return status;
 }
 
-/* Power of the pulse by the model itself, its sigma in proportion; what the bend moved it by is
- * added, since the edges are those of the straight response. A place that the model refuses a
- * source in keeps what the linear response says. */
+/* Power of the pulse by the model itself. Sigma scales with it, and the error of the linear
+ * response is added, since the edges were found with that. A place where the model refuses a source
+ * keeps the result of the linear response. */
 static enum um_status check(struct um_context *context, struct search *s, size_t place,
                             struct um_missing_heat *heat)
 {

@@ -1,5 +1,5 @@
-/* A residual that no effect of the catalogue explains: the physical coordinate it lives in, and the
- * heat that would explain it, per place, with start, energy and history. */
+/* A residual that no effect of the catalogue explains: the physical coordinate that it correlates
+ * with, and for each place the heat that would explain it, with start, energy and history. */
 #ifndef UMBRA_MISSING_HEAT_UNEXPLAINED_H
 #define UMBRA_MISSING_HEAT_UNEXPLAINED_H
 
@@ -14,7 +14,7 @@ struct um_missing_heat {
   double start, stop;    /* t_tai of the best pulse [s] */
   double start_sigma;    /* [s] from the chi-square of its neighbours */
   double power, energy;  /* [W], [J] of the best pulse; below 0: heat that goes */
-  double energy_sigma;   /* [J] over all pulses that fit, and how far from straight the answer is */
+  double energy_sigma;   /* [J] over all pulses that fit, with the error of the linear response */
   /* regularised history: second differences damped until chi-square meets its expectation */
   size_t nbin;
   double *t;     /* [nbin + 1] edges, t_tai [s] */
@@ -22,7 +22,7 @@ struct um_missing_heat {
   double *sigma; /* [nbin] [W] */
 };
 struct um_missing_heat_unexplained {
-  char *coordinate; /* the coordinate the residual goes with most, "time_s"; NULL: none */
+  char *coordinate; /* that the residual correlates with most, "time_s"; NULL: none */
   char *channel;    /* "temperature body.+y" where the residual is worst */
   double p;         /* of that correlation */
   size_t nheat;
@@ -34,11 +34,11 @@ struct um_missing_heat_unexplained {
 };
 
 /* value: [nobservation] model values of the observations with the additions. nuisance:
- * [nnuisance][nobservation] whitened columns as in score.h, taken as free. Answers of the
- * observations to heat are linear along the model's history; powers of the best three pulses are
- * then those of the model itself. Costs about as much as the light of a run per group and side, and
- * up to nine runs. No heat is looked for with orbit.points, where it is not followed. Errors of the
- * runs. The caller destroys. */
+ * [nnuisance][nobservation] whitened columns as in score.h, taken as free. The search
+ * uses the linear response to heat along the model's history. The powers of the best three pulses
+ * are then found with the model itself. For each group and side it costs as much as the light of a
+ * run, and up to nine runs in all. With orbit.points heat is not computed, and none is looked for.
+ * Errors of the runs. The caller destroys. */
 enum um_status um_missing_heat_unexplained_create(struct um_context *context,
                                                   struct um_sensitivity_forward *forward,
                                                   const struct um_model_addition *addition,

@@ -1,4 +1,4 @@
-/* The list of candidates: every effect that is known on everything it may act on in this model. */
+/* The list of candidates: every effect, on every target that it has in this model. */
 #include "sensitivity/candidates.h"
 
 #include <math.h>
@@ -87,7 +87,8 @@ static enum um_status add(struct um_context *context, const struct um_sensitivit
   return why == NULL ? UM_OK : um_core_strdup(context, why, &c->why);
 }
 
-/* A switch that has values, on with one of them elsewhere: the Sun as a uniform disc. */
+/* A switch that has values is also tried with the ends of their ranges: the Sun as a uniform disc.
+ */
 static enum um_status add_variants(struct um_context *context,
                                    const struct um_sensitivity_forward *forward,
                                    const struct um_effect *effect, const char *target,
@@ -130,7 +131,7 @@ done:
   return status;
 }
 
-/* --- what was asked for and is none ----------------------------------------------------------- */
+/* --- what was asked for and is no candidate --------------------------------------------------- */
 
 static enum um_status drop(struct um_context *context, const char *name, const char *why,
                            struct um_sensitivity_candidates *list)
@@ -142,7 +143,7 @@ static enum um_status drop(struct um_context *context, const char *name, const c
   return um_core_strdup(context, why, &dropped->why);
 }
 
-/* Why a text of `only` whose effect and target are known is no candidate. */
+/* Why an entry of `only` whose effect and target exist is no candidate. */
 static const char *why_none(const struct um_sensitivity_forward *forward,
                             const struct um_effect *effect, const char *target,
                             const struct um_sensitivity_candidates_options *o)
@@ -171,7 +172,7 @@ static enum um_status look_for_dropped(struct um_context *context,
     const char *text = o->only[i], *colon = strchr(text, ':');
     char name[64] = "";
     if (is_listed(text, list)) continue;
-    memcpy(name, text, strcspn(text, ":")); /* it fits, or it were no effect's */
+    memcpy(name, text, strcspn(text, ":")); /* it fits: check_names found the effect */
     const struct um_effect *effect = um_model_effects_find(forward->model, name);
     const char *target = colon == NULL ? NULL : colon + 1;
     enum um_status status =
@@ -212,8 +213,8 @@ static void release(struct um_context *context, struct um_sensitivity_candidate 
   um_core_free(context, c->why);
 }
 
-/* A change of the observations that is the same number for number, by the same effect and steps, is
- * the same thing under another name. */
+/* Whether two candidates are one thing under two names: the same effect, the same steps, and
+ * exactly the same change of the observations. */
 static const struct um_sensitivity_candidate *repeated(const struct um_sensitivity_candidates *list,
                                                        size_t which)
 {
@@ -245,14 +246,14 @@ static enum um_status find_moves(struct um_context *context,
   return status;
 }
 
-/* Of those that are the same thing the first stays; asked: the others are kept on record. */
+/* Keep the first of candidates that are one thing. asked: the others are recorded as dropped. */
 static enum um_status keep_different(struct um_context *context, bool asked,
                                      struct um_sensitivity_candidates *list)
 {
   size_t kept = 0, count = list->count;
   char why[200];
   for (size_t i = 0; i < count; i++) {
-    /* in place: those before are final */
+    /* compacted in one array: those before are final */
     struct um_sensitivity_candidate c = list->candidate[i];
     list->candidate[i] = (struct um_sensitivity_candidate){0};
     list->candidate[kept] = c;

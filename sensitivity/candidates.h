@@ -1,11 +1,11 @@
-/* Candidates for what a scenario lacks, listed and differenced. */
+/* The list of candidates for what a scenario lacks, each with its signature. */
 #ifndef UMBRA_SENSITIVITY_CANDIDATES_H
 #define UMBRA_SENSITIVITY_CANDIDATES_H
 
 #include "sensitivity/candidate.h"
 #include "sensitivity/forward.h"
 
-/* Something that was asked for and is no candidate. */
+/* An effect that was asked for and is no candidate. */
 struct um_sensitivity_dropped {
   char *name, *why; /* owned */
 };

@@ -99,7 +99,8 @@ static double longer(const struct um_sensitivity_candidate *c, size_t which, dou
   return copysign(fmin(size, room), step);
 }
 
-/* Calibrations that only add or scale are linear in their parameter as far as one likes. */
+/* Whether an effect acts on observations alone: it adds or scales, and is linear in its parameter.
+ */
 static bool acts_behind(const struct um_effect *effect)
 {
   return um_effects_reach(effect) == UM_REACH_OBSERVATION;

@@ -1,11 +1,11 @@
-/* What the observations do when one parameter of a candidate moves. Private to sensitivity/. */
+/* The change of the observations with one parameter of a candidate. Private to sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
 #define UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
 
 #include "sensitivity/candidate.h"
 #include "sensitivity/forward_impl.h"
 
-/* What a signature is taken of. */
+/* The model at which signatures are taken. */
 struct um_sensitivity_point {
   struct um_sensitivity_forward *forward;
   const struct um_model_addition *addition; /* [naddition] */
@@ -23,8 +23,9 @@ struct um_sensitivity_change {
   bool smooth;         /* .. or found by a sensitivity, without */
 };
 
-/* The candidate with other values [nparameter]; difference: [nobservation]. move: the one that
- * makes these values of the scenario's, NULL: several, or unknown. */
+/* Change of the observations when the candidate has these values [nparameter]; difference:
+ * [nobservation]. move: the single move from the scenario's values to these; NULL: there are
+ * several, or it is not known. */
 enum um_status um_sensitivity_step_to(struct um_context *context,
                                       const struct um_sensitivity_point *point,
                                       const struct um_sensitivity_candidate *candidate,
@@ -35,7 +36,7 @@ enum um_status um_sensitivity_step_to(struct um_context *context,
 double um_sensitivity_first_step(const struct um_sensitivity_candidate *candidate, size_t which,
                                  double null);
 
-/* What moves: parameter p of the values, by a step. */
+/* Which derivative is taken: by parameter p, at these values. */
 struct um_sensitivity_mover {
   struct um_context *context;
   const struct um_sensitivity_point *point;
@@ -44,13 +45,13 @@ struct um_sensitivity_mover {
   size_t p;
   double *column; /* [nobservation] the derivative */
 };
-/* The derivative by a step that begins with *step; out: one that stands above the noise of an
- * integration, which a fit will take, and the change that it makes. */
+/* The derivative, by a difference that begins with *step. Out: a step that a fit may take, whose
+ * change stands above the noise of an integration, and that change. */
 enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *mover, double *step,
                                          struct um_sensitivity_change *change);
-/* Is a change seen beside the noise? */
+/* Whether a change is seen above the noise of an integration. */
 bool um_sensitivity_alive(const struct um_sensitivity_change *change, double noise);
-/* It is none at all. */
+/* Whether nothing changes at all. */
 bool um_sensitivity_is_nothing(const struct um_sensitivity_change *change);
 
 #endif

@@ -1,6 +1,6 @@
-/* Where to look for a parameter that does nothing by itself: the temperature at which a thermostat
- * switches is one that its place has. Where the place was measured, the coldest measurement is near
- * it (the heater kept it from growing colder); else a cold quarter of the model's own range. */
+/* Start value of the temperature at which a thermostat switches, which does nothing by itself.
+ * Where its place was measured, the coldest measurements are near it, since the heater kept the
+ * place from growing colder. Elsewhere it is a cold quarter of the model's own range. */
 #include "sensitivity/scan_impl.h"
 
 #include <math.h>

@@ -5,8 +5,8 @@
 #include "sensitivity/candidate.h"
 #include "sensitivity/forward.h"
 
-/* Null values of temperatures that the target has; base: of the scenario, run when needed, released
- * by the caller. */
+/* Set null values of temperatures to one that the target has. base: a run of the scenario, made
+ * when needed; the caller releases. */
 enum um_status um_sensitivity_scan(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    struct um_sensitivity_candidate *candidate,

@@ -9,7 +9,7 @@
 
 #include "effects/effects.h"
 
-/* An effect that refuses what it is asked is no error of the diagnosis: its words are kept. */
+/* An effect may refuse a value. That is no error: its message is kept as the reason. */
 static enum um_status refused(struct um_context *context, struct um_sensitivity_candidate *c,
                               enum um_status status)
 {
@@ -22,7 +22,7 @@ static enum um_status refused(struct um_context *context, struct um_sensitivity_
   return kept;
 }
 
-/* The change when a switch is turned on. */
+/* The change of the observations when a switch is turned on. */
 static enum um_status make_switch(struct um_context *context,
                                   const struct um_sensitivity_point *point,
                                   struct um_sensitivity_candidate *c)
@@ -35,7 +35,7 @@ static enum um_status make_switch(struct um_context *context,
   return UM_OK;
 }
 
-/* Columns of the parameters that change something at `at`; the others are counted out. */
+/* Columns of the parameters that change something at `at`; the others are left out. */
 static enum um_status make_columns(struct um_context *context,
                                    const struct um_sensitivity_point *point, const double *at,
                                    struct um_sensitivity_candidate *c)
@@ -55,7 +55,7 @@ static enum um_status make_columns(struct um_context *context,
   return UM_OK;
 }
 
-/* Where the columns are taken: null values, shapes at their default. */
+/* Where derivatives are taken: null values, but unidentified parameters at their default. */
 static bool put_shapes(struct um_sensitivity_candidate *c)
 {
   bool any = false;
@@ -72,7 +72,7 @@ static bool put_shapes(struct um_sensitivity_candidate *c)
   return any;
 }
 
-/* Default values of all parameters, but temperatures where the scan put them. */
+/* Default values of all parameters, but the temperatures that the scan found. */
 static void set_defaults(const struct um_sensitivity_candidate *c, double *at)
 {
   for (size_t k = 0; k < c->effect->nparameter; k++)
@@ -80,8 +80,8 @@ static void set_defaults(const struct um_sensitivity_candidate *c, double *at)
                                                     : c->effect->parameters[k].default_value;
 }
 
-/* The one parameter whose null value makes the effect vanish whatever the others are. Where not
- * even all default values together do something, there is none. */
+/* The parameter whose null value makes the effect vanish, whatever the others are. There is none
+ * where even all default values together change nothing. */
 static enum um_status find_amplitude(struct um_context *context,
                                      const struct um_sensitivity_point *point,
                                      struct um_sensitivity_candidate *c)
@@ -97,7 +97,8 @@ static enum um_status find_amplitude(struct um_context *context,
     at[p] = c->null_value[p];
     if (memcmp(at, c->null_value, n * sizeof *at) == 0) continue; /* tried */
     UM_TRY(um_sensitivity_step_to(context, point, c, at, NULL, c->signature, &change));
-    if (!um_sensitivity_is_nothing(&change)) continue; /* noise of the heat is not nothing */
+    if (!um_sensitivity_is_nothing(&change))
+      continue; /* a change by the noise of an integration is not nothing */
     double step = um_sensitivity_first_step(c, p, at[p]);
     const struct um_sensitivity_mover mover = {context, point, c, at, p, c->signature};
     UM_TRY(um_sensitivity_difference(&mover, &step, &change));
@@ -111,7 +112,7 @@ static enum um_status find_amplitude(struct um_context *context,
   return UM_OK;
 }
 
-/* What is not free is unidentified under the null. */
+/* Parameters that are not free are unidentified under the null. */
 static void put_rest(struct um_sensitivity_candidate *c)
 {
   c->nunidentified = 0;

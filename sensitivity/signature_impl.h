@@ -1,4 +1,4 @@
-/* A candidate differenced. Private to sensitivity/. */
+/* The signature of a candidate. Private to sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 #define UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 

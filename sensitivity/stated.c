@@ -1,5 +1,5 @@
-/* What a scenario states, read from its model: environment, records of materials, the heat network,
- * the scenario's own numbers. A change x of a parameter makes the whole
+/* What a scenario states of a target, read from its model, for the callback of an effect
+ * (effects/effect.h). A change x of a parameter makes the whole
  *
  *   w + x - x_0,   w x / x_0,   w (1 + x) / (1 + x_0),
  *

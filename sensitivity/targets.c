@@ -70,7 +70,7 @@ static enum um_status touches(struct um_context *context, const struct um_effect
                               const char *target, const struct um_scenario_contact *from, bool *out)
 {
   double value[UM_EFFECT_PARAMETERS_MAX] = {0};
-  /* one that radiates conducts nothing that could be more or less */
+  /* a radiating contact has no conductance to change */
   double conductance = isnan(from->conductance_W_K) ? 0.0 : from->conductance_W_K;
   struct um_thermal_contact contact = {.a = from->a, .b = from->b, .conductance = conductance};
   for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
@@ -100,7 +100,7 @@ static enum um_status add_place(struct um_context *context, const struct um_mode
   return UM_OK;
 }
 
-/* Parts, then the places of contacts; everything alone when that is one contact. */
+/* Parts, then the places of contacts. Where there is one contact: only NULL, everything. */
 static enum um_status add_contacts(struct um_context *context, const struct um_model *model,
                                    const struct um_effect *effect,
                                    struct um_sensitivity_targets *to)
