@@ -1,5 +1,6 @@
 /* Thermal emittance of a material, total and spectral above 2.5 um: eps' = f eps. A sunlit plate
  * stands at T ~ eps^(-1/4), a cooling one falls at a rate ~ eps. */
+#include "core/constants.h"
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
@@ -13,13 +14,12 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   return UM_OK;
 }
 
-#define ROOM 300.0 /* temperature that emittances are said at [K] */
-
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
   if (n->material == NULL) return;
-  um_effect_state(out, "emittance", "1", um_materials_emittance(n->material, n->adjustment, ROOM),
-                  0.0, 1.0);
+  um_effect_state(out, "emittance", "1",
+                  um_materials_emittance(n->material, n->adjustment, UM_REFERENCE_TEMPERATURE), 0.0,
+                  1.0);
   out->is_clamped = true;
 }
 
