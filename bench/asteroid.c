@@ -148,7 +148,7 @@ static double turn_follow(const struct bench *bench, const struct body *b, size_
   struct um_thermal_history *history = NULL;
   double sum = 0.0, capacity = 0.0;
   bench_must(bench, um_thermal_solve(bench->context, b->thermal->network, b->loads, &b->options,
-                                     0.0, b->loads->t + 1, STEPS, &history));
+                                     NULL, 0.0, b->loads->t + 1, STEPS, &history));
   const double *t = history->temperature + (STEPS - 1) * history->nnode;
   for (uint32_t i = 0; i < history->nnode; i++) {
     double own = um_thermal_network_capacity(b->thermal->network, i);
@@ -212,8 +212,8 @@ double asteroid_periodic(const struct bench *bench, size_t cells, size_t *turns)
   double *temperature = bench_allocate(bench, n, sizeof *temperature);
   double begin = now(bench);
   bench_must(bench, um_thermal_solve_periodic_report(bench->context, b.thermal->network, b.loads,
-                                                     &b.options, 0.0, PERIOD, 0.01, temperature,
-                                                     NULL, NULL, &report));
+                                                     &b.options, NULL, 0.0, PERIOD, 0.01,
+                                                     temperature, NULL, NULL, &report));
   double seconds = now(bench) - begin;
   *turns = report.orbits;
   free(temperature);

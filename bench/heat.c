@@ -163,7 +163,7 @@ static void rate_time(const struct bench *bench, const struct satellite *s,
   struct um_thermal_system *system = NULL;
   um_thermal_solve_defaults(&options);
   bench_must(bench, um_thermal_system_create(bench->context, s->body->network, s->loads, &options,
-                                             0.0, false, &system));
+                                             NULL, 0.0, false, &system));
   um_thermal_system_window(system, 0.0, s->period);
   size_t half = rate_bytes(system) / 2, repeats = 20000000 / half + 1;
   char *from = bench_allocate(bench, half, 1), *to = bench_allocate(bench, half, 1);
@@ -204,8 +204,8 @@ static struct um_thermal_history *orbit(const struct bench *bench, const struct 
   options.absolute_tolerance /= tighter;
   double t[4];
   for (int k = 0; k < 4; k++) t[k] = share * s->period * (k + 1) / 4.0;
-  bench_must(bench, um_thermal_solve(bench->context, s->body->network, s->loads, &options, 0.0, t,
-                                     4, &history));
+  bench_must(bench, um_thermal_solve(bench->context, s->body->network, s->loads, &options, NULL,
+                                     0.0, t, 4, &history));
   return history;
 }
 
@@ -230,8 +230,8 @@ static void periodic_figures(struct bench *bench, const struct satellite *s, dou
   double *t = bench_allocate(bench, um_thermal_network_nodes(s->body->network), sizeof *t);
   double began = bench_cpu();
   enum um_status status =
-      um_thermal_solve_periodic_report(bench->context, s->body->network, s->loads, &options, 0.0,
-                                       s->period, DISTANCE, t, NULL, NULL, &report);
+      um_thermal_solve_periodic_report(bench->context, s->body->network, s->loads, &options, NULL,
+                                       0.0, s->period, DISTANCE, t, NULL, NULL, &report);
   double time = bench_cpu() - began;
   um_core_free(bench->context, t);
   bool found = status == UM_OK;
@@ -316,7 +316,7 @@ static void sensitivity_figures(struct bench *bench, struct satellite *s)
   for (size_t p = 0; p < PARAMETERS; p++) {
     body_build(bench, sizes[0].facet_size, &moved[p]);
     parameter_move(moved[p].body->network, p, 1.0 + 1e-5);
-    variant[p] = (struct um_thermal_variant){moved[p].body->network, s->loads, NULL, 1e-5};
+    variant[p] = (struct um_thermal_variant){moved[p].body->network, s->loads, NULL, 1e-5, NULL};
   }
   double began = bench_cpu();
   struct um_thermal_history *plain = orbit(bench, s, QUARTER, 1.0);
@@ -324,7 +324,7 @@ static void sensitivity_figures(struct bench *bench, struct satellite *s)
   um_thermal_history_destroy(bench->context, &plain);
   began = bench_cpu();
   bench_must(bench, um_thermal_sensitivity(bench->context, s->body->network, s->loads, &options,
-                                           0.0, t, 4, variant, PARAMETERS, NULL, keep, kept));
+                                           NULL, 0.0, t, 4, variant, PARAMETERS, NULL, keep, kept));
   double time = bench_cpu() - began;
   for (size_t p = 0; p < 5; p += 2) /* absorptance, capacity, MLI */
     worst = fmax(worst, sensitivity_error(bench, s, p, (const double *)(kept + 1)));

@@ -64,8 +64,8 @@ static struct outcome integrate(const struct bench *bench, const struct um_therm
   options.relative_tolerance /= tighter;
   options.absolute_tolerance /= tighter;
   double begin = bench_wall(), sum = 0.0, total = 0.0;
-  bench_must(bench, um_thermal_solve(bench->context, network, NULL, &options, 0.0, &duration, 1,
-                                     &history));
+  bench_must(bench, um_thermal_solve(bench->context, network, NULL, &options, NULL, 0.0, &duration,
+                                     1, &history));
   struct outcome out = {bench_wall() - begin, 0.0, history->steps, history->jacobians};
   for (uint32_t i = 0; i < history->nnode; i++) {
     double capacity = um_thermal_network_capacity(network, i);

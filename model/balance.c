@@ -72,7 +72,7 @@ enum um_status um_model_balance_steady(struct um_context *context, const struct 
   double change = status == UM_OK ? INFINITY : 0.0;
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_solve_steady(context, model->body->network, precomputed->loads,
-                                     first_row(precomputed), &setting.options, temperature));
+                                     first_row(precomputed), &setting.options, NULL, temperature));
     UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature,
                                          UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
   }
@@ -88,33 +88,25 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
   enum um_status status;
   struct um_model_heat_setting setting = {0};
   const struct um_irradiation_loads *loads = precomputed->loads;
-  struct um_thermal_network *network = model->body->network;
+  const struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
-  double *power = NULL, *mean = NULL;
+  double *mean = NULL;
   double from = precomputed->t_start, period = precomputed->period;
   if (precomputed->points || isnan(period) || !(loads->t[loads->ntime - 1] >= from + period - 1e-3))
     return um_core_fail(context, UM_ERR_INPUT,
                         "analysis orbit_mean: no whole orbit is computed; accepted: an orbit, and "
                         "thermal.start: periodic or thermal.orbits_before: 1");
   UM_CHECK(um_model_heat_setting_make(context, model, precomputed, NULL, &setting));
-  UM_CHECK(um_core_allocate(context, n, sizeof *power, &power));
   UM_CHECK(um_core_allocate(context, n, sizeof *mean, &mean));
-  for (uint32_t i = 0; i < n; i++) {
-    power[i] = um_thermal_network_power(network, i);
-    temperature[i] = um_thermal_network_temperature(network, i);
-  }
+  for (uint32_t i = 0; i < n; i++) temperature[i] = um_thermal_network_temperature(network, i);
   UM_CHECK(average(context, network, &setting.options, loads, from, period, temperature, mean));
-  for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, mean[i]);
   double change = INFINITY;
-  for (int round = 1; status == UM_OK && change > UM_MODEL_SAME_EMITTANCE; round++) {
-    status = um_thermal_solve_steady(context, network, NULL, 0, &setting.options, temperature);
-    if (status == UM_OK)
-      status = um_model_heat_setting_renew(context, model, precomputed, temperature,
-                                           UM_MODEL_SAME_EMITTANCE, round, &setting, &change);
+  for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
+    UM_CHECK(um_thermal_solve_powered(context, network, mean, &setting.options, temperature));
+    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature,
+                                         UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
   }
-  for (uint32_t i = 0; i < n; i++) um_thermal_network_power_set(network, i, power[i]);
 done:
-  um_core_free(context, power);
   um_core_free(context, mean);
   um_model_heat_setting_clear(context, &setting);
   return status;

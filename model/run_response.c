@@ -14,25 +14,19 @@ enum um_status um_model_thermal_solution_response(struct um_context *context,
                                                   const struct um_thermal_response_options *how,
                                                   um_thermal_response_take *take, void *user)
 {
-  enum um_status status;
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_network *network = heat->model->body->network;
-  size_t ninstant = precomputed->nobs * precomputed->nsub, n = um_thermal_network_nodes(network);
-  const double *first = heat->run.history->temperature + (heat->run.before ? n : 0);
-  double *built = NULL, *times = NULL;
+  size_t ninstant = precomputed->nobs * precomputed->nsub;
+  const struct um_thermal_history *history = heat->run.history;
+  const double *first = history->temperature + (heat->run.before ? history->nnode : 0);
+  double *times = NULL;
   if (precomputed->points)
     return um_core_fail(context, UM_ERR_INPUT,
                         "answers to heat: observations that stand alone have no heat to follow");
-  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
-  UM_CHECK(um_core_allocate(context, ninstant, sizeof *times, &times));
-  for (size_t i = 0; i < n; i++) built[i] = um_thermal_network_temperature(network, (uint32_t)i);
+  UM_TRY(um_core_allocate(context, ninstant, sizeof *times, &times));
   for (size_t i = 0; i < ninstant; i++) times[i] = precomputed->sample[i].t_tai;
-  um_thermal_network_temperatures_set(network, first);
-  status = um_thermal_response(context, network, precomputed->loads, &heat->setting.options,
-                               times[0], times, ninstant, source, nsource, how, take, user);
-  um_thermal_network_temperatures_set(network, built);
-done:
-  um_core_free(context, built);
+  enum um_status status = um_thermal_response(
+      context, heat->model->body->network, precomputed->loads, &heat->setting.options, first,
+      times[0], times, ninstant, source, nsource, how, take, user);
   um_core_free(context, times);
   return status;
 }

@@ -73,7 +73,8 @@ struct work {
   const struct um_model_thermal_solution *heat;
   struct um_model_heat_setting *setting; /* [nmove] */
   struct um_thermal_variant *variant;    /* [nmove] */
-  double *start;                         /* [nmove][nnode] */
+  double *begin;                         /* [nmove][nnode] start temperatures of the moved [K] */
+  double *start;                         /* [nmove][nnode] S of a periodic start */
   struct um_model_thermal_sensitivity *to;
 };
 
@@ -102,15 +103,19 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
                           k);
     UM_TRY(um_model_heat_setting_moved(w->context, move[k].model, move[k].precomputed, &like,
                                        &w->setting[k]));
+    double *begin = w->begin + k * w->to->nnode;
+    for (uint32_t i = 0; i < w->to->nnode; i++)
+      begin[i] = um_thermal_network_temperature(move[k].model->body->network, i);
+    UM_TRY(um_model_start_offset_add(w->context, move[k].model, begin));
     w->variant[k] = (struct um_thermal_variant){.network = move[k].model->body->network,
                                                 .loads = move[k].precomputed->loads,
                                                 .options = &w->setting[k].options,
-                                                .step = move[k].step};
+                                                .step = move[k].step,
+                                                .start = begin};
   }
   return UM_OK;
 }
 
-/* The base's network has its start temperatures meanwhile. */
 static enum um_status follow(struct work *w)
 {
   const struct um_model_thermal_solution *heat = w->heat;
@@ -119,11 +124,11 @@ static enum um_status follow(struct work *w)
   struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
   if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
     UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->setting.options,
-                                           p->t_start, p->period, w->variant, w->to->nmove, &how,
-                                           w->start));
+                                           heat->start, p->t_start, p->period, w->variant,
+                                           w->to->nmove, &how, w->start));
     how.start = w->start;
   }
-  return um_thermal_sensitivity(w->context, network, p->loads, &heat->setting.options,
+  return um_thermal_sensitivity(w->context, network, p->loads, &heat->setting.options, heat->start,
                                 heat->run.from, heat->run.history->t, w->to->nrow, w->variant,
                                 w->to->nmove, &how, keep, w->to);
 }
@@ -135,25 +140,19 @@ enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
                                                    struct um_model_thermal_sensitivity **out)
 {
   enum um_status status;
-  struct um_thermal_network *network = heat->model->body->network;
-  size_t n = um_thermal_network_nodes(network);
+  size_t n = um_thermal_network_nodes(heat->model->body->network);
   struct work w = {.context = context, .heat = heat};
-  double *built = NULL;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *w.to, &w.to));
   *w.to = (struct um_model_thermal_sensitivity){
       .nmove = nmove, .nrow = heat->run.history->ntime, .nnode = n};
   UM_CHECK(um_core_allocate(context, nmove, w.to->nrow * n * sizeof(double), &w.to->value));
+  UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.begin));
   UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.start));
   UM_CHECK(um_core_allocate(context, nmove, sizeof *w.setting, &w.setting));
   UM_CHECK(um_core_allocate(context, nmove, sizeof *w.variant, &w.variant));
-  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(variants_make(&w, move, nmove));
-  for (uint32_t i = 0; i < n; i++) built[i] = um_thermal_network_temperature(network, i);
-  um_thermal_network_temperatures_set(network, heat->start);
-  status = follow(&w);
-  um_thermal_network_temperatures_set(network, built);
-  if (status != UM_OK) goto done;
+  UM_CHECK(follow(&w));
   *out = w.to;
   w.to = NULL;
 done:
@@ -161,8 +160,8 @@ done:
     um_model_heat_setting_clear(context, &w.setting[k]);
   um_core_free(context, w.setting);
   um_core_free(context, w.variant);
+  um_core_free(context, w.begin);
   um_core_free(context, w.start);
-  um_core_free(context, built);
   um_model_thermal_sensitivity_destroy(context, &w.to);
   return status;
 }

@@ -86,8 +86,8 @@ static enum um_status follow(struct um_context *context, bool brief,
   for (size_t i = 0; i < ninstant; i++)
     times[i + (run->before ? 1 : 0)] = precomputed->sample[i].t_tai;
   UM_CHECK(um_thermal_solve(context, heat->model->body->network, precomputed->loads,
-                            &heat->setting.options, from, times, ninstant + (run->before ? 1 : 0),
-                            &run->history));
+                            &heat->setting.options, heat->start, from, times,
+                            ninstant + (run->before ? 1 : 0), &run->history));
 done:
   um_core_free(context, times);
   return status;
@@ -143,14 +143,12 @@ static enum um_status solution_make(struct um_context *context, const struct um_
 {
   enum um_status status;
   const struct um_model_thermal_solution *warm = manner->warm;
-  struct um_thermal_network *network = model->body->network;
+  const struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
   struct um_model_thermal_solution *heat = NULL;
-  double *built = NULL;
   bool periodic = model->scenario->thermal->start == UM_START_PERIODIC;
   struct um_model_heat_like like = {NULL, NULL, NULL};
   *out = NULL;
-  UM_CHECK(um_core_allocate(context, n, sizeof *built, &built));
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
   *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
   if (warm != NULL && periodic)
@@ -161,27 +159,19 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
   for (size_t i = 0; i < n; i++)
-    heat->start[i] = built[i] = um_thermal_network_temperature(network, (uint32_t)i);
-  status = um_model_thermal_start(context, warm, manner->periodic, heat);
-  if (status == UM_OK) status = um_model_start_offset_add(context, model, heat->start);
+    heat->start[i] = um_thermal_network_temperature(network, (uint32_t)i);
+  UM_CHECK(um_model_thermal_start(context, warm, manner->periodic, heat));
+  UM_CHECK(um_model_start_offset_add(context, model, heat->start));
   /* temperatures that are stated are those of that instant, not means over its turn */
-  if (status == UM_OK && precomputed->ripple != NULL &&
-      model->scenario->thermal->start == UM_START_ISOTHERMAL)
-    status = um_thermal_ripple_add(context, network, precomputed->ripple, &heat->setting.options, 0,
-                                   -1.0, heat->start);
-  if (status == UM_OK) {
-    um_thermal_network_temperatures_set(network, heat->start);
-    status = precomputed->points ? hold_start(context, heat) : follow(context, manner->brief, heat);
-  }
-  if (status == UM_OK) status = swing(context, heat);
-  if (status == UM_OK) status = um_model_heat_run_surfaces(context, heat);
-  /* a run leaves the model as it was */
-  um_thermal_network_temperatures_set(network, built);
-  if (status != UM_OK) goto done;
+  if (precomputed->ripple != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
+    UM_CHECK(um_thermal_ripple_add(context, network, precomputed->ripple, &heat->setting.options, 0,
+                                   -1.0, heat->start));
+  UM_CHECK(precomputed->points ? hold_start(context, heat) : follow(context, manner->brief, heat));
+  UM_CHECK(swing(context, heat));
+  UM_CHECK(um_model_heat_run_surfaces(context, heat));
   *out = heat;
   heat = NULL;
 done:
-  um_core_free(context, built);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }

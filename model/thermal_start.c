@@ -17,19 +17,19 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
                              double wanted, bool draft)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_network *network = heat->model->body->network;
   struct um_thermal_solve_options options = heat->setting.options;
   struct um_thermal_periodic report;
-  um_thermal_network_temperatures_set(network, heat->start);
   if (isnan(precomputed->period)) {
-    UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start));
+    UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start,
+                                   heat->start));
     memcpy(heat->mean, heat->start, um_thermal_network_nodes(network) * sizeof *heat->mean);
     return UM_OK;
   }
   if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
   UM_TRY(um_thermal_solve_periodic_report(context, network, precomputed->loads, &options,
-                                          precomputed->t_start, precomputed->period, wanted,
-                                          heat->start, NULL, heat->mean, &report));
+                                          heat->start, precomputed->t_start, precomputed->period,
+                                          wanted, heat->start, NULL, heat->mean, &report));
   heat->periodic_distance = report.distance;
   return UM_OK;
 }
@@ -40,7 +40,7 @@ static enum um_status run_roughly(struct um_context *context,
                                   struct um_model_thermal_solution *heat)
 {
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_network *network = heat->model->body->network;
   struct um_thermal_solve_options options = heat->setting.options;
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
@@ -55,9 +55,8 @@ static enum um_status run_roughly(struct um_context *context,
   for (size_t k = 0; k < DRAFT_INSTANTS; k++)
     time[k] = from + (end - from) * ((double)k + 0.5) / DRAFT_INSTANTS;
   options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-  um_thermal_network_temperatures_set(network, heat->start);
-  UM_TRY(um_thermal_solve(context, network, precomputed->loads, &options, precomputed->t_start,
-                          time, DRAFT_INSTANTS, &h));
+  UM_TRY(um_thermal_solve(context, network, precomputed->loads, &options, heat->start,
+                          precomputed->t_start, time, DRAFT_INSTANTS, &h));
   memset(mean, 0, n * sizeof *mean);
   for (size_t k = 0; k < DRAFT_INSTANTS; k++)
     for (size_t i = 0; i < n; i++) mean[i] += pow(h->temperature[k * n + i], 4) / DRAFT_INSTANTS;
@@ -104,7 +103,7 @@ static enum um_status predict(struct um_context *context,
 {
   enum um_status status = UM_OK;
   const struct um_model_precomputed *precomputed = heat->precomputed;
-  struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double *found = NULL, change = INFINITY;
   if (warm->rest == NULL) {
@@ -166,7 +165,7 @@ enum um_status um_model_thermal_start(struct um_context *context,
                                       double periodic_tolerance,
                                       struct um_model_thermal_solution *heat)
 {
-  struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double *built = NULL;
   enum um_status status;

@@ -326,9 +326,3 @@ um_thermal_network_surface(const struct um_thermal_network *network, uint32_t su
   if (surface >= network->nsurface || !network->attached[surface]) return NULL;
   return &network->surface[surface];
 }
-
-void um_thermal_network_temperatures_set(struct um_thermal_network *network,
-                                         const double *temperature)
-{
-  for (size_t i = 0; i < network->nnode; i++) network->node[i].temperature = temperature[i];
-}

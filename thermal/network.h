@@ -158,9 +158,6 @@ double um_thermal_network_temperature(const struct um_thermal_network *network, 
 /* Borrowed; NULL when no such surface was attached (numbers may have gaps). */
 const struct um_thermal_surface *
 um_thermal_network_surface(const struct um_thermal_network *network, uint32_t surface);
-/* Set all start temperatures [nnode] [K]. */
-void um_thermal_network_temperatures_set(struct um_thermal_network *network,
-                                         const double *temperature);
 /* True when both say the same, number for number: nodes with their start temperatures, conductors,
  * radiators, surfaces, laws, power histories and thermostats in the same order. Names do not count.
  * The same loads then give the same temperatures, bit by bit. */

@@ -67,12 +67,12 @@ static enum um_status system_make(struct um_context *context,
                                   const struct um_thermal_solve_options *options, double from,
                                   double period, const double *mean, struct um_thermal_system **out)
 {
-  UM_TRY(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_STEADY, out));
+  UM_TRY(um_thermal_system_create(context, network, loads, options, mean, from, UM_SYSTEM_STEADY,
+                                  out));
   enum um_status status = loads_hold(*out, period);
   if (status != UM_OK) um_thermal_system_destroy(out);
   if (status != UM_OK) return status;
   sources_hold(*out, period);
-  memcpy((*out)->temperature, mean, (*out)->n * sizeof *mean);
   return UM_OK;
 }
 

@@ -418,20 +418,18 @@ static enum um_status arguments_check(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_thermal_solve_periodic_report(struct um_context *context,
-                                                const struct um_thermal_network *network,
-                                                const struct um_irradiation_loads *loads,
-                                                const struct um_thermal_solve_options *options,
-                                                double from, double period, double tolerance,
-                                                double *temperature, double *drift, double *mean,
-                                                struct um_thermal_periodic *report)
+enum um_status um_thermal_solve_periodic_report(
+    struct um_context *context, const struct um_thermal_network *network,
+    const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
+    const double *start, double from, double period, double tolerance, double *temperature,
+    double *drift, double *mean, struct um_thermal_periodic *report)
 {
   enum um_status status;
   struct periodic periodic = {.period = period};
   UM_TRY(arguments_check(context, loads, from, period, tolerance));
   um_core_progress_begin(context, "orbits until one repeats", 0); /* as many as it takes */
-  UM_CHECK(um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_PERIODIC,
-                                    &periodic.system));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, start, from,
+                                    UM_SYSTEM_PERIODIC, &periodic.system));
   UM_CHECK(um_thermal_integrator_create(periodic.system, period, &periodic.integrator));
   UM_CHECK(storage_create(&periodic));
   size_t n = periodic.system->n;
@@ -451,12 +449,12 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
                                          const struct um_irradiation_loads *loads,
                                          const struct um_thermal_solve_options *options,
-                                         double from, double period, double tolerance,
-                                         double *temperature, double *drift)
+                                         const double *start, double from, double period,
+                                         double tolerance, double *temperature, double *drift)
 {
   struct um_thermal_periodic report;
-  UM_TRY(um_thermal_solve_periodic_report(context, network, loads, options, from, period, tolerance,
-                                          temperature, NULL, NULL, &report));
+  UM_TRY(um_thermal_solve_periodic_report(context, network, loads, options, start, from, period,
+                                          tolerance, temperature, NULL, NULL, &report));
   *drift = report.distance;
   return UM_OK;
 }

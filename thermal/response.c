@@ -243,8 +243,8 @@ static enum um_status run(struct um_thermal_response_run *r, const double *times
   UM_CHECK(um_core_allocate(r->context, r->nstep, sizeof *middle, &middle));
   UM_CHECK(um_core_allocate(r->context, ntime, sizeof *place, &place));
   um_thermal_response_times(r, times, ntime, all, middle, place);
-  UM_CHECK(um_thermal_solve(r->context, system->network, system->loads, &system->options, r->from,
-                            all, r->nstep + ntime, &base));
+  UM_CHECK(um_thermal_solve(r->context, system->network, system->loads, &system->options,
+                            system->first, r->from, all, r->nstep + ntime, &base));
   struct march m = {times, ntime, 0, base->temperature, middle, place, take, user};
   UM_CHECK(march(r, &m));
 done:
@@ -272,18 +272,18 @@ static enum um_status times_check(struct um_context *context, double from, const
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
                                    const struct um_irradiation_loads *loads,
-                                   const struct um_thermal_solve_options *options, double from,
-                                   const double *times, size_t ntime,
-                                   const struct um_thermal_response_source *source, size_t nsource,
-                                   const struct um_thermal_response_options *how,
+                                   const struct um_thermal_solve_options *options,
+                                   const double *start, double from, const double *times,
+                                   size_t ntime, const struct um_thermal_response_source *source,
+                                   size_t nsource, const struct um_thermal_response_options *how,
                                    um_thermal_response_take *take, void *user)
 {
   enum um_status status;
   struct um_thermal_response_run r = {
       .context = context, .source = source, .nsource = nsource, .from = from};
   UM_TRY(times_check(context, from, times, ntime));
-  UM_CHECK(
-      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_RUN, &r.system));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, start, from, UM_SYSTEM_RUN,
+                                    &r.system));
   UM_CHECK(sources_check(&r));
   UM_CHECK(storage_create(&r));
   columns_order(&r);

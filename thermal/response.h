@@ -29,7 +29,7 @@ struct um_thermal_response_options {
 typedef enum um_status um_thermal_response_take(void *user, size_t k, const double *temperature,
                                                 const double *response);
 
-/* Runs um_thermal_solve from `from` with the network's start temperatures for the base, then the
+/* Runs um_thermal_solve from `from` and start[nnode] for the base, then the
  * responses, and hands over times[ntime], ascending. Thermostats switch when they do in the base:
  * their answer to the change is not in S. UM_ERR_INPUT as um_thermal_solve, and sources on nodes
  * that are not there, with weights that are not finite, or that end before they begin.
@@ -39,10 +39,10 @@ typedef enum um_status um_thermal_response_take(void *user, size_t k, const doub
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
                                    const struct um_irradiation_loads *loads,
-                                   const struct um_thermal_solve_options *options, double from,
-                                   const double *times, size_t ntime,
-                                   const struct um_thermal_response_source *source, size_t nsource,
-                                   const struct um_thermal_response_options *how,
+                                   const struct um_thermal_solve_options *options,
+                                   const double *start, double from, const double *times,
+                                   size_t ntime, const struct um_thermal_response_source *source,
+                                   size_t nsource, const struct um_thermal_response_options *how,
                                    um_thermal_response_take *take, void *user);
 
 #endif

@@ -95,16 +95,16 @@ static enum um_status systems_create(struct um_thermal_sensitivity_run *r,
                                      const struct um_thermal_variant *variant, size_t nvariant,
                                      enum um_thermal_system_kind kind, double duration)
 {
-  UM_TRY(um_thermal_base_create(of->context, of->network, of->loads, of->options, of->from, kind,
-                                duration, &r->base));
-  UM_TRY(um_thermal_system_create(of->context, of->network, of->loads, of->options, of->from, kind,
-                                  &r->system));
+  UM_TRY(um_thermal_base_create(of->context, of->network, of->loads, of->options, of->start,
+                                of->from, kind, duration, &r->base));
+  UM_TRY(um_thermal_system_create(of->context, of->network, of->loads, of->options, of->start,
+                                  of->from, kind, &r->system));
   UM_TRY(um_core_allocate(of->context, nvariant, sizeof *r->variant, &r->variant));
   for (; r->ncolumn < nvariant; r->ncolumn++) {
     const struct um_thermal_variant *v = &variant[r->ncolumn];
     const struct um_thermal_solve_options *options = v->options != NULL ? v->options : of->options;
-    UM_TRY(um_thermal_system_create(of->context, v->network, v->loads, options, of->from, kind,
-                                    &r->variant[r->ncolumn]));
+    UM_TRY(um_thermal_system_create(of->context, v->network, v->loads, options, v->start, of->from,
+                                    kind, &r->variant[r->ncolumn]));
   }
   return UM_OK;
 }
@@ -174,7 +174,7 @@ static double unknown_answer(const struct um_thermal_sensitivity_run *r, size_t 
 {
   const struct um_thermal_system *system = r->system, *variant = r->variant[column];
   if (!stores_vary(r, column)) return t_moved;
-  double t = system->network->node[i].temperature, warming;
+  double t = system->first[i], warming;
   double y = um_thermal_system_unknown_of(system, i, t);
   double moved = um_thermal_system_unknown_of(variant, i, t);
   um_thermal_system_temperature_of(system, i, y, &warming);
@@ -186,14 +186,12 @@ static void start_take(struct um_thermal_sensitivity_run *r, const double *start
 {
   const struct um_thermal_system *system = r->system;
   for (size_t c = 0; c < r->ncolumn; c++) {
-    const struct um_thermal_network_node *node = system->network->node,
-                                         *moved = r->variant[c]->network->node;
+    const double *first = system->first, *moved = r->variant[c]->first;
     r->largest[c] = 0.0;
     for (size_t k = 0; k < r->n; k++) {
       size_t i = system->node[k];
-      double s = start != NULL
-                     ? start[c * system->n + i]
-                     : (moved[i].temperature - node[i].temperature) / r->parameter[c].step;
+      double s =
+          start != NULL ? start[c * system->n + i] : (moved[i] - first[i]) / r->parameter[c].step;
       s = unknown_answer(r, c, i, s);
       r->s[c * r->n + k] = s;
       r->largest[c] = fmax(r->largest[c], fabs(s));
@@ -206,13 +204,12 @@ static enum um_status start_run(struct um_thermal_sensitivity_run *r)
 {
   const struct um_thermal_system *base = r->base.system;
   for (size_t i = 0; i < base->n; i++)
-    base->temperature[i] = r->system->temperature[i] = base->network->node[i].temperature;
+    base->temperature[i] = r->system->temperature[i] = base->first[i];
   for (size_t c = 0; c < r->ncolumn; c++)
     memcpy(r->variant[c]->temperature, base->temperature, base->n * sizeof(double));
   for (size_t c = 0; c < r->ncolumn; c++)
     for (size_t i = 0; i < base->n; i++)
-      if (base->fixed[i])
-        r->variant[c]->temperature[i] = r->variant[c]->network->node[i].temperature;
+      if (base->fixed[i]) r->variant[c]->temperature[i] = r->variant[c]->first[i];
   r->t = 0.0;
   r->h = FIRST_STEP;
   UM_TRY(um_thermal_base_start(&r->base, base->temperature));
@@ -362,19 +359,17 @@ enum um_status um_thermal_sensitivity_follow(struct um_thermal_sensitivity_run *
   return run(r, end, NULL);
 }
 
-enum um_status um_thermal_sensitivity(struct um_context *context,
-                                      const struct um_thermal_network *network,
-                                      const struct um_irradiation_loads *loads,
-                                      const struct um_thermal_solve_options *options, double from,
-                                      const double *times, size_t ntime,
-                                      const struct um_thermal_variant *variant, size_t nvariant,
-                                      const struct um_thermal_sensitivity_options *how,
-                                      um_thermal_sensitivity_take *take, void *user)
+enum um_status um_thermal_sensitivity(
+    struct um_context *context, const struct um_thermal_network *network,
+    const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
+    const double *start, double from, const double *times, size_t ntime,
+    const struct um_thermal_variant *variant, size_t nvariant,
+    const struct um_thermal_sensitivity_options *how, um_thermal_sensitivity_take *take, void *user)
 {
   enum um_status status;
   struct um_thermal_sensitivity_run r = {.context = context};
   struct wanted w = {.times = times, .ntime = ntime, .from = from, .take = take, .user = user};
-  const struct um_thermal_sensitivity_subject of = {context, network, loads, options, from};
+  const struct um_thermal_sensitivity_subject of = {context, network, loads, options, start, from};
   UM_TRY(times_check(context, from, times, ntime));
   UM_TRY(um_thermal_sensitivity_check(context, network, loads, variant, nvariant, how));
   double end = times[ntime - 1] - from;

@@ -23,6 +23,7 @@ struct um_thermal_variant {
   const struct um_irradiation_loads *loads;       /* borrowed; NULL: none, as the base */
   const struct um_thermal_solve_options *options; /* NULL: the base's; tolerances are not used */
   double step;
+  const double *start; /* [nnode] its start temperatures [K]; NULL: those of its network */
 };
 
 struct um_thermal_sensitivity_options {
@@ -36,8 +37,9 @@ struct um_thermal_sensitivity_options {
 typedef enum um_status um_thermal_sensitivity_take(void *user, size_t k, const double *temperature,
                                                    const double *sensitivity);
 
-/* Runs the base as um_thermal_solve does and the sensitivities beside it, and hands over
- * times[ntime], ascending. A thermostat's instants of switching move with the parameters: dt =
+/* Runs the base as um_thermal_solve does, from start[nnode], and the sensitivities beside it, and
+ * hands over times[ntime], ascending. A thermostat's instants of switching move with the
+ * parameters: dt =
  * -(dg/dT S + dg/dp) / (dg/dt), g = sensor - threshold, and S jumps by the change of dT/dt times
  * that. UM_ERR_INPUT as um_thermal_solve, and for variants as above; UM_ERR_NUMERIC. Accuracy: 1e-3
  * of the largest answer with the default tolerance, against central differences of tight runs
@@ -45,20 +47,21 @@ typedef enum um_status um_thermal_sensitivity_take(void *user, size_t k, const d
 enum um_status um_thermal_sensitivity(struct um_context *context,
                                       const struct um_thermal_network *network,
                                       const struct um_irradiation_loads *loads,
-                                      const struct um_thermal_solve_options *options, double from,
-                                      const double *times, size_t ntime,
-                                      const struct um_thermal_variant *variant, size_t nvariant,
+                                      const struct um_thermal_solve_options *options,
+                                      const double *start, double from, const double *times,
+                                      size_t ntime, const struct um_thermal_variant *variant,
+                                      size_t nvariant,
                                       const struct um_thermal_sensitivity_options *how,
                                       um_thermal_sensitivity_take *take, void *user);
 
-/* Sensitivities [nvariant][nnode] of the periodic state, in which the network must start
- * (um_thermal_solve_periodic, um_thermal_network_temperatures_set): S(from + period) = S(from),
+/* Sensitivities [nvariant][nnode] of the periodic state start[nnode] (um_thermal_solve_periodic):
+ * S(from + period) = S(from),
  * thermostats by their mean power. To how->tolerance (0: 1e-4) of the largest answer of each
  * parameter; how->start is a guess. UM_ERR_NUMERIC when that is not found in 20 orbits. */
 enum um_status um_thermal_sensitivity_periodic(
     struct um_context *context, const struct um_thermal_network *network,
     const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
-    double from, double period, const struct um_thermal_variant *variant, size_t nvariant,
-    const struct um_thermal_sensitivity_options *how, double *sensitivity);
+    const double *start, double from, double period, const struct um_thermal_variant *variant,
+    size_t nvariant, const struct um_thermal_sensitivity_options *how, double *sensitivity);
 
 #endif

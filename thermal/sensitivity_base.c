@@ -15,11 +15,13 @@
 enum um_status um_thermal_base_create(struct um_context *context,
                                       const struct um_thermal_network *network,
                                       const struct um_irradiation_loads *loads,
-                                      const struct um_thermal_solve_options *options, double from,
+                                      const struct um_thermal_solve_options *options,
+                                      const double *start, double from,
                                       enum um_thermal_system_kind kind, double duration,
                                       struct um_thermal_base *base)
 {
-  UM_TRY(um_thermal_system_create(context, network, loads, options, from, kind, &base->system));
+  UM_TRY(
+      um_thermal_system_create(context, network, loads, options, start, from, kind, &base->system));
   UM_TRY(um_thermal_integrator_create(base->system, duration, &base->integrator));
   size_t n = base->system->nunknown;
   UM_TRY(um_core_allocate(context, n, sizeof(double), &base->last.y));

@@ -22,7 +22,8 @@ struct um_thermal_base {
 enum um_status um_thermal_base_create(struct um_context *context,
                                       const struct um_thermal_network *network,
                                       const struct um_irradiation_loads *loads,
-                                      const struct um_thermal_solve_options *options, double from,
+                                      const struct um_thermal_solve_options *options,
+                                      const double *start, double from,
                                       enum um_thermal_system_kind kind, double duration,
                                       struct um_thermal_base *out);
 void um_thermal_base_release(struct um_thermal_base *base);
@@ -68,6 +69,7 @@ struct um_thermal_sensitivity_subject {
   const struct um_thermal_network *network;
   const struct um_irradiation_loads *loads;
   const struct um_thermal_solve_options *options;
+  const double *start; /* [nnode] */
   double from;
 };
 

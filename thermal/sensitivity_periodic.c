@@ -154,13 +154,13 @@ static enum um_status periodic_storage(struct periodic *p)
 enum um_status um_thermal_sensitivity_periodic(
     struct um_context *context, const struct um_thermal_network *network,
     const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
-    double from, double period, const struct um_thermal_variant *variant, size_t nvariant,
-    const struct um_thermal_sensitivity_options *how, double *sensitivity)
+    const double *start, double from, double period, const struct um_thermal_variant *variant,
+    size_t nvariant, const struct um_thermal_sensitivity_options *how, double *sensitivity)
 {
   enum um_status status;
   struct periodic p = {.run = {.context = context}, .period = period};
   struct um_thermal_sensitivity_run *r = &p.run;
-  const struct um_thermal_sensitivity_subject of = {context, network, loads, options, from};
+  const struct um_thermal_sensitivity_subject of = {context, network, loads, options, start, from};
   double tolerance = how != NULL && how->tolerance > 0.0 ? how->tolerance : TOLERANCE;
   if (!(period > 0.0) || !isfinite(period) || !isfinite(from))
     return um_core_fail(context, UM_ERR_INPUT,
@@ -179,7 +179,7 @@ enum um_status um_thermal_sensitivity_periodic(
   r->forced = true;
   for (size_t k = 0; k < r->n; k++) {
     size_t i = r->system->node[k];
-    r->y[k] = um_thermal_system_unknown_of(r->system, i, network->node[i].temperature);
+    r->y[k] = um_thermal_system_unknown_of(r->system, i, r->system->first[i]);
   }
   um_thermal_system_window(r->system, 0.0, period);
   for (size_t c = 0; c < nvariant; c++) um_thermal_system_window(r->variant[c], 0.0, period);

@@ -121,8 +121,9 @@ done:
 enum um_status um_thermal_solve(struct um_context *context,
                                 const struct um_thermal_network *network,
                                 const struct um_irradiation_loads *loads,
-                                const struct um_thermal_solve_options *options, double from,
-                                const double *times, size_t ntime, struct um_thermal_history **out)
+                                const struct um_thermal_solve_options *options, const double *start,
+                                double from, const double *times, size_t ntime,
+                                struct um_thermal_history **out)
 {
   enum um_status status;
   struct um_thermal_system *system = NULL;
@@ -130,12 +131,11 @@ enum um_status um_thermal_solve(struct um_context *context,
   struct um_thermal_history *history = NULL;
   *out = NULL;
   UM_TRY(times_check(context, loads, from, times, ntime));
-  UM_CHECK(
-      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_RUN, &system));
+  UM_CHECK(um_thermal_system_create(context, network, loads, options, start, from, UM_SYSTEM_RUN,
+                                    &system));
   UM_CHECK(um_thermal_integrator_create(system, times[ntime - 1] - from, &integrator));
   UM_CHECK(history_create(context, ntime, network->nnode, network->nthermostat, &history));
-  /* the system was created with the network's start temperatures */
-  UM_CHECK(um_thermal_integrator_start(integrator, system->temperature, NULL));
+  UM_CHECK(um_thermal_integrator_start(integrator, system->first, NULL));
   UM_CHECK(history_run(context, integrator, from, times, history));
   *out = history;
   history = NULL;

@@ -25,19 +25,23 @@ struct um_thermal_history {
   size_t steps, rhs_evaluations, jacobians;
 };
 
-/* Integrate from `from` (start temperatures of the network) and report at times[ntime] in
+/* Start temperatures, here and below: start[nnode] [K], of boundary nodes what they are held at;
+ * NULL: those the network was built with. A network is never written to. */
+
+/* Integrate from `from` and report at times[ntime] in
  * [from, last load time], ascending. loads may be NULL (none). Two grid times may be equal: a jump.
  * UM_ERR_NUMERIC when CVODES fails, with its words; NaN loads are refused first. */
 enum um_status um_thermal_solve(struct um_context *context,
                                 const struct um_thermal_network *network,
                                 const struct um_irradiation_loads *loads,
-                                const struct um_thermal_solve_options *options, double from,
-                                const double *times, size_t ntime, struct um_thermal_history **out);
+                                const struct um_thermal_solve_options *options, const double *start,
+                                double from, const double *times, size_t ntime,
+                                struct um_thermal_history **out);
 void um_thermal_history_destroy(struct um_context *context, struct um_thermal_history **history);
 
 /* Start temperatures [nnode] such that the state repeats after one period: T(from + period) =
  * T(from) under the loads of [from, from + period]; KINSOL fixed point with Anderson acceleration
- * from the network's own start temperatures. The estimated distance of every node from the periodic
+ * from the start temperatures. The estimated distance of every node from the periodic
  * state, not only its drift per orbit, falls below tolerance [K], or UM_ERR_NUMERIC: a node with a
  * time constant of 300 orbits that drifts 0.01 K is 3 K away. drift: that distance
  * [K].
@@ -48,8 +52,8 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          const struct um_thermal_network *network,
                                          const struct um_irradiation_loads *loads,
                                          const struct um_thermal_solve_options *options,
-                                         double from, double period, double tolerance,
-                                         double *temperature, double *drift);
+                                         const double *start, double from, double period,
+                                         double tolerance, double *temperature, double *drift);
 /* What a periodic solution says about itself. */
 struct um_thermal_periodic {
   double drift;      /* largest change of a node over the last orbit that was integrated [K] */
@@ -59,13 +63,11 @@ struct um_thermal_periodic {
 };
 /* The same with the signed change of every node over that orbit [nnode] [K], its mean temperature,
  * of the fourth power [nnode] [K], and a report; each may be NULL. */
-enum um_status um_thermal_solve_periodic_report(struct um_context *context,
-                                                const struct um_thermal_network *network,
-                                                const struct um_irradiation_loads *loads,
-                                                const struct um_thermal_solve_options *options,
-                                                double from, double period, double tolerance,
-                                                double *temperature, double *drift, double *mean,
-                                                struct um_thermal_periodic *report);
+enum um_status um_thermal_solve_periodic_report(
+    struct um_context *context, const struct um_thermal_network *network,
+    const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
+    const double *start, double from, double period, double tolerance, double *temperature,
+    double *drift, double *mean, struct um_thermal_periodic *report);
 /* Where a periodic state moves to when the model moves (orbit_mean.c). rest[nnode]: heat that the
  * orbit's mean balance leaves at mean[nnode], 0 but for what temperatures do within the orbit [W];
  * mean: of the fourth power, as reported above [K]. Then, of a model next to that one, the mean
@@ -85,12 +87,18 @@ enum um_status um_thermal_orbit_mean_solve(struct um_context *context,
                                            double from, double period, const double *rest,
                                            double *mean);
 /* Steady state of the network under constant loads (row `time` of loads), thermostats by their mean
- * power; KINSOL Newton. */
+ * power; KINSOL Newton from the start temperatures. */
 enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,
                                        const struct um_irradiation_loads *loads, size_t time,
                                        const struct um_thermal_solve_options *options,
-                                       double *temperature);
+                                       const double *start, double *temperature);
+/* The same under power[nnode] [W] in place of the loads and of what the network states. */
+enum um_status um_thermal_solve_powered(struct um_context *context,
+                                        const struct um_thermal_network *network,
+                                        const double *power,
+                                        const struct um_thermal_solve_options *options,
+                                        double *temperature);
 /* Heat flows of every node at given temperatures and load time; out[nnode] [W]. Power histories are
  * in `internal`; thermostats, whose state is not in the temperatures, are added by the function
  * below. */

@@ -211,16 +211,31 @@ enum um_status um_thermal_solve_steady(struct um_context *context,
                                        const struct um_thermal_network *network,
                                        const struct um_irradiation_loads *loads, size_t time,
                                        const struct um_thermal_solve_options *options,
-                                       double *temperature)
+                                       const double *start, double *temperature)
 {
   struct um_thermal_system *system = NULL;
   if (loads != NULL && time >= loads->ntime)
     return um_core_fail(context, UM_ERR_INPUT, "steady state at row %zu of %zu rows of heat loads",
                         time, loads->ntime);
   double from = loads != NULL ? loads->t[time] : 0.0;
-  UM_TRY(
-      um_thermal_system_create(context, network, loads, options, from, UM_SYSTEM_STEADY, &system));
+  UM_TRY(um_thermal_system_create(context, network, loads, options, start, from, UM_SYSTEM_STEADY,
+                                  &system));
   if (loads != NULL) um_thermal_system_hold(system, time);
+  enum um_status status = um_thermal_steady_solve(system, NULL, temperature);
+  um_thermal_system_destroy(&system);
+  return status;
+}
+
+enum um_status um_thermal_solve_powered(struct um_context *context,
+                                        const struct um_thermal_network *network,
+                                        const double *power,
+                                        const struct um_thermal_solve_options *options,
+                                        double *temperature)
+{
+  struct um_thermal_system *system = NULL;
+  UM_TRY(um_thermal_system_create(context, network, NULL, options, NULL, 0.0, UM_SYSTEM_STEADY,
+                                  &system));
+  memcpy(system->power, power, system->n * sizeof *power);
   enum um_status status = um_thermal_steady_solve(system, NULL, temperature);
   um_thermal_system_destroy(&system);
   return status;

@@ -10,7 +10,7 @@
 #include <math.h>
 
 /* Sort the nodes into unknown, eliminated and fixed. */
-static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
+static enum um_status nodes_sort(struct um_thermal_system *system, const double *start, bool steady)
 {
   struct um_context *context = system->context;
   const struct um_thermal_network *network = system->network;
@@ -21,20 +21,22 @@ static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
   UM_TRY(um_core_allocate(context, n, sizeof(double), &system->power));
   UM_TRY(um_core_allocate(context, n, sizeof(bool), &system->fixed));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &system->temperature));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &system->first));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &system->power4));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &system->cube));
   for (size_t i = 0; i < n; i++) {
     const struct um_thermal_network_node *node = &network->node[i];
+    double temperature = start != NULL ? start[i] : node->temperature;
     char label[96] = "";
-    bool finite = isfinite(node->capacity) && isfinite(node->temperature) && isfinite(node->power);
+    bool finite = isfinite(node->capacity) && isfinite(temperature) && isfinite(node->power);
     bool stores = node->kind != UM_NODE_DIFFUSIVE || node->capacity > 0.0;
-    if (!finite || !(node->temperature >= 0.0) || !stores)
+    if (!finite || !(temperature >= 0.0) || !stores)
       um_thermal_network_label(network, (uint32_t)i, label, sizeof label);
-    if (!finite || !(node->temperature >= 0.0))
+    if (!finite || !(temperature >= 0.0))
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s: capacity %g J/K, temperature %g K, power %g W; accepted: finite, "
                           "temperature 0 or more",
-                          label, node->capacity, node->temperature, node->power);
+                          label, node->capacity, temperature, node->power);
     if (!stores)
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s: capacity %g J/K; accepted: more than 0 for a diffusive node", label,
@@ -43,7 +45,7 @@ static enum um_status nodes_sort(struct um_thermal_system *system, bool steady)
     system->fixed[i] = node->kind == UM_NODE_BOUNDARY;
     system->power[i] = node->power;
     system->capacity[i] = steady ? 1.0 : node->capacity;
-    system->temperature[i] = node->temperature;
+    system->temperature[i] = system->first[i] = temperature;
     if (node->kind == UM_NODE_DIFFUSIVE || (steady && !system->fixed[i])) {
       system->unknown[i] = (uint32_t)system->nunknown;
       system->node[system->nunknown++] = (uint32_t)i;
@@ -78,7 +80,8 @@ static enum um_status options_check(struct um_context *context,
 enum um_status um_thermal_system_create(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_irradiation_loads *loads,
-                                        const struct um_thermal_solve_options *options, double from,
+                                        const struct um_thermal_solve_options *options,
+                                        const double *start, double from,
                                         enum um_thermal_system_kind kind,
                                         struct um_thermal_system **out)
 {
@@ -96,7 +99,7 @@ enum um_status um_thermal_system_create(struct um_context *context,
   system->space4 = pow(options->space_temperature, 4);
   system->n = network->nnode;
   system->kind = kind;
-  UM_CHECK(nodes_sort(system, kind == UM_SYSTEM_STEADY));
+  UM_CHECK(nodes_sort(system, start, kind == UM_SYSTEM_STEADY));
   UM_CHECK(um_thermal_system_emission_build(system));
   UM_CHECK(um_thermal_system_links_build(system));
   UM_CHECK(um_thermal_system_store_build(system));
@@ -154,6 +157,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
                          s->load_row[0].earth,
                          s->load_row[1].earth,
                          s->temperature,
+                         s->first,
                          s->power4,
                          s->cube};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++) um_core_free(context, block[k]);

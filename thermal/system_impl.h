@@ -176,6 +176,7 @@ struct um_thermal_system {
   struct um_thermal_system_exchange *exchange; /* NULL: none (system_exchange.c) */
 
   /* workspace */
+  double *first;       /* [n] at the start [K] */
   double *temperature; /* [n] of the last evaluation [K]; eliminated nodes start from it */
   double *power4;      /* [n] T^4 [K^4] */
   double *cube;        /* [n] |T|^3 [K^3] */
@@ -219,12 +220,13 @@ static inline double um_thermal_system_link_in(const struct um_thermal_system *s
   return in;
 }
 
-/* loads NULL: none. Refuses NaN loads, tables in the wrong order, diffusive nodes without capacity,
- * arithmetic nodes without links. */
+/* loads NULL: none; start NULL: the temperatures of the network. Refuses NaN loads, tables in the
+ * wrong order, diffusive nodes without capacity, arithmetic nodes without links. */
 enum um_status um_thermal_system_create(struct um_context *context,
                                         const struct um_thermal_network *network,
                                         const struct um_irradiation_loads *loads,
-                                        const struct um_thermal_solve_options *options, double from,
+                                        const struct um_thermal_solve_options *options,
+                                        const double *start, double from,
                                         enum um_thermal_system_kind kind,
                                         struct um_thermal_system **out);
 void um_thermal_system_destroy(struct um_thermal_system **system);

@@ -54,7 +54,7 @@ static enum um_status nafems_t2_chain(struct um_context *context, double conduct
   UM_CHECK(chain(context, 10, 0.1, conductivity, 7850.0 * 460.0, 1000.0, &network));
   UM_CHECK(hold(network, 0, 1000.0, STIFF));
   UM_CHECK(um_thermal_network_radiator_add(network, 10, UM_THERMAL_SPACE, 0.98));
-  UM_CHECK(um_thermal_solve_steady(context, network, NULL, 0, &options, field));
+  UM_CHECK(um_thermal_solve_steady(context, network, NULL, 0, &options, NULL, field));
   *temperature = field[10];
 done:
   um_thermal_network_destroy(&network);
@@ -127,7 +127,8 @@ static enum um_status nafems_t2_solid(struct um_context *context, double conduct
   UM_CHECK(bar_hold(&bar, "bar.-x", 1000.0));
   UM_CHECK(um_core_allocate(context, um_thermal_network_nodes(bar.body->network),
                             sizeof *bar.temperature, &bar.temperature));
-  UM_CHECK(um_thermal_solve_steady(context, bar.body->network, NULL, 0, &options, bar.temperature));
+  UM_CHECK(um_thermal_solve_steady(context, bar.body->network, NULL, 0, &options, NULL,
+                                   bar.temperature));
   *temperature = bar_mean(&bar, "bar.+x");
 done:
   bar_destroy(context, &bar);
@@ -181,7 +182,7 @@ static enum um_status nafems_t3_chain(struct um_context *context, size_t n, doub
     loads->sunlit[k] = 1.0;
     loads->sun[k] = 1.0F;
   }
-  UM_CHECK(um_thermal_solve(context, network, loads, &options, 0.0, &at, 1, &history));
+  UM_CHECK(um_thermal_solve(context, network, loads, &options, NULL, 0.0, &at, 1, &history));
   *temperature = history->temperature[n * 8 / 10] - origin;
 done:
   um_thermal_history_destroy(context, &history);
@@ -221,7 +222,7 @@ static enum um_status slab(struct um_context *context, bool step, size_t n, doub
     UM_CHECK(hold(network, 0, origin, STIFF));
   else
     um_thermal_network_power_set(network, 0, 100.0);
-  UM_CHECK(um_thermal_solve(context, network, NULL, &options, 0.0, fourier, 4, &history));
+  UM_CHECK(um_thermal_solve(context, network, NULL, &options, NULL, 0.0, fourier, 4, &history));
   for (size_t f = 0; f < 4; f++) {
     const double *t = history->temperature + f * history->nnode;
     double mean = 0.0;
@@ -272,7 +273,7 @@ static enum um_status semi_infinite(struct um_context *context, size_t n, double
   enum um_status status;
   UM_CHECK(chain(context, n, 0.2, 1.0, 1e6, 300.0, &network));
   um_thermal_network_power_set(network, 0, 1000.0);
-  UM_CHECK(um_thermal_solve(context, network, NULL, &options, 0.0, &at, 1, &history));
+  UM_CHECK(um_thermal_solve(context, network, NULL, &options, NULL, 0.0, &at, 1, &history));
   out[0] = history->temperature[0] - 300.0;
   out[1] = history->temperature[n / 20] - 300.0;
 done:
@@ -294,7 +295,7 @@ static enum um_status fin(struct um_context *context, size_t n, double out[2])
   for (uint32_t k = 0; k <= n; k++)
     UM_CHECK(um_thermal_network_radiator_add(network, k, UM_THERMAL_SPACE,
                                              1.7 * h * (k == 0 || k == n ? 0.5 : 1.0)));
-  UM_CHECK(um_thermal_solve_steady(context, network, NULL, 0, &options, temperature));
+  UM_CHECK(um_thermal_solve_steady(context, network, NULL, 0, &options, NULL, temperature));
   out[0] = temperature[n];
   out[1] = 167.0 * 1e-3 / h * (temperature[0] - temperature[1]) +
            UM_STEFAN_BOLTZMANN * 0.5 * 1.7 * h * pow(temperature[0], 4.0);

@@ -140,7 +140,7 @@ static enum um_status shield(struct um_context *context, struct um_validate_repo
                                          end == 0 ? 400.0 : 300.0, 0.0, &wall));
     UM_CHECK(um_thermal_network_conductor_add(body->network, wall, 2 * end, 1e9));
   }
-  UM_CHECK(um_thermal_solve_steady(context, body->network, NULL, 0, &options, temperature));
+  UM_CHECK(um_thermal_solve_steady(context, body->network, NULL, 0, &options, NULL, temperature));
   UM_CHECK(
       um_thermal_heat_of_nodes(context, body->network, NULL, &options, 0.0, temperature, heat));
   um_validate_report_add(report, "Radiative contacts, plates 400/300 K and one shield", "W/m^2",

@@ -78,14 +78,14 @@ static enum um_status orbit_run(struct um_context *context, struct um_thermal_ne
   double start, drift, *times = NULL;
   enum um_status status;
   UM_CHECK(um_core_allocate(context, TIMES + 2, sizeof *times, &times));
-  UM_CHECK(um_thermal_solve_periodic(context, network, loads, &options, 0.0, period, 1e-4, &start,
-                                     &drift));
-  um_thermal_network_temperatures_set(network, &start);
+  UM_CHECK(um_thermal_solve_periodic(context, network, loads, &options, NULL, 0.0, period, 1e-4,
+                                     &start, &drift));
   for (size_t k = 0, passed = 0; k < TIMES + 2; k++) {
     double phase = (double)(k - passed) / (TIMES - 1);
     times[k] = period * (passed < 2 && phase > edge[passed] ? edge[passed++] : phase);
   }
-  UM_CHECK(um_thermal_solve(context, network, loads, &options, 0.0, times, TIMES + 2, &history));
+  UM_CHECK(
+      um_thermal_solve(context, network, loads, &options, &start, 0.0, times, TIMES + 2, &history));
   *out = (struct orbit_summary){.lowest = INFINITY, .audit = history->audit_error};
   for (size_t k = 0; k < TIMES + 2; k++) {
     double t = history->temperature[k];
@@ -182,7 +182,7 @@ static enum um_status waiting(struct um_context *context, struct um_validate_rep
   for (int k = 0; k < 3; k++) times[k] = (k + 1) * orbit_period();
   UM_CHECK(stated_loads(context, 3, &loads));
   UM_CHECK(sphere_network(context, 4860.0, 0.8, 0.8, &network));
-  UM_CHECK(um_thermal_solve(context, network, loads, &options, 0.0, times, 3, &history));
+  UM_CHECK(um_thermal_solve(context, network, loads, &options, NULL, 0.0, times, 3, &history));
   for (int k = 0; k < 3; k++)
     um_validate_report_add(report, name[k], "K", expected[k], history->temperature[k], KELVIN,
                            SCIPY);
@@ -298,7 +298,7 @@ static enum um_status interior_rests(struct um_context *context, struct um_valid
                                          0.0, &interior));
     UM_CHECK(um_thermal_network_node_add(network, NULL, UM_NODE_BOUNDARY, 0.0, 283.0, 0.0, &skin));
     UM_CHECK(um_thermal_network_radiator_add(network, interior, skin, row[i].e * 150.0));
-    UM_CHECK(um_thermal_solve(context, network, NULL, &options, 0.0, &at, 1, &history));
+    UM_CHECK(um_thermal_solve(context, network, NULL, &options, NULL, 0.0, &at, 1, &history));
     um_validate_report_add(report, row[i].name, "1", row[i].rest,
                            (history->temperature[interior] - 283.0) / 0.1, 5e-4, "closed form");
   done:
@@ -335,7 +335,7 @@ static enum um_status interior_converges(struct um_context *context,
                                          100.0, &interior));
     UM_CHECK(um_validate_surface(network, 0, skin, 150.0, 0.38, 0.78));
     UM_CHECK(um_thermal_network_radiator_add(network, skin, interior, 0.005 * 150.0));
-    UM_CHECK(um_thermal_solve_periodic_report(context, network, loads, &options, 0.0,
+    UM_CHECK(um_thermal_solve_periodic_report(context, network, loads, &options, NULL, 0.0,
                                               orbit_period(), 1e-2, temperature, drift, NULL,
                                               &periodic));
     found[i] = temperature[interior];

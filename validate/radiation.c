@@ -54,7 +54,8 @@ static enum um_status cooling(struct um_context *context, struct um_validate_rep
       UM_CHECK(um_thermal_network_node_add(network, NULL, UM_NODE_DIFFUSIVE, row[i].capacity,
                                            row[i].start, 0.0, &node));
       UM_CHECK(um_thermal_network_radiator_add(network, node, UM_THERMAL_SPACE, row[i].emittance));
-      UM_CHECK(um_thermal_solve(context, network, NULL, &options, 0.0, &row[i].t, 1, &history));
+      UM_CHECK(
+          um_thermal_solve(context, network, NULL, &options, NULL, 0.0, &row[i].t, 1, &history));
       um_validate_report_add(report, row[i].name[k], "K", row[i].expected[k],
                              history->temperature[0], 1e-5, CLOSED);
     done:
@@ -130,7 +131,7 @@ static enum um_status blanket_skin(struct um_context *context, struct blanket *b
   struct um_thermal_solve_options options = um_validate_tight(0.0);
   enum um_status status;
   UM_CHECK(um_validate_loads(context, SURFACES, sun, share, infrared, &loads));
-  UM_CHECK(um_thermal_solve_steady(context, blanket->body->network, loads, 0, &options,
+  UM_CHECK(um_thermal_solve_steady(context, blanket->body->network, loads, 0, &options, NULL,
                                    blanket->temperature));
   const struct um_thermal_place *place =
       &blanket->body->place[um_thermal_body_place_find(blanket->body, "bus.+x")];
@@ -201,7 +202,7 @@ static enum um_status panel(struct um_context *context, double u, double extract
   UM_CHECK(um_thermal_network_surface_attach(network, 0, &front));
   UM_CHECK(um_validate_surface(network, 1, isfinite(u) ? node[1] : 0, 1.0, 0.85, 0.85));
   UM_CHECK(um_validate_loads(context, 2, 1361.0, sun, NULL, &loads));
-  UM_CHECK(um_thermal_solve_steady(context, network, loads, 0, &options, temperature));
+  UM_CHECK(um_thermal_solve_steady(context, network, loads, 0, &options, NULL, temperature));
   out[0] = temperature[0];
   out[1] = temperature[isfinite(u) ? 1 : 0];
 done:
@@ -246,7 +247,7 @@ static enum um_status balance(struct um_context *context, double alpha, double e
   UM_CHECK(um_thermal_network_node_add(network, NULL, UM_NODE_DIFFUSIVE, 1.0, 300.0, 0.0, &node));
   UM_CHECK(um_validate_surface(network, 0, node, 1.0, alpha, emittance));
   UM_CHECK(um_validate_loads(context, 1, sun, &share, &planet, &loads));
-  UM_CHECK(um_thermal_solve_steady(context, network, loads, 0, &options, temperature));
+  UM_CHECK(um_thermal_solve_steady(context, network, loads, 0, &options, NULL, temperature));
 done:
   um_irradiation_loads_destroy(context, &loads);
   um_thermal_network_destroy(&network);

@@ -104,7 +104,7 @@ static void plate_is_heated(void **state)
   double *t = calloc(n, sizeof *t);
   struct um_thermal_heat *heat = calloc(n, sizeof *heat);
   assert_true(t != NULL && heat != NULL);
-  OK(um_thermal_solve_steady(help_context, s.body->network, loads, 0, &options, t));
+  OK(um_thermal_solve_steady(help_context, s.body->network, loads, 0, &options, NULL, t));
   double v = 7784.0 - RATE * (EQUATOR + 200e3);
   double flux = 0.9 * 0.5 * 2.789e-10 * v * v * v, sum = 0.0;
   NEAR("T", help_mean(&s, "shield", t), pow(flux / (2.0 * UM_STEFAN_BOLTZMANN), 0.25), 1e-5);

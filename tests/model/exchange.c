@@ -59,8 +59,8 @@ static void stated_start(void **state)
   double from = run.precomputed->t_start, to = loads->t[loads->ntime - 1];
   assert_true(to - from > 1800.0);
   for (int k = 0; k < 200; k++) time[k] = from + (to - from) * k / 199;
-  um_thermal_network_temperatures_set(network, run.heat->start);
-  OK(um_thermal_solve(context, network, loads, &run.heat->setting.options, from, time, 200, &h));
+  OK(um_thermal_solve(context, network, loads, &run.heat->setting.options, run.heat->start, from,
+                      time, 200, &h));
   for (int k = 0; k < 200; k++)
     for (size_t i = 0; i < n; i++) mean[i] += h->temperature[(size_t)k * n + i] / 200;
   um_thermal_history_destroy(context, &h);
@@ -85,10 +85,9 @@ static void periodic_start(void **state)
   struct um_thermal_exchange *x = run.heat->setting.exchange;
   size_t n = um_thermal_network_nodes(network);
   double *mean = test_calloc(n, sizeof *mean), *end = test_calloc(n, sizeof *end);
-  um_thermal_network_temperatures_set(network, run.heat->start);
-  OK(um_thermal_solve_periodic_report(context, network, run.precomputed->loads,
-                                      &run.heat->setting.options, run.precomputed->t_start,
-                                      run.precomputed->period, 0.01, end, NULL, mean, &report));
+  OK(um_thermal_solve_periodic_report(
+      context, network, run.precomputed->loads, &run.heat->setting.options, run.heat->start,
+      run.precomputed->t_start, run.precomputed->period, 0.01, end, NULL, mean, &report));
   /* variants begin with what is settled, bit for bit, and stay with it where nothing moves */
   OK(um_model_thermal_solution_create(context, run.model, run.precomputed, run.heat, 1.0, &again));
   for (size_t s = 0; s < x->nsurface; s++)

@@ -47,7 +47,8 @@ static void test_energy(void **state)
     struct um_thermal_solve_options options;
     um_thermal_solve_defaults(&options);
     struct um_thermal_history *history = NULL;
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history));
+    OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, loads->t, ROWS,
+                        &history));
     double sun = solar_exact(network, loads);
     print_message(
         "skin %.0f J/m2/K: audit %.1e, sun %.3g J (%.1e), %zu steps, %zu rhs, %zu Jacobians\n",
@@ -73,7 +74,7 @@ static void test_heat_of_nodes(void **state)
   struct um_thermal_solve_options options = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
   const double times[3] = {1001.5, 1002.0, 1002.5};
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, 3, &history));
+  OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, times, 3, &history));
   size_t n = um_thermal_network_nodes(network);
   struct um_thermal_heat *heat = calloc(n, sizeof *heat);
   assert_non_null(heat);
@@ -110,7 +111,8 @@ static void test_threads(void **state)
   int before = um_core_context_threads(help_context);
   for (int k = 0; k < 2; k++) {
     um_core_context_set_threads(help_context, k + 1);
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history[k]));
+    OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, loads->t, ROWS,
+                        &history[k]));
   }
   um_core_context_set_threads(help_context, before);
   assert_memory_equal(history[0]->temperature, history[1]->temperature,
@@ -127,7 +129,7 @@ static struct um_thermal_history *whole_run(const struct um_thermal_network *net
                                             const struct um_thermal_solve_options *options)
 {
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, loads, options, loads->t[0],
+  OK(um_thermal_solve(help_context, network, loads, options, NULL, loads->t[0],
                       loads->t + loads->ntime - 1, 1, &history));
   return history;
 }
@@ -196,23 +198,21 @@ static void test_incommensurate_spin(void **state)
   double *temperature = calloc(3 * n, sizeof *temperature), *drift = temperature + 2 * n;
   assert_non_null(temperature);
   struct um_thermal_periodic report;
-  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
-                                      temperature, drift, NULL, &report));
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, NULL, 0.0, PERIOD,
+                                      0.01, temperature, drift, NULL, &report));
   print_message("%zu orbits, drift %.1e K, distance %.1e K, interior %.4f K\n", report.orbits,
                 report.drift, report.distance, temperature[interior]);
   assert_true(report.orbits <= 10);
   NEAR("largest drift", fabs(drift[report.drift_node]), report.drift, 0.0);
   /* fast nodes forget where the last orbit began, so its drift is none of theirs; an orbit from the
    * state that was found must lead back to it, to twice the distance asked for */
-  um_thermal_network_temperatures_set(network, temperature);
-  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
-                                      temperature + n, drift, NULL, &report));
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, temperature, 0.0,
+                                      PERIOD, 0.01, temperature + n, drift, NULL, &report));
   NEAR("drift from the state found", report.drift, 0.0, 0.02);
   for (size_t i = 0; i < n; i++) temperature[n + i] = 200.0;
-  um_thermal_network_temperatures_set(network, temperature + n);
   double largest;
-  OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, PERIOD, 0.01,
-                               temperature + n, &largest));
+  OK(um_thermal_solve_periodic(help_context, network, loads, &options, temperature + n, 0.0, PERIOD,
+                               0.01, temperature + n, &largest));
   for (size_t i = 0; i < n; i++) NEAR("from 200 K", temperature[n + i], temperature[i], 0.02);
   free(temperature);
   um_irradiation_loads_destroy(help_context, &loads);
@@ -227,8 +227,9 @@ static void expect_refused(struct um_thermal_network *network, struct um_irradia
   um_thermal_solve_defaults(&options);
   struct um_thermal_history *history = NULL;
   um_core_message_clear(help_context);
-  assert_int_equal(um_thermal_solve(help_context, network, loads, &options, from, &to, 1, &history),
-                   UM_ERR_INPUT);
+  assert_int_equal(
+      um_thermal_solve(help_context, network, loads, &options, NULL, from, &to, 1, &history),
+      UM_ERR_INPUT);
   assert_null(history);
   if (strstr(um_core_message(help_context), words) == NULL)
     fail_msg("'%s' does not say '%s'", um_core_message(help_context), words);

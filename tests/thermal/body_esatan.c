@@ -103,7 +103,7 @@ static void test_cube(void **state)
   struct um_irradiation_loads *loads = trace(&s, 5560.988495051516, t[n - 1]);
   struct um_thermal_solve_options options = help_options(1e-7, 1e-6, 0.0);
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, s.body->network, loads, &options, 0.0, t, n, &history));
+  OK(um_thermal_solve(help_context, s.body->network, loads, &options, NULL, 0.0, t, n, &history));
   for (int e = 0; e < 6; e++) {
     double worst = 0.0, rms = 0.0, worst_at = 0.0;
     uint32_t node = help_place(&s, face[e])->node[0];

@@ -155,7 +155,8 @@ static inline double *help_steady(struct help_satellite *s,
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, space);
   double *temperature = calloc(um_thermal_network_nodes(s->body->network), sizeof *temperature);
   assert_non_null(temperature);
-  OK(um_thermal_solve_steady(help_context, s->body->network, loads, 0, &options, temperature));
+  OK(um_thermal_solve_steady(help_context, s->body->network, loads, 0, &options, NULL,
+                             temperature));
   return temperature;
 }
 

@@ -47,7 +47,7 @@ static void test_nafems_t2(void **state)
     OK(um_thermal_network_radiator_add(network, 10, help_boundary(network, 300.0), 0.98));
     struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
     double temperature[12];
-    OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, temperature));
+    OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, NULL, temperature));
     NEAR("NAFEMS T2, steady", temperature[first + 10], expected[c], 5e-4);
     NEAR("NAFEMS T2, at rest", help_temperature_at(network, 0.0, 10, 1e5), expected[c], 5e-4);
     um_thermal_network_destroy(&network);
@@ -80,7 +80,7 @@ static double nafems_t3(size_t n)
   struct um_thermal_solve_options options = help_options(1e-9, 1e-7, 0.0);
   double t = 32.0;
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, &t, 1, &history));
+  OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, &t, 1, &history));
   double temperature = history->temperature[first + n * 8 / 10] - origin;
   um_thermal_history_destroy(help_context, &history);
   um_irradiation_loads_destroy(help_context, &loads);
@@ -115,7 +115,7 @@ static void slab_step(size_t n, double out[2][4])
   }
   struct um_thermal_solve_options options = help_options(1e-10, 1e-8, 0.0);
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, fourier, 4, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, fourier, 4, &history));
   for (size_t f = 0; f < 4; f++) {
     const double *t = history->temperature + f * history->nnode + first;
     double mean = 0.0;
@@ -151,7 +151,7 @@ static void slab_flux(size_t n, double out[2][4])
   um_thermal_network_power_set(network, first, 100.0);
   struct um_thermal_solve_options options = help_options(1e-10, 1e-8, 0.0);
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, fourier, 4, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, fourier, 4, &history));
   for (size_t f = 0; f < 4; f++) {
     const double *t = history->temperature + f * history->nnode + first;
     out[0][f] = (t[0] - 300.0) / 100.0;
@@ -186,7 +186,7 @@ static void semi_infinite(size_t n, double out[2])
   struct um_thermal_solve_options options = help_options(1e-11, 1e-9, 0.0);
   struct um_thermal_history *history = NULL;
   double t = 100.0;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history));
   out[0] = history->temperature[first] - 300.0;
   out[1] = history->temperature[first + n / 20] - 300.0;
   um_thermal_history_destroy(help_context, &history);
@@ -231,7 +231,7 @@ static void fin(uint32_t n, double out[2])
   /* the root's own half cell radiates from the boundary: part of the root heat */
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
   double temperature[512];
-  OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, temperature));
+  OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, NULL, temperature));
   out[0] = temperature[root + n];
   out[1] = conductance * (400.0 - temperature[root + 1]) +
            UM_STEFAN_BOLTZMANN * 0.85 * h * pow(400.0, 4);

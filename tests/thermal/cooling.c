@@ -25,7 +25,7 @@ static double cool(const struct row *row, double space,
   struct um_thermal_history *history = NULL;
   struct um_thermal_solve_options used = *options;
   used.space_temperature = space;
-  OK(um_thermal_solve(help_context, network, NULL, &used, 0.0, &row->t, 1, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &used, NULL, 0.0, &row->t, 1, &history));
   double temperature = history->temperature[0];
   if (!(history->audit_error <= 1e-6)) fail_msg("%s: audit %g", row->name, history->audit_error);
   um_thermal_history_destroy(help_context, &history);

@@ -138,7 +138,7 @@ static void energy_and_second_law(void **state)
   struct um_thermal_history *h = NULL;
   cube_of_walls(&r, 200, 500.0);
   for (int k = 0; k <= 40; k++) time[k] = 50.0 * k;
-  OK(um_thermal_solve(context, r.network, NULL, &r.options, 0.0, time, 41, &h));
+  OK(um_thermal_solve(context, r.network, NULL, &r.options, NULL, 0.0, time, 41, &h));
   for (int k = 1; k <= 40; k++) {
     double low = INFINITY, high = 0.0, low0 = INFINITY, high0 = 0.0;
     for (int i = 0; i < 6; i++) {
@@ -163,8 +163,8 @@ static void energy_and_second_law(void **state)
   OK(um_thermal_network_conductor_add(r.network, 5, held, 3.0));
   double settled[7];
   time[0] = 2e5;
-  OK(um_thermal_solve_steady(context, r.network, NULL, 0, &r.options, settled));
-  OK(um_thermal_solve(context, r.network, NULL, &r.options, 0.0, time, 1, &h));
+  OK(um_thermal_solve_steady(context, r.network, NULL, 0, &r.options, NULL, settled));
+  OK(um_thermal_solve(context, r.network, NULL, &r.options, NULL, 0.0, time, 1, &h));
   for (int i = 0; i < 6; i++) {
     steady[i] = h->temperature[i];
     assert_close(settled[i], steady[i], 1e-3);
@@ -196,7 +196,7 @@ static void massless_walls(void **state)
     OK(um_thermal_network_conductor_add(r.network, 1, 2, 0.5));
     OK(um_thermal_network_radiator_add(r.network, 1, UM_THERMAL_SPACE, 0.1));
     room_exchange(&r);
-    OK(um_thermal_solve(context, r.network, NULL, &r.options, 0.0, time, 2, &h));
+    OK(um_thermal_solve(context, r.network, NULL, &r.options, NULL, 0.0, time, 2, &h));
     for (int i = 0; i < 6; i++) end[light][i] = h->temperature[6 + i];
     print_message("massless walls: audit %.1e\n", h->audit_error);
     assert_true(h->audit_error < 1e-6);
@@ -230,12 +230,12 @@ static void responses(void **state)
   static const double one[1] = {1.0};
   const struct um_thermal_response_source source = {node, one, 1, 0.0, 400.0};
   const struct um_thermal_response_options how = {.longest_step = 10.0};
-  OK(um_thermal_response(context, r.network, NULL, &r.options, 0.0, time, 2, &source, 1, &how, take,
-                         &taken));
+  OK(um_thermal_response(context, r.network, NULL, &r.options, NULL, 0.0, time, 2, &source, 1, &how,
+                         take, &taken));
   for (int side = 0; side < 2; side++) {
     struct um_thermal_history *h = NULL;
     um_thermal_network_power_set(r.network, 0, side ? 5.0 : -5.0);
-    OK(um_thermal_solve(context, r.network, NULL, &r.options, 0.0, time, 2, &h));
+    OK(um_thermal_solve(context, r.network, NULL, &r.options, NULL, 0.0, time, 2, &h));
     for (int i = 0; i < 6; i++) end[side][i] = h->temperature[6 + i];
     um_thermal_history_destroy(context, &h);
   }

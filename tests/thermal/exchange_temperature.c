@@ -182,7 +182,7 @@ static void isothermal_room(void **state)
     renew(&r, same);
     losses(&r, same, loss);
     for (int k = 0; k < 6; k++) assert_close(loss[k], 0.0, 1e-9);
-    OK(um_thermal_solve(context, r.network, NULL, &r.options, 0.0, &end, 1, &h));
+    OK(um_thermal_solve(context, r.network, NULL, &r.options, NULL, 0.0, &end, 1, &h));
     for (int k = 0; k < 6; k++) assert_close(h->temperature[k], 220.0, 1e-9);
     um_thermal_history_destroy(context, &h);
     /* an exchange made like this one has its temperatures from the beginning */

@@ -281,7 +281,7 @@ static void alike_walls(void **state)
       help_build(&x.s, NULL, 0);
       x.options = help_options(1e-8, 1e-7, 0.0);
     }
-    OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, 0.0, time, 3, &h));
+    OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, NULL, 0.0, time, 3, &h));
     for (int k = 0; k < 3; k++) {
       end[radiates][k] = h->temperature[(size_t)k * h->nnode];
       for (size_t i = 1; i < h->nnode; i++)
@@ -312,8 +312,8 @@ static void heated_face(void **state)
   inside_open(&x, 0);
   double steady[12], sum = 0.0;
   assert_int_equal(um_thermal_network_nodes(x.s.body->network), 12);
-  OK(um_thermal_solve_steady(help_context, x.s.body->network, NULL, 0, &x.options, steady));
-  OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, 0.0, time, 1, &h));
+  OK(um_thermal_solve_steady(help_context, x.s.body->network, NULL, 0, &x.options, NULL, steady));
+  OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, NULL, 0.0, time, 1, &h));
   for (int i = 0; i < 12; i++) assert_close(h->temperature[i], steady[i], 1e-3);
   for (int k = 0; k < 6; k++)
     sum += UM_STEFAN_BOLTZMANN * 0.5 * pow(steady[help_place(&x.s, face[k])->node[0]], 4);

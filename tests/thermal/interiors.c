@@ -44,7 +44,7 @@ static void chain_balances(void **state)
   double *t = calloc(um_thermal_network_nodes(s.body->network), sizeof *t);
   assert_non_null(t);
   /* KINSOL's residual of 1e-9 K, over conductances of a few W/K */
-  OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, t));
+  OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, NULL, t));
   NEAR("walls", help_mean(&s, "bus", t), wall, 1e-7);
   NEAR("boards", help_mean(&s, "bus.boards", t), boards, 1e-7);
   NEAR("base", help_mean(&s, "bus.base", t), BASE, 0.0);
@@ -53,8 +53,8 @@ static void chain_balances(void **state)
        wall, 1e-6);
   /* the orbit that repeats without loads is that state */
   double drift;
-  OK(um_thermal_solve_periodic(help_context, s.body->network, NULL, &options, 0.0, 6000.0, 1e-7, t,
-                               &drift));
+  OK(um_thermal_solve_periodic(help_context, s.body->network, NULL, &options, NULL, 0.0, 6000.0,
+                               1e-7, t, &drift));
   NEAR("walls, periodic", help_mean(&s, "bus", t), wall, 1e-6);
   NEAR("boards, periodic", help_mean(&s, "bus.boards", t), boards, 1e-6);
   NEAR("base, periodic", help_mean(&s, "bus.base", t), BASE, 0.0);
@@ -100,8 +100,8 @@ static void pulse_repeats(void **state)
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
   double *found = calloc(um_thermal_network_nodes(s.body->network), sizeof *found), drift;
   assert_non_null(found);
-  OK(um_thermal_solve_periodic(help_context, s.body->network, NULL, &options, 0.0, length, 1e-6,
-                               found, &drift));
+  OK(um_thermal_solve_periodic(help_context, s.body->network, NULL, &options, NULL, 0.0, length,
+                               1e-6, found, &drift));
   NEAR("wall over the base", help_mean(&s, "bus", found) - BASE, expected, 2e-6);
   NEAR("base", help_mean(&s, "bus.base", found), BASE, 0.0);
   free(found);
@@ -141,8 +141,8 @@ static void heat_in_boards_answers(void **state)
   struct kept kept = {
       .node = node, .nnode = 3, .total = um_thermal_network_nodes(s.body->network), .ncolumn = 2};
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
-  OK(um_thermal_response(help_context, s.body->network, NULL, &options, 0.0, &t, 1, source, 2, &how,
-                         keep, &kept));
+  OK(um_thermal_response(help_context, s.body->network, NULL, &options, NULL, 0.0, &t, 1, source, 2,
+                         &how, keep, &kept));
   double wall = -expm1(-t / tau) / G2;
   /* (0.05)^5 of a step is 3e-7 */
   NEAR("wall", kept.value[0], wall, 1e-6);
@@ -164,16 +164,16 @@ static void sensitivities_agree(void **state)
   chain(&s[2], 0.0, G1 + step, 0.0);
   help_hold(&s[1], "bus.base", BASE + step);
   const uint32_t node = node_of(&s[0], "bus.+x");
-  const struct um_thermal_variant variant[2] = {{s[1].body->network, NULL, NULL, step},
-                                                {s[2].body->network, NULL, NULL, step}};
+  const struct um_thermal_variant variant[2] = {{s[1].body->network, NULL, NULL, step, NULL},
+                                                {s[2].body->network, NULL, NULL, step, NULL}};
   const struct um_thermal_sensitivity_options how = {.tolerance = 1e-6};
   struct kept kept = {.node = &node,
                       .nnode = 1,
                       .total = um_thermal_network_nodes(s[0].body->network),
                       .ncolumn = 2};
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
-  OK(um_thermal_sensitivity(help_context, s[0].body->network, NULL, &options, 0.0, &t, 1, variant,
-                            2, &how, keep, &kept));
+  OK(um_thermal_sensitivity(help_context, s[0].body->network, NULL, &options, NULL, 0.0, &t, 1,
+                            variant, 2, &how, keep, &kept));
   /* asked for 1e-6 a step; G1 is moved by 2.5e-5 of itself */
   NEAR("by the base", kept.value[0], -expm1(-t / tau), 3e-5);
   double share = G2 / (G1 + G2);
@@ -256,7 +256,7 @@ static void battery_frame_radiator(void **state)
     struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
     t = calloc(um_thermal_network_nodes(s.body->network), sizeof *t);
     assert_non_null(t);
-    OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, t));
+    OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, NULL, t));
     NEAR("radiator", help_mean(&s, "bus", t), printed[i], 0.006); /* two digits */
     NEAR("frame over it", help_mean(&s, "bus.frame", t) - help_mean(&s, "bus", t), 5.0, 1e-7);
     NEAR("battery over that", help_mean(&s, "bus.battery", t) - help_mean(&s, "bus.frame", t), 20.0,
@@ -289,7 +289,7 @@ static void blanket_wraps_the_second(void **state)
   double *t = calloc(n, sizeof *t);
   struct um_thermal_heat *heat = calloc(n, sizeof *heat);
   assert_true(t != NULL && heat != NULL);
-  OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, t));
+  OK(um_thermal_solve_steady(help_context, s.body->network, NULL, 0, &options, NULL, t));
   NEAR("skin", help_mean(&s, "bus", t), 128.5366, 1e-4);
   /* the contact with the part meets what the blanket wraps: so the frame is as warm as the tank */
   NEAR("frame", help_mean(&s, "bus.frame", t), 293.0, 1e-7);

@@ -42,7 +42,7 @@ static void compare(double skin_capacity, bool laws)
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   struct um_thermal_system *system = NULL;
-  OK(um_thermal_system_create(help_context, network, loads, &options, 0.0, false, &system));
+  OK(um_thermal_system_create(help_context, network, loads, &options, NULL, 0.0, false, &system));
   size_t n = system->nunknown;
   double *y = calloc(4 * n + system->nnonzero, sizeof *y);
   assert_non_null(y);

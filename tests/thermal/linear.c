@@ -52,7 +52,8 @@ static double solve_once(const struct um_thermal_network *network, enum um_therm
   struct um_thermal_linear *linear = NULL;
   um_thermal_solve_defaults(&options);
   options.factors = factors;
-  OK(um_thermal_system_create(help_context, network, NULL, &options, 0.0, UM_SYSTEM_RUN, &system));
+  OK(um_thermal_system_create(help_context, network, NULL, &options, NULL, 0.0, UM_SYSTEM_RUN,
+                              &system));
   size_t n = system->nunknown;
   double *value = calloc(system->nnonzero, sizeof *value), *y = calloc(n, sizeof *y);
   double *b = calloc(2 * COLUMNS * n, sizeof *b), *x = b + COLUMNS * n, worst = 0.0;
@@ -90,8 +91,8 @@ static int create(void *self, int pipe_end)
   (void)pipe_end;
   um_thermal_solve_defaults(&options);
   options.factors = UM_THERMAL_CHOLESKY;
-  if (um_thermal_system_create(help_context, self, NULL, &options, 0.0, UM_SYSTEM_RUN, &system) !=
-      UM_OK)
+  if (um_thermal_system_create(help_context, self, NULL, &options, NULL, 0.0, UM_SYSTEM_RUN,
+                               &system) != UM_OK)
     return 100;
   return (int)um_thermal_linear_create(system, &linear);
 }
@@ -174,7 +175,7 @@ static void test_choice(void **state)
     struct um_thermal_system *system = NULL;
     struct um_thermal_linear *linear = NULL;
     um_thermal_solve_defaults(&options);
-    OK(um_thermal_system_create(help_context, network[k], NULL, &options, 0.0, UM_SYSTEM_RUN,
+    OK(um_thermal_system_create(help_context, network[k], NULL, &options, NULL, 0.0, UM_SYSTEM_RUN,
                                 &system));
     OK(um_thermal_linear_create(system, &linear));
     assert_string_equal(um_thermal_linear_method(linear), method[k]);
@@ -195,7 +196,8 @@ static void test_indefinite_and_singular(void **state)
   struct um_thermal_linear *linear = NULL;
   char text[256];
   um_thermal_solve_defaults(&options);
-  OK(um_thermal_system_create(help_context, network, NULL, &options, 0.0, UM_SYSTEM_RUN, &system));
+  OK(um_thermal_system_create(help_context, network, NULL, &options, NULL, 0.0, UM_SYSTEM_RUN,
+                              &system));
   OK(um_thermal_linear_create(system, &linear));
   size_t n = system->nunknown;
   double *value = calloc(system->nnonzero + 2 * n, sizeof *value), *x = value + system->nnonzero;
@@ -238,9 +240,9 @@ static void test_runs(void **state)
     steady[k] = calloc(2 * n, sizeof(double));
     assert_non_null(steady[k]);
     periodic[k] = steady[k] + n;
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, 2, &history[k]));
-    OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, steady[k]));
-    OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, 6000.0, 1e-4,
+    OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, times, 2, &history[k]));
+    OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, NULL, steady[k]));
+    OK(um_thermal_solve_periodic(help_context, network, loads, &options, NULL, 0.0, 6000.0, 1e-4,
                                  periodic[k], &drift));
   }
   for (size_t i = 0; i < 2 * n; i++)

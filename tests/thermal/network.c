@@ -23,7 +23,7 @@ static void test_simple_transient(void **state)
   struct um_thermal_solve_options options = help_options(1e-11, 1e-9, 0.0);
   const double times[2] = {0.0, 10.0};
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, times, 2, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, times, 2, &history));
   for (size_t k = 0; k < 5; k++) {
     NEAR("at 0 s", history->temperature[k], zero + start[k], 0.0);
     NEAR("at 10 s", history->temperature[5 + k] - zero, exact[k], 1e-6);
@@ -112,12 +112,14 @@ static void test_refused(void **state)
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 0.0);
   struct um_thermal_history *history = NULL;
   double t = 1.0;
-  REFUSED(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history), "node 2");
+  REFUSED(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history),
+          "node 2");
   network->node[2].capacity = 1.0;
   help_arithmetic(network, 300.0);
-  REFUSED(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history), "node 3");
+  REFUSED(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history),
+          "node 3");
   options.relative_tolerance = NAN;
-  REFUSED(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history),
+  REFUSED(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history),
           "relative tolerance");
   um_thermal_network_destroy(&network);
 }
@@ -169,7 +171,7 @@ static void test_read(void **state)
   struct um_thermal_solve_options options = help_options(1e-11, 1e-9, 4.0);
   double t = 10.0;
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history));
   NEAR("n0", history->temperature[0] - 273.15, 11.493608, 1e-6);
   NEAR("skin between 4 K and 4 K", history->temperature[5], 4.0, 1e-6);
   um_thermal_history_destroy(help_context, &history);

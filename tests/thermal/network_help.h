@@ -88,7 +88,7 @@ static inline double help_temperature_at(const struct um_thermal_network *networ
 {
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, space);
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, &t, 1, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &history));
   double temperature = history->temperature[node];
   if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
   um_thermal_history_destroy(help_context, &history);

@@ -37,8 +37,8 @@ static void mean_find(const struct um_thermal_network *network,
                       const struct um_thermal_solve_options *options, double *start, double *mean)
 {
   struct um_thermal_periodic report;
-  OK(um_thermal_solve_periodic_report(help_context, network, loads, options, 0.0, PERIOD, 1e-3,
-                                      start, NULL, mean, &report));
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, options, NULL, 0.0, PERIOD,
+                                      1e-3, start, NULL, mean, &report));
 }
 
 static void test_moves(void **state)

@@ -65,11 +65,10 @@ static void test_sphere(void **state)
                                 &loads));
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
   double start = 0.0, drift = NAN, low = INFINITY, high = 0.0, low_at = 0.0, high_at = 0.0;
-  OK(um_thermal_solve_periodic(help_context, s.body->network, loads, &options, 0.0, period, 1e-4,
-                               &start, &drift));
-  um_thermal_network_temperatures_set(s.body->network, &start);
+  OK(um_thermal_solve_periodic(help_context, s.body->network, loads, &options, NULL, 0.0, period,
+                               1e-4, &start, &drift));
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, s.body->network, loads, &options, 0.0, t, n, &history));
+  OK(um_thermal_solve(help_context, s.body->network, loads, &options, &start, 0.0, t, n, &history));
   for (size_t k = 0; k < n; k++) {
     double value = history->temperature[k];
     if (value < low) {

@@ -77,7 +77,7 @@ static void test_waiting(void **state)
   double times[3];
   for (int k = 0; k < 3; k++) times[k] = (k + 1) * orbit_period();
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, times, 3, &history));
+  OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, times, 3, &history));
   for (int k = 0; k < 3; k++) {
     print_message("after orbit %d: %.4f K (expected %.4f)\n", k + 1, history->temperature[k],
                   expected[k]);
@@ -108,16 +108,16 @@ static void test_sphere(void **state)
     struct um_thermal_solve_options options;
     um_thermal_solve_defaults(&options);
     double start, drift;
-    OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, period, 1e-3, &start,
-                                 &drift));
+    OK(um_thermal_solve_periodic(help_context, network, loads, &options, NULL, 0.0, period, 1e-3,
+                                 &start, &drift));
     if (!(drift <= 1e-3)) fail_msg("drift %g", drift);
-    um_thermal_network_temperatures_set(network, &start);
     /* at the rows of the table, shadow edges included, by the trapezoid */
     struct um_thermal_solve_options fine = help_options(1e-9, 1e-7, UM_SPACE_TEMPERATURE);
     struct um_thermal_history *history = NULL, *check = NULL;
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, loads->ntime,
+    OK(um_thermal_solve(help_context, network, loads, &options, &start, 0.0, loads->t, loads->ntime,
                         &history));
-    OK(um_thermal_solve(help_context, network, loads, &fine, 0.0, loads->t, loads->ntime, &check));
+    OK(um_thermal_solve(help_context, network, loads, &fine, &start, 0.0, loads->t, loads->ntime,
+                        &check));
     double highest = 0.0, lowest = 1e9, mean = 0.0, at = 0.0, top = 0.0, error = 0.0;
     for (size_t k = 0; k < loads->ntime; k++) {
       double t = history->temperature[k];
@@ -168,8 +168,7 @@ static double mean_leak(struct um_thermal_network *network,
 {
   struct um_thermal_solve_options options = help_options(1e-8, 1e-6, UM_SPACE_TEMPERATURE);
   struct um_thermal_history *history = NULL;
-  um_thermal_network_temperatures_set(network, start);
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, loads->ntime,
+  OK(um_thermal_solve(help_context, network, loads, &options, start, 0.0, loads->t, loads->ntime,
                       &history));
   double sum = 0.0, before = 0.0;
   for (size_t k = 0; k < loads->ntime; k++) {
@@ -194,7 +193,7 @@ static void test_wrapped_interior(void **state)
       struct um_thermal_network *network = wrapped(emittance[e], starts[s], 100.0);
       double temperature[2], drift[2];
       struct um_thermal_periodic report;
-      OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0,
+      OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, NULL, 0.0,
                                           orbit_period(), 1e-2, temperature, drift, NULL, &report));
       found[s] = temperature[1];
       print_message("e* %.3f from %.0f K: %.4f K after %zu orbits, drift %.1e K, distance %.1e K\n",
@@ -226,11 +225,10 @@ static void test_judged_in_full(void **state)
     for (size_t b = 0; b < sizeof begins / sizeof *begins; b++) {
       struct um_thermal_network *network = sphere(capacity, 0.8, 0.8);
       double begin = begins[b];
-      um_thermal_network_temperatures_set(network, &begin);
-      OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, orbit_period(),
-                                   0.01, &found, &drift));
-      OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, orbit_period(),
-                                   1e-5, &exact, &drift));
+      OK(um_thermal_solve_periodic(help_context, network, loads, &options, &begin, 0.0,
+                                   orbit_period(), 0.01, &found, &drift));
+      OK(um_thermal_solve_periodic(help_context, network, loads, &options, &begin, 0.0,
+                                   orbit_period(), 1e-5, &exact, &drift));
       NEAR("periodic start", found, exact, 0.01);
       um_thermal_network_destroy(&network);
     }

@@ -132,7 +132,7 @@ static void interior(void **state)
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
   struct um_thermal_history *h = NULL;
   const double time[2] = {0.0, 1.0};
-  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, 0.0, time, 2, &h));
+  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, NULL, 0.0, time, 2, &h));
   uint32_t node = help_place(&s, "bus.interior")->node[0];
   double apart = UM_STEFAN_BOLTZMANN * pow(300, 4) / 4860.0 + 60.0 / 1e4;    /* [K/s] */
   double sent = 0.4 * UM_STEFAN_BOLTZMANN * 4.0 * pow(300, 3) * apart / 2.0; /* [W], mean */

@@ -60,8 +60,8 @@ static void test_single_node(void **state)
   struct um_thermal_solve_options options = help_options(1e-8, 1e-6, 0.0);
   const struct um_thermal_response_options how = {50.0, begin};
   struct kept kept = kept_create(5, 3, 2);
-  OK(um_thermal_response(help_context, network, NULL, &options, START, times, 5, source, 3, &how,
-                         keep, &kept));
+  OK(um_thermal_response(help_context, network, NULL, &options, NULL, START, times, 5, source, 3,
+                         &how, keep, &kept));
   double on = -expm1(-200.0 / tau) / conductance;
   const double expected[5] = {0.0, 0.0, -expm1(-100.0 / tau) / conductance, on,
                               on * exp(-150.0 / tau)};
@@ -101,8 +101,8 @@ static void test_inside(void **state)
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 0.0);
   const struct um_thermal_response_options how = {50.0, NULL};
   struct kept kept = kept_create(TIMES, 2, 3);
-  OK(um_thermal_response(help_context, network, NULL, &options, 0.0, times, TIMES, source, 2, &how,
-                         keep, &kept));
+  OK(um_thermal_response(help_context, network, NULL, &options, NULL, 0.0, times, TIMES, source, 2,
+                         &how, keep, &kept));
   assert_int_equal(kept.calls, TIMES);
   double worst = 0.0, settled = 0.0;
   for (size_t k = 0; k < TIMES; k++) {
@@ -131,8 +131,8 @@ static void test_order(void **state)
   for (int k = 0; k < 3; k++) {
     const struct um_thermal_response_options how = {100.0 / (1 << k), NULL};
     struct kept kept = kept_create(1, 1, 2);
-    OK(um_thermal_response(help_context, network, NULL, &options, 0.0, &t, 1, &source, 1, &how,
-                           keep, &kept));
+    OK(um_thermal_response(help_context, network, NULL, &options, NULL, 0.0, &t, 1, &source, 1,
+                           &how, keep, &kept));
     error[k] = fabs(at(&kept, 0, 0, node) + expm1(-2.0));
     kept_free(&kept);
   }
@@ -205,7 +205,7 @@ static void test_against_runs(void **state)
                                                     START + pulses[p].from, START + pulses[p].to};
   struct kept kept = kept_create(TIMES, PULSES, NODES);
   const struct um_thermal_response_options how = {2.0, NULL};
-  OK(um_thermal_response(help_context, network, loads, &options, START, times, TIMES, source,
+  OK(um_thermal_response(help_context, network, loads, &options, NULL, START, times, TIMES, source,
                          PULSES, &how, keep, &kept));
   for (size_t p = 0; p < PULSES; p++) {
     struct um_thermal_history *history[2] = {NULL, NULL};
@@ -217,7 +217,7 @@ static void test_against_runs(void **state)
       const struct um_thermal_source timed = {
           source[p].node, source[p].weight, 2, t, power, 2, true};
       OK(um_thermal_network_source_add(heated, &timed));
-      OK(um_thermal_solve(help_context, heated, own, &options, START, times, TIMES,
+      OK(um_thermal_solve(help_context, heated, own, &options, NULL, START, times, TIMES,
                           &history[side]));
       um_thermal_network_destroy(&heated);
       um_irradiation_loads_destroy(help_context, &own);
@@ -267,7 +267,7 @@ static void test_refused(void **state)
                                                        {&node, &one, 1, 0.0, 1.0}};
   for (size_t k = 0; k < 4; k++) {
     um_core_message_clear(help_context);
-    assert_int_equal(um_thermal_response(help_context, network, NULL, &options, 0.0, times,
+    assert_int_equal(um_thermal_response(help_context, network, NULL, &options, NULL, 0.0, times,
                                          k < 2    ? 1
                                          : k == 2 ? 2
                                                   : 0,
@@ -276,7 +276,7 @@ static void test_refused(void **state)
     if (strstr(um_core_message(help_context), words[k]) == NULL)
       fail_msg("'%s' lacks '%s'", um_core_message(help_context), words[k]);
   }
-  assert_int_equal(um_thermal_response(help_context, network, NULL, &options, 0.0, times, 1,
+  assert_int_equal(um_thermal_response(help_context, network, NULL, &options, NULL, 0.0, times, 1,
                                        &source[2], 1, NULL, stop, NULL),
                    UM_ERR_CANCELLED);
   um_thermal_network_destroy(&network);

@@ -56,10 +56,10 @@ static void test_wall(void **state)
     resolved->sun[k] = (float)fmax(cos(2.0 * UM_PI * (resolved->t[k] + OFF) / PERIOD), 0.0);
   mean->sun[0] = mean->sun[1] = (float)(1.0 / UM_PI);
   struct um_thermal_history *exact = NULL, *slow = NULL;
-  OK(um_thermal_solve(help_context, network, resolved, &options, 0.0, resolved->t, ROWS, &exact));
+  OK(um_thermal_solve(help_context, network, resolved, &options, NULL, 0.0, resolved->t, ROWS,
+                      &exact));
   double start[2] = {260.0 - SUN / capacity * swing(OFF), 250.0};
-  um_thermal_network_temperatures_set(network, start);
-  OK(um_thermal_solve(help_context, network, mean, &options, 0.0, resolved->t, ROWS, &slow));
+  OK(um_thermal_solve(help_context, network, mean, &options, start, 0.0, resolved->t, ROWS, &slow));
   struct um_thermal_ripple bound;
   OK(um_thermal_ripple_bound(help_context, network, PERIOD, SUN, 0.0, 0.0, &bound));
   /* a = 0.55 q P / (2 pi C) = 0.12257 K; K P / (2 pi C) = 0.003275 of it, 3/4 a^2 / 300 K beside */

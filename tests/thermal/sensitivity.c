@@ -57,9 +57,9 @@ static void test_closed_forms(void **state)
   double s[5 * 5 * 2];
   struct kept kept = {s, 5, 2, 0};
   for (int k = 0; k < 5; k++)
-    variant[k] = (struct um_thermal_variant){node_network(k, step[k]), NULL, NULL, step[k]};
-  OK(um_thermal_sensitivity(help_context, network, NULL, &options, 0.0, times, 5, variant, 5, NULL,
-                            keep, &kept));
+    variant[k] = (struct um_thermal_variant){node_network(k, step[k]), NULL, NULL, step[k], NULL};
+  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 5, variant, 5,
+                            NULL, keep, &kept));
   assert_int_equal(kept.calls, 5);
   for (size_t i = 0; i < 5; i++) {
     double t = times[i], e = exp(-t / 100.0), beyond = 300.0 - 255.0;
@@ -166,8 +166,8 @@ static void against_differences(double skin, int shift)
   struct kept kept = {calloc(4 * PARAMETERS * n, sizeof(double)), (size_t)count, n, 0};
   assert_non_null(kept.s);
   for (int p = 0; p < count; p++)
-    variant[p] = (struct um_thermal_variant){box(p, 1.00001, skin), loads, NULL, 1e-5};
-  OK(um_thermal_sensitivity(help_context, network, loads, &options, 0.0, times, 4, variant,
+    variant[p] = (struct um_thermal_variant){box(p, 1.00001, skin), loads, NULL, 1e-5, NULL};
+  OK(um_thermal_sensitivity(help_context, network, loads, &options, NULL, 0.0, times, 4, variant,
                             (size_t)count, &how, keep, &kept));
   for (int p = 0; p < count; p++) {
     struct um_thermal_history *h[2];
@@ -178,7 +178,7 @@ static void against_differences(double skin, int shift)
     }
     for (int side = 0; side < 2; side++) {
       struct um_thermal_network *moved = box(p, side == 0 ? 1.01 : 0.99, skin);
-      OK(um_thermal_solve(help_context, moved, loads, &tight, 0.0, times, 4, &h[side]));
+      OK(um_thermal_solve(help_context, moved, loads, &tight, NULL, 0.0, times, 4, &h[side]));
       um_thermal_network_destroy(&moved);
     }
     for (size_t k = 0; k < 4; k++) {
@@ -238,13 +238,12 @@ static void periodic_against_differences(int shift)
   double *s = calloc((PARAMETERS + 2) * n, sizeof *s), *up = s + (PARAMETERS - 1) * n, drift;
   double *down = up + n, *base = down + n;
   assert_non_null(s);
-  OK(um_thermal_solve_periodic(help_context, network, loads, &tight, 0.0, PERIOD, 2e-6, base,
+  OK(um_thermal_solve_periodic(help_context, network, loads, &tight, NULL, 0.0, PERIOD, 2e-6, base,
                                &drift));
-  um_thermal_network_temperatures_set(network, base);
   for (size_t p = 0; p < count; p++)
-    variant[p] = (struct um_thermal_variant){box(which[p], 1.00001, 77.4), loads, NULL, 1e-5};
-  OK(um_thermal_sensitivity_periodic(help_context, network, loads, &options, 0.0, PERIOD, variant,
-                                     count, NULL, s));
+    variant[p] = (struct um_thermal_variant){box(which[p], 1.00001, 77.4), loads, NULL, 1e-5, NULL};
+  OK(um_thermal_sensitivity_periodic(help_context, network, loads, &options, base, 0.0, PERIOD,
+                                     variant, count, NULL, s));
   for (size_t p = 0; p < count; p++) {
     if (!is_tried(which[p], shift)) {
       um_thermal_network_destroy((struct um_thermal_network **)&variant[p].network);
@@ -252,8 +251,7 @@ static void periodic_against_differences(int shift)
     }
     for (int side = 0; side < 2; side++) {
       struct um_thermal_network *moved = box(which[p], side == 0 ? 1.01 : 0.99, 77.4);
-      um_thermal_network_temperatures_set(moved, base);
-      OK(um_thermal_solve_periodic(help_context, moved, loads, &tight, 0.0, PERIOD, 2e-6,
+      OK(um_thermal_solve_periodic(help_context, moved, loads, &tight, base, 0.0, PERIOD, 2e-6,
                                    side == 0 ? up : down, &drift));
       um_thermal_network_destroy(&moved);
     }
@@ -320,15 +318,15 @@ static void test_thermostat(void **state)
   double s[3 * 5 * 2];
   struct kept kept = {s, 5, 2, 0};
   for (int p = 0; p < 5; p++)
-    variant[p] = (struct um_thermal_variant){heated(p, 1.00001), NULL, NULL, 1e-5};
-  OK(um_thermal_sensitivity(help_context, network, NULL, &options, 0.0, times, 3, variant, 5, NULL,
-                            keep, &kept));
+    variant[p] = (struct um_thermal_variant){heated(p, 1.00001), NULL, NULL, 1e-5, NULL};
+  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 3, variant, 5,
+                            NULL, keep, &kept));
   for (int p = 0; p < 5; p++) {
     struct um_thermal_history *h[2];
     double worst = 0.0, most = 0.0, largest;
     for (int side = 0; side < 2; side++) {
       struct um_thermal_network *moved = heated(p, side == 0 ? 1.00001 : 0.99999);
-      OK(um_thermal_solve(help_context, moved, NULL, &tight, 0.0, times, 3, &h[side]));
+      OK(um_thermal_solve(help_context, moved, NULL, &tight, NULL, 0.0, times, 3, &h[side]));
       um_thermal_network_destroy(&moved);
     }
     for (size_t k = 0; k < 3; k++) {
@@ -360,14 +358,15 @@ static void test_refused(void **state)
   struct um_thermal_network *network = node_network(-1, 0.0), *other = heated(-1, 1.0);
   struct um_irradiation_loads *loads = box_loads(1, 11, 100.0, 1.0);
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 0.0);
-  const struct um_thermal_variant variant[3] = {
-      {network, NULL, NULL, 0.0}, {other, NULL, NULL, 1.0}, {network, loads, NULL, 1.0}};
+  const struct um_thermal_variant variant[3] = {{network, NULL, NULL, 0.0, NULL},
+                                                {other, NULL, NULL, 1.0, NULL},
+                                                {network, loads, NULL, 1.0, NULL}};
   static const char *const words[3] = {"step 0; accepted", "other nodes, thermostats",
                                        "other times or edges"};
   const double t = 10.0;
   for (int k = 0; k < 3; k++) {
     um_core_message_clear(help_context);
-    assert_int_equal(um_thermal_sensitivity(help_context, network, NULL, &options, 0.0, &t, 1,
+    assert_int_equal(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, &t, 1,
                                             &variant[k], 1, NULL, ignore, NULL),
                      UM_ERR_INPUT);
     if (strstr(um_core_message(help_context), words[k]) == NULL)

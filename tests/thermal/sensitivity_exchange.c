@@ -94,10 +94,10 @@ static void box_of(bool massless)
   for (int k = 0; k < PARAMETERS; k++) {
     box_open(&moved[k], k, 1.00001, massless, &table);
     variant[k] =
-        (struct um_thermal_variant){moved[k].s.body->network, NULL, &moved[k].options, 1e-5};
+        (struct um_thermal_variant){moved[k].s.body->network, NULL, &moved[k].options, 1e-5, NULL};
   }
-  OK(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options, 0.0, times,
-                            TIMES, variant, PARAMETERS, NULL, keep, &kept));
+  OK(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options, NULL, 0.0,
+                            times, TIMES, variant, PARAMETERS, NULL, keep, &kept));
   for (int k = 0; k < PARAMETERS; k++) {
     struct um_thermal_history *h[2];
     double largest = 0.0, worst = 0.0;
@@ -107,8 +107,8 @@ static void box_of(bool massless)
       box_open(&x, k, side ? 0.99 : 1.01, massless, &table);
       x.options.relative_tolerance = 1e-10;
       x.options.absolute_tolerance = 1e-8;
-      OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, 0.0, times, TIMES,
-                          &h[side]));
+      OK(um_thermal_solve(help_context, x.s.body->network, NULL, &x.options, NULL, 0.0, times,
+                          TIMES, &h[side]));
       box_close(&x);
     }
     for (int t = 0; t < TIMES; t++)
@@ -160,16 +160,15 @@ static void periodic(void **state)
     for (size_t i = 0; i < nsurface / 6; i++)
       loads->sun[k * nsurface + i] = (float)(0.5 - 0.5 * cos(2.0 * UM_PI * loads->t[k] / period));
   }
-  OK(um_thermal_solve_periodic(help_context, base.s.body->network, loads, &base.options, 0.0,
+  OK(um_thermal_solve_periodic(help_context, base.s.body->network, loads, &base.options, NULL, 0.0,
                                period, 1e-5, start, &drift));
-  um_thermal_network_temperatures_set(base.s.body->network, start);
   for (int k = 0; k < PARAMETERS - 1; k++) {
     box_open(&moved[k], k, 1.00001, false, &table);
     variant[k] =
-        (struct um_thermal_variant){moved[k].s.body->network, loads, &moved[k].options, 1e-5};
+        (struct um_thermal_variant){moved[k].s.body->network, loads, &moved[k].options, 1e-5, NULL};
   }
-  OK(um_thermal_sensitivity_periodic(help_context, base.s.body->network, loads, &base.options, 0.0,
-                                     period, variant, PARAMETERS - 1, NULL, s[0]));
+  OK(um_thermal_sensitivity_periodic(help_context, base.s.body->network, loads, &base.options,
+                                     start, 0.0, period, variant, PARAMETERS - 1, NULL, s[0]));
   for (int k = 0; k < PARAMETERS - 1; k++) {
     double largest = 0.0, worst = 0.0;
     box_close(&moved[k]);
@@ -178,8 +177,8 @@ static void periodic(void **state)
       box_open(&x, k, side ? 0.99 : 1.01, false, &table);
       x.options.relative_tolerance = 1e-9;
       x.options.absolute_tolerance = 1e-7;
-      OK(um_thermal_solve_periodic(help_context, x.s.body->network, loads, &x.options, 0.0, period,
-                                   1e-5, answer[side], &drift));
+      OK(um_thermal_solve_periodic(help_context, x.s.body->network, loads, &x.options, NULL, 0.0,
+                                   period, 1e-5, answer[side], &drift));
       box_close(&x);
     }
     for (int i = 0; i < NODES; i++) {
@@ -206,9 +205,9 @@ static void refusals(void **state)
   struct box base, moved;
   box_open(&base, -1, 1.0, false, &table);
   box_open(&moved, 4, 1.00001, false, &table);
-  struct um_thermal_variant variant = {moved.s.body->network, NULL, NULL, 1e-5};
+  struct um_thermal_variant variant = {moved.s.body->network, NULL, NULL, 1e-5, NULL};
   assert_int_equal(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options,
-                                          0.0, &time, 1, &variant, 1, NULL, keep, &kept),
+                                          NULL, 0.0, &time, 1, &variant, 1, NULL, keep, &kept),
                    UM_ERR_INPUT);
   assert_string_equal(um_core_message(help_context),
                       "heat sensitivity 0: the variant has other optics and the base's exchange "
@@ -217,7 +216,7 @@ static void refusals(void **state)
   moved.options.exchange = NULL;
   variant.options = &moved.options;
   assert_int_equal(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options,
-                                          0.0, &time, 1, &variant, 1, NULL, keep, &kept),
+                                          NULL, 0.0, &time, 1, &variant, 1, NULL, keep, &kept),
                    UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(help_context), "in the base and not in the variant"));
   um_core_message_clear(help_context);

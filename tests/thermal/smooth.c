@@ -34,7 +34,7 @@ static struct um_thermal_history *day(bool flash)
   struct um_thermal_solve_options options = help_options(1e-8, 1e-6, 0.0);
   struct um_thermal_history *history = NULL;
   const double end = DAY;
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, &end, 1, &history));
+  OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, &end, 1, &history));
   um_irradiation_loads_destroy(help_context, &loads);
   um_thermal_network_destroy(&network);
   return history;

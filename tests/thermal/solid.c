@@ -96,7 +96,7 @@ static double slab_back(double facet)
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
   struct um_thermal_history *history = NULL;
   double fo = 0.2, at = fo * 0.01 / 1e-6; /* [s] */
-  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, 0.0, &at, 1, &history));
+  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, NULL, 0.0, &at, 1, &history));
   double theta = (help_mean(&s, "bar.+x", history->temperature) - 300.0) / 10.0;
   print_message("slab, facets of %g m, %zu tetrahedra, %zu nodes: theta %.6f (0.772312)\n", facet,
                 s.body->ntetrahedron, history->nnode, theta);

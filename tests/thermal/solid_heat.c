@@ -72,7 +72,7 @@ static void test_volume_history(void **state)
   help_build(&s, NULL, 0);
   struct um_thermal_solve_options options = help_options(1e-9, 1e-8, 0.0);
   struct um_thermal_history *run = NULL;
-  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, 0.0, &at, 1, &run));
+  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, NULL, 0.0, &at, 1, &run));
   const double rise = 350.0 / (7200.0 * 440.5 * 4e-5);
   NEAR("mean", mean_of(&s, run->temperature), 300.0 + rise, 1e-7 * rise);
   for (size_t i = 0; i < run->nnode; i++) NEAR("node", run->temperature[i], 300.0 + rise, 1e-6);
@@ -149,7 +149,7 @@ static double t3(double facet)
   }
   struct um_thermal_solve_options options = help_options(1e-8, 1e-6, 0.0);
   struct um_thermal_history *run = NULL;
-  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, 0.0, &at, 1, &run));
+  OK(um_thermal_solve(help_context, s.body->network, NULL, &options, NULL, 0.0, &at, 1, &run));
   size_t n = help_nodes_at_x(&s, 0.08 - 0.5 * LENGTH, node, 512);
   assert_true(n > 0);
   for (size_t i = 0; i < n; i++) mean += run->temperature[node[i]] / (double)n;

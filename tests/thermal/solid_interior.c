@@ -116,7 +116,7 @@ static void test_as_a_node(void **state)
       struct um_thermal_history *run = NULL;
       bus(&s, solid ? 1e5 : 0.0, kinds[kind]);
       double *t = help_steady(&s, NULL, 0.0);
-      OK(um_thermal_solve(help_context, s.body->network, NULL, &options, 0.0, &at, 1, &run));
+      OK(um_thermal_solve(help_context, s.body->network, NULL, &options, NULL, 0.0, &at, 1, &run));
       for (int p = 0; p < 5; p++) {
         found[solid][0][p] = help_mean(&s, places[p], t);
         found[solid][1][p] = help_mean(&s, places[p], run->temperature);

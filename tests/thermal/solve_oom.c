@@ -20,7 +20,7 @@ static enum um_status run(const struct subject *s)
   struct um_thermal_history *history = NULL;
   double t = 300.0;
   enum um_status status =
-      um_thermal_solve(s->context, s->network, s->loads, &options, 0.0, &t, 1, &history);
+      um_thermal_solve(s->context, s->network, s->loads, &options, NULL, 0.0, &t, 1, &history);
   um_thermal_history_destroy(s->context, &history);
   return status;
 }
@@ -29,15 +29,15 @@ static enum um_status periodic(const struct subject *s)
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   double temperature[64], drift;
-  return um_thermal_solve_periodic(s->context, s->network, s->loads, &options, 0.0, 6000.0, 1.0,
-                                   temperature, &drift);
+  return um_thermal_solve_periodic(s->context, s->network, s->loads, &options, NULL, 0.0, 6000.0,
+                                   1.0, temperature, &drift);
 }
 static enum um_status steady(const struct subject *s)
 {
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   double temperature[64];
-  return um_thermal_solve_steady(s->context, s->network, s->loads, 0, &options, temperature);
+  return um_thermal_solve_steady(s->context, s->network, s->loads, 0, &options, NULL, temperature);
 }
 static enum um_status read(const struct subject *s)
 {
@@ -59,8 +59,8 @@ static enum um_status respond(const struct subject *s)
   const uint32_t node = 0;
   const double t[2] = {300.0, 600.0}, weight = 1.0;
   const struct um_thermal_response_source source = {&node, &weight, 1, 100.0, 500.0};
-  return um_thermal_response(s->context, s->network, s->loads, &options, 0.0, t, 2, &source, 1,
-                             NULL, take, NULL);
+  return um_thermal_response(s->context, s->network, s->loads, &options, NULL, 0.0, t, 2, &source,
+                             1, NULL, take, NULL);
 }
 
 static enum um_status sensitive(const struct subject *s)
@@ -68,18 +68,18 @@ static enum um_status sensitive(const struct subject *s)
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   const double t[2] = {300.0, 600.0};
-  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0};
-  return um_thermal_sensitivity(s->context, s->network, s->loads, &options, 0.0, t, 2, &variant, 1,
-                                NULL, take, NULL);
+  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0, NULL};
+  return um_thermal_sensitivity(s->context, s->network, s->loads, &options, NULL, 0.0, t, 2,
+                                &variant, 1, NULL, take, NULL);
 }
 static enum um_status sensitive_orbit(const struct subject *s)
 {
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   double out[64];
-  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0};
-  return um_thermal_sensitivity_periodic(s->context, s->network, s->loads, &options, 0.0, 6000.0,
-                                         &variant, 1, NULL, out);
+  const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0, NULL};
+  return um_thermal_sensitivity_periodic(s->context, s->network, s->loads, &options, NULL, 0.0,
+                                         6000.0, &variant, 1, NULL, out);
 }
 
 /* A power history and a thermostat on `node`. */

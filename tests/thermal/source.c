@@ -37,7 +37,7 @@ static struct um_thermal_history *run(const struct um_thermal_network *network, 
 {
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
   struct um_thermal_history *history = NULL;
-  OK(um_thermal_solve(help_context, network, NULL, &options, START, times, ntime, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, START, times, ntime, &history));
   print_message("audit %.1e, %zu steps\n", history->audit_error, history->steps);
   if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
   return history;
@@ -152,7 +152,7 @@ static void test_periodic(void **state)
   source_add(network, node, t, power, 2, false);
   struct um_thermal_solve_options options = help_options(1e-9, 1e-8, 0.0);
   double temperature[2], distance;
-  OK(um_thermal_solve_periodic(help_context, network, NULL, &options, START, 2000.0, 1e-5,
+  OK(um_thermal_solve_periodic(help_context, network, NULL, &options, NULL, START, 2000.0, 1e-5,
                                temperature, &distance));
   double pulse = 80.0 / G * -expm1(-300.0 / TAU) * exp(-700.0 / TAU); /* at the orbit's end */
   NEAR("orbit with a pulse", temperature[node], T_B + pulse / -expm1(-2000.0 / TAU), 1e-5);

@@ -38,11 +38,11 @@ static void test_filter(void **state)
     struct um_thermal_solve_options options = help_options(1e-9, 1e-7, 0.0);
     double start[2], drift;
     /* what is left of the start drifts by 1e-4 K a turn at most: 3e-5 K in the lag's component */
-    OK(um_thermal_solve_periodic(help_context, network, loads, &options, 0.0, TURN, 1e-4, start,
-                                 &drift));
-    um_thermal_network_temperatures_set(network, start);
+    OK(um_thermal_solve_periodic(help_context, network, loads, &options, NULL, 0.0, TURN, 1e-4,
+                                 start, &drift));
     struct um_thermal_history *history = NULL;
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, loads->t, ROWS, &history));
+    OK(um_thermal_solve(help_context, network, loads, &options, start, 0.0, loads->t, ROWS,
+                        &history));
     double in_phase = 0.0, behind = 0.0;
     for (size_t k = 0; k + 1 < ROWS; k++) {
       double angle = 2.0 * UM_PI * (double)k / (ROWS - 1);

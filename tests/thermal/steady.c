@@ -5,7 +5,7 @@ static void steady(const struct um_thermal_network *network,
                    const struct um_irradiation_loads *loads, double space, double *temperature)
 {
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, space);
-  OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, temperature));
+  OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, NULL, temperature));
 }
 
 /* One time, loads as given on every surface. */
@@ -154,7 +154,7 @@ static void test_refused(void **state)
   OK(um_thermal_network_node_add(network, "lonely", UM_NODE_DIFFUSIVE, 1.0, 300.0, 1.0, &index));
   struct um_thermal_solve_options options = help_options(1e-6, 1e-4, 0.0);
   double t;
-  assert_int_equal(um_thermal_solve_steady(help_context, network, NULL, 0, &options, &t),
+  assert_int_equal(um_thermal_solve_steady(help_context, network, NULL, 0, &options, NULL, &t),
                    UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(help_context), "node 'lonely'"));
   um_core_message_clear(help_context);
@@ -177,12 +177,14 @@ static void test_below_zero(void **state)
   const double end = 5000.0;
   static const char *const words[] = {"node 0 of part 'radiator'", "power -10 W",
                                       "s after the start"};
-  assert_int_equal(um_thermal_solve_steady(help_context, network, NULL, 0, &options, &temperature),
-                   UM_ERR_NUMERIC);
+  assert_int_equal(
+      um_thermal_solve_steady(help_context, network, NULL, 0, &options, NULL, &temperature),
+      UM_ERR_NUMERIC);
   assert_non_null(strstr(um_core_message(help_context), words[0]));
   um_core_message_clear(help_context);
-  assert_int_equal(um_thermal_solve(help_context, network, NULL, &options, 0.0, &end, 1, &history),
-                   UM_ERR_NUMERIC);
+  assert_int_equal(
+      um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, &end, 1, &history),
+      UM_ERR_NUMERIC);
   for (size_t k = 0; k < 3; k++)
     if (strstr(um_core_message(help_context), words[k]) == NULL)
       fail_msg("'%s' lacks '%s'", um_core_message(help_context), words[k]);

@@ -55,7 +55,7 @@ static void metal_cools(void **state)
   struct um_thermal_solve_options options = help_options(1e-10, 1e-9, 0.0);
   struct um_thermal_history *history = NULL;
   const double times[] = {0.0, 500.0, 3000.0, 20000.0};
-  OK(um_thermal_solve(help_context, network, NULL, &options, 0.0, times, 4, &history));
+  OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, times, 4, &history));
   double k = UM_STEFAN_BOLTZMANN * AREA * EMITTANCE;
   for (size_t i = 0; i < 4; i++)
     NEAR("T", history->temperature[i],
@@ -110,7 +110,7 @@ static void loads_follow_the_law(void **state)
     NEAR("solar", heat.solar / (AREA * sun), 1.0, 2e-7);
     NEAR("albedo", heat.albedo / (AREA * albedo), 1.0, 1e-12);
     NEAR("planet", heat.planet / (AREA * planet), 1.0, 1e-12);
-    OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, &t));
+    OK(um_thermal_solve_steady(help_context, network, loads, 0, &options, NULL, &t));
     double emitted = EMITTANCE * (0.5 + t / 600.0) * UM_STEFAN_BOLTZMANN * pow(t, 4);
     NEAR("balance", emitted / (sun + albedo + planet), 1.0, 1e-6);
     um_irradiation_loads_destroy(help_context, &loads);

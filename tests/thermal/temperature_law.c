@@ -67,7 +67,7 @@ static void slab_conducts(void **state)
   }
   double temperature[NODES + 2];
   struct um_thermal_solve_options options = help_options(1e-9, 1e-8, 0.0);
-  OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, temperature));
+  OK(um_thermal_solve_steady(help_context, network, NULL, 0, &options, NULL, temperature));
   double a = hot - 300.0, b = cold - 300.0;
   for (int k = 0; k < NODES + 2; k++) {
     double u = (double)k / (NODES + 1);
@@ -155,7 +155,7 @@ static void energy_closes(void **state)
     um_thermal_solve_defaults(&options);
     struct um_thermal_history *history = NULL;
     double end = 6000.0 * ORBITS;
-    OK(um_thermal_solve(help_context, network, loads, &options, 0.0, &end, 1, &history));
+    OK(um_thermal_solve(help_context, network, loads, &options, NULL, 0.0, &end, 1, &history));
     print_message("audit %.1e in %zu steps, %zu evaluations, %zu Jacobians\n", history->audit_error,
                   history->steps, history->rhs_evaluations, history->jacobians);
     if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
@@ -179,12 +179,11 @@ static void orbits_repeat(void **state)
   struct um_thermal_history *history = NULL;
   double *t = calloc(network->nnode, sizeof *t), end = 6000.0;
   assert_non_null(t);
-  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, 0.0, end, 1e-3, t,
-                                      NULL, NULL, &report));
+  OK(um_thermal_solve_periodic_report(help_context, network, loads, &options, NULL, 0.0, end, 1e-3,
+                                      t, NULL, NULL, &report));
   print_message("periodic after %zu orbits\n", report.orbits);
   assert_true(report.orbits <= 12); /* each correction leaves a tenth */
-  um_thermal_network_temperatures_set(network, t);
-  OK(um_thermal_solve(help_context, network, loads, &options, 0.0, &end, 1, &history));
+  OK(um_thermal_solve(help_context, network, loads, &options, t, 0.0, &end, 1, &history));
   for (size_t i = 0; i < network->nnode; i++)
     NEAR("one orbit later", history->temperature[i], t[i], 2e-3);
   um_thermal_history_destroy(help_context, &history);
@@ -221,8 +220,8 @@ static void responses_follow(void **state)
     assert_non_null(answers.response);
     const struct um_thermal_response_source source = {&wall, &one, 1, 0.0, 1000.0};
     const struct um_thermal_response_options how = {60.0, NULL};
-    OK(um_thermal_response(help_context, network, loads, &options, 0.0, times, 2, &source, 1, &how,
-                           take, &answers));
+    OK(um_thermal_response(help_context, network, loads, &options, NULL, 0.0, times, 2, &source, 1,
+                           &how, take, &answers));
     struct um_thermal_history *history[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
       struct um_thermal_network *moved = box_network(2, c == 0 ? 77.39 : 0.0, &interior);
@@ -231,7 +230,8 @@ static void responses_follow(void **state)
                    power[2] = {side == 0 ? 1.0 : -1.0, side == 0 ? 1.0 : -1.0};
       const struct um_thermal_source heat = {&wall, &one, 1, t, power, 2, false};
       OK(um_thermal_network_source_add(moved, &heat));
-      OK(um_thermal_solve(help_context, moved, loads, &options, 0.0, times, 2, &history[side]));
+      OK(um_thermal_solve(help_context, moved, loads, &options, NULL, 0.0, times, 2,
+                          &history[side]));
       um_thermal_network_destroy(&moved);
     }
     double largest = 0.0, worst = 0.0;
