@@ -156,7 +156,6 @@ int um_app_compare(struct um_context *context, const struct um_app_options *opti
   struct um_compare_plan *plan = NULL;
   struct um_compare_comparison *comparison = NULL;
   struct um_core_folder *folder = NULL;
-  struct um_compare_refinement refinement;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
   UM_CHECK(um_compare_measurements_read(context, options->positional[1], &measurements));
@@ -167,12 +166,10 @@ int um_app_compare(struct um_context *context, const struct um_app_options *opti
   UM_CHECK(um_compare_plan_trace(context, model, plan, &precomputed));
   struct um_compare_share_user shared = {model, plan};
   UM_CHECK(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
-                             um_compare_share_of_plan, &shared, &result, &refinement));
+                             um_compare_share_of_plan, &shared, &result, NULL));
   struct um_compare_run run = {model, plan, precomputed, result};
   UM_CHECK(fill_sigma(context, &run, measurements));
   UM_CHECK(um_compare_create(context, &run, 0.0, &comparison));
-  comparison->samples = refinement.samples;
-  comparison->samples_before = refinement.samples_before;
   UM_CHECK(write_folder(context, comparison, options, &folder));
   um_app_terminal_clear();
   if (options->json)

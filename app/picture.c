@@ -49,7 +49,8 @@ enum um_status um_app_instant_precompute(struct um_context *context, const struc
   const struct um_scenario_time *time = model->scenario->time;
   const double times[] = {time->start, t}, exposures[] = {0.0, time->exposure_s};
   size_t from = t - time->start > 2.0 * time->exposure_s + SPAN_ROUNDING ? 0 : 1;
-  return um_model_precompute_at(context, model, times + from, exposures + from, 2 - from, out);
+  return um_model_precompute_at(context, model, times + from, exposures + from, 2 - from,
+                                (struct um_model_sampling){0}, out);
 }
 
 /* "8-8.1um", "8-8.1" or, for a bin whose centre it is, "8.05" [um]. */

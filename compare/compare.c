@@ -186,7 +186,8 @@ enum um_status um_compare_create(struct um_context *context, const struct um_com
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *c, &c));
   c->run = *run;
-  c->samples = c->samples_before = run->model->scenario->optics->samples;
+  c->samples = run->precomputed->sampling.samples;
+  c->samples_before = run->model->scenario->optics->samples;
   UM_CHECK(find_residuals(context, c));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->light, &c->light));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->motion, &c->motion));

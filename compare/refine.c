@@ -111,7 +111,7 @@ static void report(struct um_context *context, const struct um_compare_refinemen
 
 /* A refinement in progress. */
 struct job {
-  struct um_model *model;
+  const struct um_model *model;
   struct um_model_precomputed *precomputed;
   const struct um_model_thermal_solution *heat;
   um_compare_share_of *share_of;
@@ -125,7 +125,8 @@ static enum um_status look_again(struct um_context *context, const struct job *j
                                  int rays, struct um_model_result **result)
 {
   struct um_model_result *finer = NULL;
-  UM_TRY(um_model_precomputed_resample(context, job->model, job->precomputed, samples, rays));
+  UM_TRY(um_model_precomputed_resample(context, job->model, job->precomputed,
+                                       (struct um_model_sampling){samples, rays}));
   UM_TRY(um_model_run_with(context, job->model, job->precomputed, job->heat, &finer));
   um_model_result_destroy(context, result);
   *result = finer;
@@ -137,15 +138,15 @@ static enum um_status direct_share(struct um_context *context, const struct job 
                                    const struct um_compare_refinement *r, double *share)
 {
   struct um_model_result *bare = NULL;
+  struct um_model without = *job->model;
   enum um_status status;
   *share = r->share;
   if (!job->model->environment.inter_reflection_on || r->interreflection == 0) return UM_OK;
-  job->model->environment.inter_reflection_on = false;
-  UM_CHECK(um_model_run_with(context, job->model, job->precomputed, job->heat, &bare));
+  without.environment.inter_reflection_on = false;
+  UM_CHECK(um_model_run_with(context, &without, job->precomputed, job->heat, &bare));
   UM_CHECK(job->share_of(context, job->user, job->precomputed, bare, NULL, share));
   *share = fmin(*share, r->share);
 done:
-  job->model->environment.inter_reflection_on = true;
   um_model_result_destroy(context, &bare);
   return status;
 }
@@ -194,8 +195,9 @@ static enum um_status check(struct um_context *context, const struct job *job,
     um_model_result_destroy(context, result);
     *result = coarse;
     coarse = NULL;
-    UM_CHECK(um_model_precomputed_resample(context, job->model, job->precomputed, r->samples,
-                                           r->interreflection));
+    UM_CHECK(
+        um_model_precomputed_resample(context, job->model, job->precomputed,
+                                      (struct um_model_sampling){r->samples, r->interreflection}));
     status = UM_OK;
     goto done;
   }
@@ -208,7 +210,7 @@ done:
   return status;
 }
 
-enum um_status um_compare_refine_with(struct um_context *context, struct um_model *model,
+enum um_status um_compare_refine_with(struct um_context *context, const struct um_model *model,
                                       struct um_model_precomputed *precomputed,
                                       const struct um_model_thermal_solution *heat, double limit,
                                       um_compare_share_of *share_of, void *user,
@@ -255,7 +257,7 @@ done:
   return status;
 }
 
-enum um_status um_compare_refine(struct um_context *context, struct um_model *model,
+enum um_status um_compare_refine(struct um_context *context, const struct um_model *model,
                                  struct um_model_precomputed *precomputed, double limit,
                                  um_compare_share_of *share_of, void *user,
                                  struct um_model_result **out,

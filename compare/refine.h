@@ -41,17 +41,17 @@ typedef enum um_status um_compare_share_of(struct um_context *context, void *use
  * share below the limit is checked by a run with four times the samples, which is taken in its
  * place where the values moved by more than the limit; otherwise the result is that of
  * um_model_run. What was done is said in the log; a share that stays above the limit is a warning.
- * limit: in (0, 1), UM_COMPARE_MODEL_SHARE. model: its optics.samples is set to what was used.
+ * limit: in (0, 1), UM_COMPARE_MODEL_SHARE. precomputed: its sampling is what was used.
  * Errors of the run, the geometry precomputation and share_of. The caller destroys *out. Tested by
  * law_compare_sampling. */
-enum um_status um_compare_refine(struct um_context *context, struct um_model *model,
+enum um_status um_compare_refine(struct um_context *context, const struct um_model *model,
                                  struct um_model_precomputed *precomputed, double limit,
                                  um_compare_share_of *share_of, void *user,
                                  struct um_model_result **out,
                                  struct um_compare_refinement *refinement);
 
 /* The same with heat of the model that is at hand and stays the caller's. */
-enum um_status um_compare_refine_with(struct um_context *context, struct um_model *model,
+enum um_status um_compare_refine_with(struct um_context *context, const struct um_model *model,
                                       struct um_model_precomputed *precomputed,
                                       const struct um_model_thermal_solution *heat, double limit,
                                       um_compare_share_of *share_of, void *user,

@@ -50,7 +50,7 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
                                   .temperature = result->surface_temperature + k * result->nsurface,
                                   .albedo = precomputed->seen->albedo + row,
                                   .view_factor = precomputed->seen->view_factor + row,
-                                  .interreflection_samples = um_model_paths(model),
+                                  .interreflection_samples = um_model_paths(model, precomputed),
                                   .brightness = precomputed->seen->brightness == NULL
                                                     ? NULL
                                                     : precomputed->seen->brightness + row};

@@ -189,6 +189,7 @@ done:
 
 enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
                                           const struct um_model_point *points, size_t npoint,
+                                          struct um_model_sampling sampling,
                                           struct um_model_precomputed **out)
 {
   enum um_status status;
@@ -197,9 +198,7 @@ enum um_status um_model_precompute_points(struct um_context *context, const stru
   *out = NULL;
   UM_CHECK(um_model_points_plan(context, model, &instants, &precomputed));
   UM_CHECK(trace_loads(context, model, precomputed));
-  UM_CHECK(um_optics_view_trace(context, model->geometry, precomputed->sample, npoint,
-                                model->scenario->optics->samples,
-                                (uint64_t)model->scenario->optics->seed, &precomputed->view));
+  UM_CHECK(um_model_precompute_view(context, model, sampling, precomputed));
 done:
   status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);

@@ -289,7 +289,8 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
   *out = NULL;
   UM_TRY(um_model_check_track(context, model));
   UM_TRY(um_model_scenario_times(context, model, &times, &n));
-  enum um_status status = um_model_precompute_at(context, model, times, NULL, n, out);
+  enum um_status status =
+      um_model_precompute_at(context, model, times, NULL, n, (struct um_model_sampling){0}, out);
   um_core_free(context, times);
   return status;
 }
@@ -329,8 +330,22 @@ void um_model_precompute_plan_clear(struct um_context *context,
   *plan = (struct um_model_precompute_plan){0};
 }
 
+enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,
+                                        struct um_model_sampling sampling,
+                                        struct um_model_precomputed *precomputed)
+{
+  const struct um_scenario_optics *optics = model->scenario->optics;
+  precomputed->sampling.samples = sampling.samples != 0 ? sampling.samples : optics->samples;
+  precomputed->sampling.paths = optics->interreflection_samples > 0 ? sampling.paths : 0;
+  if (!model->has_observer) return UM_OK;
+  return um_optics_view_trace(context, model->geometry, precomputed->sample,
+                              precomputed->nobs * precomputed->nsub, precomputed->sampling.samples,
+                              (uint64_t)optics->seed, &precomputed->view);
+}
+
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
+                                      struct um_model_sampling sampling,
                                       struct um_model_precomputed **out)
 {
   enum um_status status;
@@ -339,11 +354,7 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
   UM_CHECK(um_model_precompute_plan(context, model, times, exposures, ntime, &plan));
   UM_CHECK(um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge,
                                      plan.precomputed));
-  if (model->has_observer)
-    UM_CHECK(um_optics_view_trace(
-        context, model->geometry, plan.precomputed->sample,
-        plan.precomputed->nobs * plan.precomputed->nsub, model->scenario->optics->samples,
-        (uint64_t)model->scenario->optics->seed, &plan.precomputed->view));
+  UM_CHECK(um_model_precompute_view(context, model, sampling, plan.precomputed));
   *out = plan.precomputed;
   plan.precomputed = NULL;
 done:
@@ -351,27 +362,23 @@ done:
   return um_model_blame_table(context, model, status);
 }
 
-enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,
-                                             struct um_model_precomputed *precomputed, int samples,
-                                             int interreflection_samples)
+enum um_status um_model_precomputed_resample(struct um_context *context,
+                                             const struct um_model *model,
+                                             struct um_model_precomputed *precomputed,
+                                             struct um_model_sampling sampling)
 {
-  struct um_scenario_optics *optics = model->scenario->optics;
-  struct um_optics_view *view = NULL;
+  const struct um_scenario_optics *optics = model->scenario->optics;
+  struct um_model_precomputed again = *precomputed;
   if (precomputed->view == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "no lines of sight without an observer");
-  if (optics->interreflection_samples > 0 && interreflection_samples < 1)
+  if (optics->interreflection_samples > 0 && sampling.paths < 1)
     return um_core_fail(context, UM_ERR_INPUT,
                         "%d rays between surfaces; accepted: 1 or more, as the scenario has them",
-                        interreflection_samples);
-  UM_TRY(um_optics_view_trace(context, model->geometry, precomputed->sample,
-                              precomputed->nobs * precomputed->nsub, samples,
-                              (uint64_t)optics->seed, &view));
-  um_optics_photon_maps_destroy(context, &precomputed->photons);
+                        sampling.paths);
+  UM_TRY(um_model_precompute_view(context, model, sampling, &again));
+  um_optics_photon_maps_destroy(context, &again.photons);
   um_optics_view_destroy(context, &precomputed->view);
-  precomputed->view = view;
-  optics->samples = samples;
-  if (optics->interreflection_samples > 0)
-    optics->interreflection_samples = interreflection_samples;
+  *precomputed = again;
   return UM_OK;
 }
 

@@ -6,12 +6,14 @@
 #include "model/precomputed.h"
 #include "model/timeline.h"
 
-/* When a model is looked at. */
+/* When and how finely a model is looked at. */
 struct um_model_instants {
-  const double *time;                 /* [count] t_tai [s], as um_model_precompute_at takes them */
-  const double *exposure;             /* [count] [s]; NULL: the scenario's */
+  const double *time;     /* [count] t_tai [s], as um_model_precompute_at takes them; NULL without
+                             points: the scenario's own window */
+  const double *exposure; /* [count] [s]; NULL: the scenario's */
   const struct um_model_point *point; /* [count] of a scenario with orbit.points; NULL: an orbit */
   size_t count;
+  struct um_model_sampling sampling;
 };
 
 /* Times of the scenario's own observations, every step from start to stop, t_tai [s]; the caller
@@ -23,9 +25,11 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
                                    struct um_model_precomputed **out);
 /* The same at given observation times [ntime], t_tai, strictly ascending, in place of the
  * scenario's start, stop and step (measurements have times of their own). UM_ERR_INPUT for none or
- * out of order. exposures: NULL, or [ntime] [s] in place of the scenario's. */
+ * out of order. exposures: NULL, or [ntime] [s] in place of the scenario's. sampling: of its lines
+ * of sight and of the runs on it. */
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
+                                      struct um_model_sampling sampling,
                                       struct um_model_precomputed **out);
 /* Whichever of um_model_precompute, um_model_precompute_at and um_model_precompute_points goes with
  * the instants; NULL: the scenario's own window. */
@@ -35,14 +39,14 @@ enum um_status um_model_precompute_over(struct um_context *context, const struct
 /* Memory that it takes, but for some per cent [bytes]. */
 size_t um_model_precomputed_bytes(const struct um_model_precomputed *precomputed);
 /* Look again: lines of sight of the geometry precomputation with another number of points per
- * facet, everything else of it as it was. The model's own optics.samples is set, and
- * optics.interreflection_samples where it is not 0, so that what is built from the model later
- * agrees. UM_ERR_INPUT: no observer, or a number out of range (then nothing is changed);
- * UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED.
+ * facet, everything else of it as it was; its `sampling` says what runs on it look with. Paths
+ * stay the model's where optics.interreflection_samples is 0. UM_ERR_INPUT: no observer, or a
+ * number out of range (then nothing is changed); UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED.
  */
-enum um_status um_model_precomputed_resample(struct um_context *context, struct um_model *model,
-                                             struct um_model_precomputed *precomputed, int samples,
-                                             int interreflection_samples);
+enum um_status um_model_precomputed_resample(struct um_context *context,
+                                             const struct um_model *model,
+                                             struct um_model_precomputed *precomputed,
+                                             struct um_model_sampling sampling);
 /* Keep the sunlight that mirrors throw on other surfaces as the model has it, for many runs of it
  * and of others that have the same mirrors (optics/photon_maps.h). Errors of
  * um_optics_photon_maps_create. */

@@ -23,4 +23,10 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
 void um_model_precompute_plan_clear(struct um_context *context,
                                     struct um_model_precompute_plan *plan);
 
+/* Lines of sight of what stands in the geometry precomputation, and its sampling; none without an
+ * observer. Errors of um_optics_view_trace. */
+enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,
+                                        struct um_model_sampling sampling,
+                                        struct um_model_precomputed *precomputed);
+
 #endif

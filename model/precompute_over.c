@@ -7,11 +7,21 @@ enum um_status um_model_precompute_over(struct um_context *context, const struct
                                         const struct um_model_instants *instants,
                                         struct um_model_precomputed **out)
 {
+  double *times = NULL;
+  size_t n = 0;
   if (instants == NULL) return um_model_precompute(context, model, out);
   if (instants->point != NULL)
-    return um_model_precompute_points(context, model, instants->point, instants->count, out);
-  return um_model_precompute_at(context, model, instants->time, instants->exposure, instants->count,
-                                out);
+    return um_model_precompute_points(context, model, instants->point, instants->count,
+                                      instants->sampling, out);
+  if (instants->time != NULL)
+    return um_model_precompute_at(context, model, instants->time, instants->exposure,
+                                  instants->count, instants->sampling, out);
+  *out = NULL;
+  UM_TRY(um_model_scenario_times(context, model, &times, &n));
+  enum um_status status =
+      um_model_precompute_at(context, model, times, NULL, n, instants->sampling, out);
+  um_core_free(context, times);
+  return status;
 }
 
 /* Tables of a row and surface. */

@@ -11,6 +11,12 @@
 #include "optics/optics.h"
 #include "orbit/observer.h"
 
+/* How finely a body is looked at; 0: as the scenario of the model at hand has it. */
+struct um_model_sampling {
+  int samples; /* points per facet, optics.samples */
+  int paths;   /* between surfaces, optics.interreflection_samples */
+};
+
 /* Everything geometric about one timeline, traced once; physics runs on it many times. */
 struct um_model_precomputed {
   size_t nobs;                          /* observations */
@@ -36,6 +42,7 @@ struct um_model_precomputed {
                                                          nothing moves; NULL: no heat to follow */
   struct um_irradiation_mirrored *mirrored; /* at the times of the loads; NULL: no mirror */
   struct um_optics_view *view;              /* [nobs * nsub]; NULL without an observer */
+  struct um_model_sampling sampling;        /* samples: of `view`; paths: of the runs on it */
   struct um_optics_photon_maps *photons; /* on that view: um_model_precompute_photons; else NULL */
   struct um_environment_event *event;    /* [nevent], eclipse edges from t_start to the end */
   size_t nevent;

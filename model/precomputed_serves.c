@@ -137,8 +137,8 @@ static enum um_status same_times(struct um_context *context,
   double *times = NULL;
   um_core_quiet_begin(context);
   if (instants != NULL) of = *instants;
-  if (instants == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
-  if (instants == NULL) of.time = times;
+  if (of.time == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
+  if (of.time == NULL) of.time = times;
   UM_CHECK(um_model_precompute_plan(context, model, of.time, of.exposure, of.count, &plan));
   *out = plan_equal(precomputed, &plan);
 done:
@@ -169,11 +169,23 @@ static enum um_status same_scene(struct um_context *context,
 static bool options_equal(const struct um_model *a, const struct um_model *b)
 {
   const struct um_scenario_thermal *x = a->scenario->thermal, *y = b->scenario->thermal;
-  return a->scenario->optics->samples == b->scenario->optics->samples &&
-         a->scenario->optics->seed == b->scenario->optics->seed && x->samples == y->samples &&
+  return a->scenario->optics->seed == b->scenario->optics->seed && x->samples == y->samples &&
          x->view_factor_rays == y->view_factor_rays && x->exchange_patches == y->exchange_patches &&
          um_core_words_same(x->view_factors, y->view_factors) &&
          um_core_words_same(a->scenario->at.file, b->scenario->at.file);
+}
+
+/* Looked at as finely as the model would be over the instants. */
+static bool sampling_serves(const struct um_model_precomputed *precomputed,
+                            const struct um_model_instants *instants, const struct um_model *model)
+{
+  const struct um_scenario_optics *optics = model->scenario->optics;
+  struct um_model_sampling asked = {0, 0};
+  if (instants != NULL) asked = instants->sampling;
+  if (asked.samples == 0) asked.samples = optics->samples;
+  if (optics->interreflection_samples <= 0) asked.paths = 0;
+  return precomputed->sampling.samples == asked.samples &&
+         precomputed->sampling.paths == asked.paths;
 }
 
 static bool rooms_equal(const struct um_model *a, const struct um_model *b)
@@ -207,7 +219,8 @@ enum um_status um_model_precomputed_serves(struct um_context *context, const str
 {
   *out = made->points == model->points && made->has_observer == model->has_observer &&
          um_geometry_equal(made->geometry, model->geometry) && rooms_equal(made, model) &&
-         options_equal(made, model) && um_model_light_serves(made, model);
+         options_equal(made, model) && sampling_serves(precomputed, instants, model) &&
+         um_model_light_serves(made, model);
   if (*out && model->points) return same_points(context, precomputed, instants, model, out);
   if (*out) UM_TRY(same_mirrors(context, made, model, out));
   if (*out) UM_TRY(same_times(context, precomputed, instants, model, out));

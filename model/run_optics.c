@@ -11,9 +11,10 @@
 #include "model/run_optics_impl.h"
 #include "model/sky_bands_impl.h"
 
-int um_model_paths(const struct um_model *model)
+int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed)
 {
-  int stated = model->scenario->optics->interreflection_samples;
+  int stated = precomputed->sampling.paths;
+  if (stated == 0) stated = model->scenario->optics->interreflection_samples;
   if (!model->environment.inter_reflection_on) return 0;
   return stated > 0 ? stated : UM_SCENARIO_PATHS; /* 0: switched on by hand */
 }
@@ -52,7 +53,7 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .albedo = albedo,
                                   .view_factor = view_factor,
                                   .brightness = brightness,
-                                  .interreflection_samples = um_model_paths(model),
+                                  .interreflection_samples = um_model_paths(model, precomputed),
                                   .photons = precomputed->photons};
   return UM_OK;
 done:

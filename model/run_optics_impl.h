@@ -19,8 +19,8 @@ enum um_status um_model_observe(struct um_context *context, const struct um_mode
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
                                    const double *surface, struct um_optics_scene *out);
-/* Paths of light between surfaces as the scenario wants them; 0 where they are off. */
-int um_model_paths(const struct um_model *model);
+/* Paths of light between surfaces of runs on the geometry precomputation; 0 where they are off. */
+int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed);
 void um_model_scene_release(struct um_context *context, struct um_optics_scene *scene);
 
 #endif

@@ -209,6 +209,8 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
                                 out, &refinement));
   f->samples = refinement.samples;
   f->paths = refinement.interreflection;
+  f->instants.sampling =
+      base->precomputed->sampling; /* all look at the body with the same points */
   return UM_OK;
 }
 
@@ -296,11 +298,12 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
   enum um_status status;
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  const struct um_model_instants window = {.sampling = forward->instants.sampling};
   struct um_variant *v = &out->variant;
   *out = (struct um_sensitivity_forward_run){.result = NULL};
   um_core_quiet_begin(context);
   if (grid && !forward->model->points) /* points have no window of their own */
-    UM_CHECK(um_variant_open_over(context, forward->evaluator, NULL, &changes, &heat, v));
+    UM_CHECK(um_variant_open_over(context, forward->evaluator, &window, &changes, &heat, v));
   else
     UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
   UM_CHECK(um_model_run_with(context, v->model, v->precomputed, v->heat, &out->result));

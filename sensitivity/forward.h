@@ -35,9 +35,8 @@ struct um_sensitivity_forward {
  * at most, an evaluation repeats to 0.004 sigma, and heat costs half. */
 #define UM_SENSITIVITY_TOLERANCE_FACTOR 6.0
 /* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
- * compare does (um_compare_refine), in the model and so in every variant: all look at the body with
- * the same points, and differences between them are smooth. forward->model->scenario says what was
- * used.
+ * compare does (um_compare_refine), for every variant (plan->sampling): all look at the body with
+ * the same points, and differences between them are smooth. forward->samples says what was used.
  * options: the user's --set, --with, --without; borrowed. tolerance_factor: factor on the
  * tolerances of the heat integration for every evaluation (1: as the scenario has them; derivatives
  * by differences want the same for all). UM_ERR_INPUT naming file and line: what

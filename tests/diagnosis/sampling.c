@@ -59,7 +59,7 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
   struct um_compare_comparison *c;
   double chi2 = 0.0;
   assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, false, &run));
-  assert_int_equal(run.variant.model->scenario->optics->samples, f->samples);
+  assert_int_equal(run.variant.precomputed->sampling.samples, f->samples);
   struct um_compare_run compared = {run.variant.model, f->plan, run.variant.precomputed,
                                     run.result};
   assert_ok(um_compare_create(context, &compared, 0.0, &c));
@@ -82,9 +82,10 @@ static void withhold(struct um_sensitivity_forward *f)
 {
   const struct um_variant *own = &f->base;
   struct um_model_result *result;
+  f->instants.sampling = (struct um_model_sampling){
+      f->samples_before, f->model->scenario->optics->interreflection_samples};
   assert_ok(um_model_precomputed_resample(
-      context, f->model, um_variant_base_precomputed(f->evaluator), f->samples_before,
-      f->model->scenario->optics->interreflection_samples));
+      context, f->model, um_variant_base_precomputed(f->evaluator), f->instants.sampling));
   assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
   assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
   um_model_result_destroy(context, &result);
