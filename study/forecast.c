@@ -20,6 +20,8 @@ struct held {
   struct um_study_forecast forecast;
   struct um_study_forecast_work work;
   struct um_study_forecast_ask ask;
+  struct um_model *model;                 /* the scenario as it stands */
+  struct um_model_instants instant;       /* one, of `from` */
   size_t *place;                          /* [nplace] of the body's */
   double *coordinate;                     /* [npass][UM_STUDY_FORECAST_COORDINATES] */
   struct um_study_forecast_band *band;    /* [npass][nband] */
@@ -121,26 +123,25 @@ enum um_status um_study_forecast_open(struct um_context *context,
 
 static enum um_status prepare(struct um_context *context, struct held *h)
 {
-  enum um_status status;
   struct um_study_forecast *f = &h->forecast;
-  struct um_model *model = NULL;
-  UM_CHECK(um_core_files_hold(context)); /* every pass is of the same bytes */
+  const struct um_variant_settings settings = {.instants = &h->instant, .base = {1.0, 0.01}};
+  UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
   h->holds_files = true;
-  UM_CHECK(um_model_create(context, h->ask.path, h->ask.options, &model));
+  UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
+  const struct um_model *model = h->work.model = h->model;
   f->from = isnan(h->ask.from) ? model->scenario->time->start : h->ask.from;
   f->to = f->from + h->ask.days * DAY;
-  UM_CHECK(um_core_strdup(context, model->scenario->name, &f->name));
-  UM_CHECK(name_stations(context, h, model));
+  UM_TRY(um_core_strdup(context, model->scenario->name, &f->name));
+  UM_TRY(name_stations(context, h, model));
   f->minimum_elevation = isnan(h->ask.minimum_elevation)
                              ? model->scenario->observer->minimum_elevation_deg * UM_DEG
                              : h->ask.minimum_elevation;
-  UM_CHECK(name_outputs(context, h, model));
-  UM_CHECK(um_study_forecast_pin(context, model, &h->work));
+  UM_TRY(name_outputs(context, h, model));
+  UM_TRY(um_study_forecast_pin(context, model, &h->work));
   h->work.light_has_sign = um_study_light_has_sign(model);
-  status = identify(context, h, model);
-done:
-  um_model_destroy(context, &model);
-  return status;
+  h->instant = (struct um_model_instants){.time = &f->from, .count = 1};
+  UM_TRY(um_variant_evaluator_create(context, model, &settings, &h->work.evaluator));
+  return identify(context, h, model);
 }
 
 enum um_status um_study_forecast_create(struct um_context *context,
@@ -217,6 +218,7 @@ enum um_status um_study_forecast_run(struct um_context *context, struct um_study
   struct um_study_forecast *f = forecast;
   size_t nvalue = um_study_forecast_values(f->nband, f->nplace);
   char **reason = NULL;
+  struct um_variant base;
   UM_CHECK(um_core_allocate(context, f->npass, UM_STUDY_FORECAST_COORDINATES * sizeof(double),
                             &h->coordinate));
   UM_CHECK(um_core_allocate(context, f->npass, nvalue * sizeof(double), &f->value));
@@ -228,6 +230,8 @@ enum um_status um_study_forecast_run(struct um_context *context, struct um_study
     const double at[] = {(double)p->station, p->start, p->stop, p->pass.culmination};
     memcpy(h->coordinate + i * UM_STUDY_FORECAST_COORDINATES, at, sizeof at);
   }
+  if (f->npass > 0 && h->model->scenario->thermal->start == UM_START_PERIODIC)
+    UM_CHECK(um_variant_base(context, h->work.evaluator, &base)); /* before workers need it */
   UM_CHECK(um_batch_run(context, batch, h->coordinate, f->npass, f->value, reason));
   for (size_t i = 0; i < f->npass; i++) f->pass[i].reason = reason[i];
   um_batch_tell_lost(context, batch, h->coordinate, f->npass, "passes.csv: row", 1);
@@ -247,6 +251,8 @@ void um_study_forecast_destroy(struct um_context *context, struct um_study_forec
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
   for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);
   for (size_t i = 0; i < h->work.npin; i++) um_core_free(context, h->work.pin[i]);
+  um_variant_evaluator_destroy(context, &h->work.evaluator);
+  um_model_destroy(context, &h->model);
   um_study_identity_destroy(context, &h->identity);
   if (h->holds_files) um_core_files_let_go(context);
   void *const block[] = {h->work.pin,   f->pass,    f->band,   f->thermal, f->vega_ab,

@@ -81,13 +81,13 @@ enum um_status um_study_forecast_find(struct um_context *context,
                                       struct um_study_forecast *f, size_t station)
 {
   enum um_status status;
-  struct um_study_forecast_changes changes = {.text = NULL};
+  struct um_study_forecast_changes changes;
   struct um_model *orbit = NULL;
   struct um_orbit_pass *pass = NULL;
   size_t n = 0;
   UM_CHECK(um_study_forecast_changes(context, work, station, f->from, f->to, HOUR, &changes));
   um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
-  status = um_model_create_orbit(context, work->ask->path, &changes.options, &orbit);
+  status = um_model_variant_create(context, work->model, &changes.all, &orbit);
   um_core_quiet_end(context);
   UM_CHECK(status);
   UM_CHECK(um_study_forecast_check_orbit(context, orbit));
@@ -98,6 +98,6 @@ enum um_status um_study_forecast_find(struct um_context *context,
 done:
   um_core_free(context, pass);
   um_model_destroy(context, &orbit);
-  um_core_free(context, (void *)changes.text);
+  um_study_forecast_changes_clear(context, &changes);
   return status;
 }

@@ -3,6 +3,7 @@
 #define UMBRA_STUDY_FORECAST_IMPL_H
 
 #include "study/forecast.h"
+#include "variant/evaluator.h"
 
 /* Coordinates of a pass: number of its station, start, stop, culmination, t_tai [s]. */
 #define UM_STUDY_FORECAST_COORDINATES 4
@@ -10,9 +11,12 @@
 /* What a pass needs to be run; nothing of it changes while a batch lives. */
 struct um_study_forecast_work {
   const struct um_study_forecast_ask *ask;
+  const struct um_model *model;           /* the scenario as it stands */
+  struct um_variant_evaluator *evaluator; /* of it, at one instant: its heat is where passes' heat
+                                             starts from */
   const struct um_study_station *station; /* NULL: the scenario's own */
-  char **pin; /* [npin] "key=value": what the scenario leaves to begin at its start begins there,
-               * and not at the start of each pass */
+  char **pin; /* [npin] keys: what the scenario leaves to begin at its start begins there, and not
+               * at the start of each pass */
   size_t npin, nband, nplace;
   const size_t *place; /* [nplace] of the body's places */
   bool light_has_sign; /* effects change readings, to below 0 perhaps */
@@ -31,17 +35,18 @@ static inline size_t um_study_forecast_values(size_t nband, size_t nplace)
 enum um_status um_study_forecast_compute(struct um_context *context, void *user,
                                          const double *coordinate, double *value);
 
-/* Changes of the scenario: those of the ask, those that pin it, then times, then a station. step:
- * between observations [s]; NaN: the scenario's. */
+/* Changes of the scenario: those that pin it, then times, then a station. step: between
+ * observations [s]; NaN: the scenario's. Cleared by the caller, after a failure too. */
 struct um_study_forecast_changes {
-  struct um_model_options options;
-  const char **text; /* [noverride of options]; freed by the caller */
-  char own[6][64];
+  struct um_document_change *key;
+  struct um_model_changes all;
 };
 enum um_status um_study_forecast_changes(struct um_context *context,
                                          const struct um_study_forecast_work *work, size_t station,
                                          double start, double stop, double step,
                                          struct um_study_forecast_changes *out);
+void um_study_forecast_changes_clear(struct um_context *context,
+                                     struct um_study_forecast_changes *changes);
 
 /* Find what is to be pinned. The caller frees pin and its texts. UM_ERR_MEMORY. */
 enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,

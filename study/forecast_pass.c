@@ -4,24 +4,31 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "model/build.h"
-#include "model/precompute.h"
 #include "model/run.h"
 #include "orbit/time.h"
 #include "study/forecast_impl.h"
 
+/* Of a pass: what it is asked to, 0.1 K and 1e-3 of the light, twenty times over [1], [K]. */
+#define FORECAST_TOLERANCE                                                                         \
+  {                                                                                                \
+    6.0, 0.02                                                                                      \
+  }
+
 static enum um_status pin(struct um_context *context, struct um_study_forecast_work *work,
-                          const char *before, size_t index, const char *law, double start)
+                          const char *key)
 {
-  char utc[32], number[24] = "";
-  um_orbit_time_format(start, utc);
-  if (law != NULL) snprintf(number, sizeof number, "%zu", index);
   UM_TRY(um_core_reallocate(context, work->npin + 1, sizeof *work->pin, &work->pin));
-  work->pin[work->npin] = NULL;
-  UM_TRY(um_core_asprintf(context, &work->pin[work->npin], "%s%s%s=%s", before, number,
-                          law == NULL ? "" : law, utc));
+  UM_TRY(um_core_strdup(context, key, &work->pin[work->npin]));
   work->npin++;
   return UM_OK;
+}
+
+static enum um_status pin_law(struct um_context *context, struct um_study_forecast_work *work,
+                              size_t index, const char *law)
+{
+  char key[64];
+  snprintf(key, sizeof key, "attitude.%zu.%s.at_utc", index, law);
+  return pin(context, work, key);
 }
 
 enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,
@@ -30,16 +37,21 @@ enum um_status um_study_forecast_pin(struct um_context *context, const struct um
   const struct um_scenario *s = model->scenario;
   const struct um_scenario_attitude *law = s->attitude.items;
   if (s->orbit->circular != NULL && isnan(s->orbit->circular->epoch))
-    UM_TRY(pin(context, work, "orbit.circular.epoch_utc", 0, NULL, s->time->start));
+    UM_TRY(pin(context, work, "orbit.circular.epoch_utc"));
   for (size_t i = 0; i < s->attitude.count; i++) {
     if (law[i].spin != NULL && isnan(law[i].spin->at_utc))
-      UM_TRY(pin(context, work, "attitude.", i, ".spin.at_utc", s->time->start));
+      UM_TRY(pin_law(context, work, i, "spin"));
     if (law[i].magnetic != NULL && isnan(law[i].magnetic->at_utc))
-      UM_TRY(pin(context, work, "attitude.", i, ".magnetic.at_utc", s->time->start));
+      UM_TRY(pin_law(context, work, i, "magnetic"));
     if (law[i].tumble != NULL && isnan(law[i].tumble->at_utc))
-      UM_TRY(pin(context, work, "attitude.", i, ".tumble.at_utc", s->time->start));
+      UM_TRY(pin_law(context, work, i, "tumble"));
   }
   return UM_OK;
+}
+
+static void set(struct um_study_forecast_changes *changes, const char *key, double number)
+{
+  changes->key[changes->all.nkey++] = (struct um_document_change){.key = key, .number = number};
 }
 
 enum um_status um_study_forecast_changes(struct um_context *context,
@@ -47,32 +59,28 @@ enum um_status um_study_forecast_changes(struct um_context *context,
                                          double start, double stop, double step,
                                          struct um_study_forecast_changes *out)
 {
-  char from[32], to[32];
-  const struct um_model_options *asked = work->ask->options;
-  size_t at = 0, own = 2;
-  out->options = *asked;
-  UM_TRY(um_core_allocate(context,
-                          asked->noverride + work->npin + sizeof out->own / sizeof *out->own,
-                          sizeof *out->text, &out->text));
-  um_orbit_time_format(start, from);
-  um_orbit_time_format(stop, to);
-  snprintf(out->own[0], sizeof out->own[0], "time.start_utc=%s", from);
-  snprintf(out->own[1], sizeof out->own[1], "time.stop_utc=%s", to);
-  if (!isnan(step)) snprintf(out->own[own++], sizeof *out->own, "time.step_s=%.17g", step);
-  if (work->station != NULL) {
-    const struct um_study_station *s = &work->station[station];
-    snprintf(out->own[own++], sizeof *out->own, "observer.station.latitude_deg=%.17g",
-             s->latitude / UM_DEG);
-    snprintf(out->own[own++], sizeof *out->own, "observer.station.longitude_deg=%.17g",
-             s->longitude / UM_DEG);
-    snprintf(out->own[own++], sizeof *out->own, "observer.station.height_m=%.17g", s->height);
-  }
-  for (size_t i = 0; i < asked->noverride; i++) out->text[at++] = asked->overrides[i];
-  for (size_t i = 0; i < work->npin; i++) out->text[at++] = work->pin[i];
-  for (size_t i = 0; i < own; i++) out->text[at++] = out->own[i];
-  out->options.overrides = out->text;
-  out->options.noverride = at;
+  enum { TIMES = 3, PLACE = 3 };
+  *out = (struct um_study_forecast_changes){.key = NULL};
+  UM_TRY(um_core_allocate(context, work->npin + TIMES + PLACE, sizeof *out->key, &out->key));
+  out->all.key = out->key;
+  for (size_t i = 0; i < work->npin; i++)
+    set(out, work->pin[i], work->model->scenario->time->start);
+  set(out, "time.start_utc", start);
+  set(out, "time.stop_utc", stop);
+  if (!isnan(step)) set(out, "time.step_s", step);
+  if (work->station == NULL) return UM_OK;
+  const struct um_study_station *s = &work->station[station];
+  set(out, "observer.station.latitude_deg", s->latitude / UM_DEG);
+  set(out, "observer.station.longitude_deg", s->longitude / UM_DEG);
+  set(out, "observer.station.height_m", s->height);
   return UM_OK;
+}
+
+void um_study_forecast_changes_clear(struct um_context *context,
+                                     struct um_study_forecast_changes *changes)
+{
+  um_core_free(context, changes->key);
+  *changes = (struct um_study_forecast_changes){.key = NULL};
 }
 
 /* The observation nearest to a time. */
@@ -157,20 +165,20 @@ enum um_status um_study_forecast_compute(struct um_context *context, void *user,
 {
   enum um_status status;
   const struct um_study_forecast_work *work = user;
-  struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  const bool periodic = work->model->scenario->thermal->start == UM_START_PERIODIC;
+  const struct um_variant_heat heat = {.start = periodic ? UM_VARIANT_WARM : UM_VARIANT_COLD,
+                                       .tolerance = FORECAST_TOLERANCE};
+  struct um_variant v = {0};
   struct um_model_result *result = NULL;
-  struct um_study_forecast_changes changes = {.text = NULL};
+  struct um_study_forecast_changes changes;
   UM_CHECK(um_study_forecast_changes(context, work, (size_t)coordinate[0], coordinate[1],
                                      coordinate[2], NAN, &changes));
-  UM_CHECK(um_model_create(context, work->ask->path, &changes.options, &model));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
-  UM_CHECK(um_model_run(context, model, precomputed, &result));
-  store(work, precomputed, result, model->orbit_delay, coordinate[3], value);
+  UM_CHECK(um_variant_open_over(context, work->evaluator, NULL, &changes.all, &heat, &v));
+  UM_CHECK(um_model_run_observed(context, v.model, v.precomputed, v.heat, &result));
+  store(work, v.precomputed, result, v.model->orbit_delay, coordinate[3], value);
 done:
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
-  um_model_destroy(context, &model);
-  um_core_free(context, (void *)changes.text);
+  um_variant_close(context, &v);
+  um_study_forecast_changes_clear(context, &changes);
   return status;
 }

@@ -158,9 +158,13 @@ static void test_run(void **state)
   const struct um_study_forecast_ask ask = {.path = path, .options = &none};
   static const size_t place[] = {0, 1};
   struct um_study_forecast_work work = {.ask = &ask, .nband = 2, .nplace = 2, .place = place};
-  struct um_model *model;
+  const struct um_variant_settings settings = {.base = {1.0, 0.01}};
+  struct um_model *model, *stands;
   struct um_model_precomputed *p;
   struct um_model_result *r;
+  OK(um_model_create(context, path, NULL, &stands));
+  OK(um_variant_evaluator_create(context, stands, &settings, &work.evaluator));
+  work.model = stands;
   OK(um_model_create(context, path, &options, &model));
   OK(um_model_precompute(context, model, &p));
   OK(um_model_run(context, model, p, &r));
@@ -202,6 +206,8 @@ static void test_run(void **state)
   um_model_result_destroy(context, &r);
   um_model_precomputed_destroy(context, &p);
   um_model_destroy(context, &model);
+  um_variant_evaluator_destroy(context, &work.evaluator);
+  um_model_destroy(context, &stands);
 }
 
 int main(void)
