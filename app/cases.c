@@ -5,8 +5,8 @@
 #include "app/app.h"
 #include "app/terminal.h"
 #include "core/file.h"
-#include "model/cases.h"
 #include "output/cases.h"
+#include "variant/cases.h"
 
 static void print_cell(double value)
 {
@@ -17,14 +17,14 @@ static void print_cell(double value)
 }
 
 /* Returns how many places of the case leave their limits. */
-static size_t print_case(const struct um_model_cases *cases, const struct um_model_case *c)
+static size_t print_case(const struct um_variant_cases *cases, const struct um_variant_case *c)
 {
   size_t exceeded = 0;
-  printf("case %s, %s\n", c->name, um_model_analysis_name(c->analysis));
+  printf("case %s, %s\n", c->name, um_variant_analysis_name(c->analysis));
   printf("%-28s %9s %9s %9s %9s %9s %9s %9s\n", "place [K]", "mean", "lowest", "highest", "minimum",
          "maximum", "uncertain", "margin");
   for (size_t p = 0; p < c->nplace; p++) {
-    const struct um_model_case_place *place = &c->place[p];
+    const struct um_variant_case_place *place = &c->place[p];
     if (!um_output_case_shows(cases, place)) continue;
     printf("%-28s", place->name);
     const double cell[] = {place->mean,
@@ -33,21 +33,21 @@ static size_t print_case(const struct um_model_cases *cases, const struct um_mod
                            place->minimum,
                            place->maximum,
                            place->uncertainty,
-                           um_model_case_margin(place)};
+                           um_variant_case_margin(place)};
     for (size_t k = 0; k < sizeof cell / sizeof cell[0]; k++) print_cell(cell[k]);
-    printf("%s\n", um_model_case_exceeded(place) ? "  EXCEEDED" : "");
-    exceeded += um_model_case_exceeded(place) ? 1 : 0;
+    printf("%s\n", um_variant_case_exceeded(place) ? "  EXCEEDED" : "");
+    exceeded += um_variant_case_exceeded(place) ? 1 : 0;
   }
   return exceeded;
 }
 
-static size_t print_cases(const struct um_model_cases *cases, const char *folder)
+static size_t print_cases(const struct um_variant_cases *cases, const char *folder)
 {
   size_t exceeded = 0, limits = 0;
   for (size_t i = 0; i < cases->count; i++) {
     exceeded += print_case(cases, &cases->item[i]);
     for (size_t p = 0; p < cases->item[i].nplace; p++)
-      limits += isnan(um_model_case_margin(&cases->item[i].place[p])) ? 0 : 1;
+      limits += isnan(um_variant_case_margin(&cases->item[i].place[p])) ? 0 : 1;
   }
   if (limits == 0)
     printf(
@@ -59,19 +59,19 @@ static size_t print_cases(const struct um_model_cases *cases, const char *folder
   return exceeded;
 }
 
-static size_t json_cases(const struct um_model_cases *cases, const char *folder)
+static size_t json_cases(const struct um_variant_cases *cases, const char *folder)
 {
   size_t exceeded = 0;
   printf("{\"folder\": ");
   um_core_json_string(stdout, folder);
   printf(", \"cases\": [");
   for (size_t i = 0; i < cases->count; i++) {
-    const struct um_model_case *c = &cases->item[i];
+    const struct um_variant_case *c = &cases->item[i];
     printf("%s\n  {\"name\": ", i > 0 ? "," : "");
     um_core_json_string(stdout, c->name);
-    printf(", \"analysis\": \"%s\", \"places\": [", um_model_analysis_name(c->analysis));
+    printf(", \"analysis\": \"%s\", \"places\": [", um_variant_analysis_name(c->analysis));
     for (size_t p = 0; p < c->nplace; p++) {
-      const struct um_model_case_place *place = &c->place[p];
+      const struct um_variant_case_place *place = &c->place[p];
       printf("%s\n    {\"name\": ", p > 0 ? "," : "");
       um_core_json_string(stdout, place->name);
       um_core_json_field(stdout, ", ", "mean_K", place->mean);
@@ -82,7 +82,7 @@ static size_t json_cases(const struct um_model_cases *cases, const char *folder)
       um_core_json_field(stdout, ", ", "uncertainty_K", place->uncertainty);
       um_core_json_field(stdout, ", ", "margin_low_K", place->margin_low);
       um_core_json_field(stdout, ", ", "margin_high_K", place->margin_high);
-      bool over = um_model_case_exceeded(place);
+      bool over = um_variant_case_exceeded(place);
       printf(", \"exceeded\": %s}", over ? "true" : "false");
       exceeded += over ? 1 : 0;
     }
@@ -93,7 +93,8 @@ static size_t json_cases(const struct um_model_cases *cases, const char *folder)
 }
 
 static enum um_status write_files(struct um_context *context, const struct um_app_options *options,
-                                  const struct um_model_cases *cases, struct um_core_folder *folder)
+                                  const struct um_variant_cases *cases,
+                                  struct um_core_folder *folder)
 {
   FILE *file = NULL;
   UM_TRY(um_core_folder_open(context, folder, "limits.csv", &file));
@@ -106,12 +107,12 @@ static enum um_status write_files(struct um_context *context, const struct um_ap
 int um_app_cases(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
-  struct um_model_cases *cases = NULL;
+  struct um_variant_cases *cases = NULL;
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL, *name = NULL;
   size_t exceeded = 0;
-  UM_CHECK(um_model_cases_create(context, options->positional[0], &changes, &cases));
+  UM_CHECK(um_variant_cases_create(context, options->positional[0], &changes, &cases));
   UM_CHECK(um_core_asprintf(context, &name, "%s-cases", cases->scenario));
   UM_CHECK(um_app_out_folder(context, options, name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
@@ -121,7 +122,7 @@ int um_app_cases(struct um_context *context, const struct um_app_options *option
   exceeded = options->json ? json_cases(cases, out) : print_cases(cases, out);
 done:
   um_core_folder_abort(&folder);
-  um_model_cases_destroy(context, &cases);
+  um_variant_cases_destroy(context, &cases);
   um_core_free(context, out);
   um_core_free(context, name);
   if (status != UM_OK) return um_app_fail(context);

@@ -143,18 +143,17 @@ static enum um_status summarise(struct um_context *context, const struct um_outp
 }
 
 /* What the error in space is, or how to know it. */
-static enum um_status estimate(struct um_context *context, const struct um_app_options *options,
-                               const struct um_model *model, const struct um_model_result *result)
+static enum um_status estimate(struct um_context *context, const struct um_model *model,
+                               const struct um_model_result *result)
 {
   struct um_app_space_error e;
-  struct um_model_options changes = um_app_model_options(options);
   char light[160] = "";
   if (!model->scenario->thermal->error_estimate) {
     um_core_log(context, UM_LOG_INFO,
                 "error in space: not estimated; thermal.error_estimate: true computes it");
     return UM_OK;
   }
-  UM_TRY(um_app_space_error(context, options->positional[0], &changes, model, result, &e));
+  UM_TRY(um_app_space_error(context, model, result, &e));
   if (e.band != NULL)
     snprintf(light, sizeof light, "; %.32s by %.2g %% at most, %.2g %% in the mean", e.band,
              100.0 * e.light, 100.0 * e.light_mean);
@@ -181,8 +180,8 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *result = NULL;
   struct um_core_folder *folder = NULL;
-  struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
+  struct um_model_options changes = um_app_model_options(options);
   double began = seconds(), traced, computed;
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
@@ -191,7 +190,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_app_run_views_check(context, model, precomputed, options));
   traced = seconds();
   UM_CHECK(um_model_run(context, model, precomputed, &result));
-  UM_CHECK(estimate(context, options, model, result));
+  UM_CHECK(estimate(context, model, result));
   computed = seconds();
   run.options = &changes;
   run.context = context;

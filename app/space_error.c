@@ -4,6 +4,7 @@
 #include "app/space_error.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "app/app.h"
@@ -26,9 +27,19 @@ static double longest_edge(const struct um_geometry_mesh *mesh, const struct um_
   return longest;
 }
 
-/* "KEY=VALUE" that halves the sizes of every part. set[SETS_PER_PART * npart]; the caller frees. */
-static enum um_status halve(struct um_context *context, const struct um_model *model, char **set,
-                            size_t *nset)
+static enum um_status halve_one(struct um_context *context, const char *part, const char *size,
+                                double half, struct um_document_change *set, size_t *nset)
+{
+  char *key = NULL;
+  UM_TRY(um_core_asprintf(context, &key, "parts.%s.%s", part, size));
+  set[(*nset)++] = (struct um_document_change){.key = key, .number = half};
+  return UM_OK;
+}
+
+/* Keys that halve the sizes of every part. set[SETS_PER_PART * npart]; the caller frees the keys.
+ */
+static enum um_status halve(struct um_context *context, const struct um_model *model,
+                            struct um_document_change *set, size_t *nset)
 {
   enum um_status status = UM_OK;
   struct um_geometry_pose *pose = NULL;
@@ -39,15 +50,14 @@ static enum um_status halve(struct um_context *context, const struct um_model *m
   UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &pose));
   for (size_t p = 0; p < model->scenario->parts.count; p++) {
     double edge = longest_edge(um_geometry_mesh(model->geometry), pose->vertex, p);
-    UM_CHECK(um_core_asprintf(context, &set[(*nset)++], "parts.%s.facet_size_m=%.17g", part[p].name,
-                              0.5 * edge * (1.0 + 1e-9))); /* a half is not cut once more */
+    UM_CHECK(halve_one(context, part[p].name, "facet_size_m", 0.5 * edge * (1.0 + 1e-9), set,
+                       nset)); /* a half is not cut once more */
     if (part[p].solid != NULL && part[p].solid->tetrahedron_size_m > 0.0)
-      UM_CHECK(um_core_asprintf(context, &set[(*nset)++], "parts.%s.solid.tetrahedron_size_m=%.17g",
-                                part[p].name, 0.5 * part[p].solid->tetrahedron_size_m));
+      UM_CHECK(halve_one(context, part[p].name, "solid.tetrahedron_size_m",
+                         0.5 * part[p].solid->tetrahedron_size_m, set, nset));
     if (part[p].interior != NULL && part[p].interior->tetrahedron_size_m > 0.0)
-      UM_CHECK(um_core_asprintf(context, &set[(*nset)++],
-                                "parts.%s.interior.tetrahedron_size_m=%.17g", part[p].name,
-                                0.5 * part[p].interior->tetrahedron_size_m));
+      UM_CHECK(halve_one(context, part[p].name, "interior.tetrahedron_size_m",
+                         0.5 * part[p].interior->tetrahedron_size_m, set, nset));
   }
 done:
   um_core_free(context, angles);
@@ -91,15 +101,21 @@ static void of_light(const struct um_model *model, const struct um_model_result 
   }
 }
 
-static enum um_status compare(struct um_context *context, const char *path,
-                              const struct um_model_options *options, const struct um_model *model,
-                              const struct um_model_result *result, struct um_app_space_error *out)
+enum um_status um_app_space_error(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_result *result,
+                                  struct um_app_space_error *out)
 {
   enum um_status status;
+  size_t room = SETS_PER_PART * model->scenario->parts.count, nset = 0;
+  struct um_document_change *set = NULL;
   struct um_model *finer = NULL;
   struct um_model_precomputed *precomputed = NULL;
   struct um_model_result *other = NULL;
-  UM_CHECK(um_model_create(context, path, options, &finer));
+  *out = (struct um_app_space_error){.place = "none"};
+  UM_CHECK(um_core_allocate(context, room, sizeof *set, &set));
+  UM_CHECK(halve(context, model, set, &nset));
+  const struct um_model_changes changes = {.key = set, .nkey = nset};
+  UM_CHECK(um_model_variant_create(context, model, &changes, &finer));
   UM_CHECK(um_model_precompute(context, finer, &precomputed));
   UM_CHECK(um_model_run(context, finer, precomputed, &other));
   out->nsurface = other->nsurface;
@@ -109,32 +125,7 @@ done:
   um_model_result_destroy(context, &other);
   um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &finer);
-  return status;
-}
-
-enum um_status um_app_space_error(struct um_context *context, const char *path,
-                                  const struct um_model_options *options,
-                                  const struct um_model *model,
-                                  const struct um_model_result *result,
-                                  struct um_app_space_error *out)
-{
-  enum um_status status;
-  size_t room = SETS_PER_PART * model->scenario->parts.count, nset = 0;
-  char **set = NULL;
-  const char **all = NULL;
-  struct um_model_options finer = *options;
-  *out = (struct um_app_space_error){.place = "none"};
-  UM_CHECK(um_core_allocate(context, room, sizeof *set, &set));
-  UM_CHECK(um_core_allocate(context, room + options->noverride, sizeof *all, &all));
-  UM_CHECK(halve(context, model, set, &nset));
-  for (size_t i = 0; i < options->noverride; i++) all[i] = options->overrides[i];
-  for (size_t i = 0; i < nset; i++) all[options->noverride + i] = set[i];
-  finer.overrides = all;
-  finer.noverride = options->noverride + nset;
-  UM_CHECK(compare(context, path, &finer, model, result, out));
-done:
-  for (size_t i = 0; set != NULL && i < nset; i++) um_core_free(context, set[i]);
+  for (size_t i = 0; i < nset; i++) um_core_free(context, (void *)(uintptr_t)set[i].key);
   um_core_free(context, set);
-  um_core_free(context, all);
   return status;
 }

@@ -13,11 +13,9 @@ struct um_app_space_error {
   const char *band;         /* the band of longest waves above 2.5 um; NULL: none */
   double light, light_mean; /* largest and mean change of its intensity, of itself [1] */
 };
-/* Run the scenario at `path` with facets and tetrahedra of half the size, and compare with the
- * result of `model`, made of the same options. What a run fails with. */
-enum um_status um_app_space_error(struct um_context *context, const char *path,
-                                  const struct um_model_options *options,
-                                  const struct um_model *model,
+/* Run the variant of `model` with facets and tetrahedra of half the size, and compare with the
+ * model's result. What a run fails with. */
+enum um_status um_app_space_error(struct um_context *context, const struct um_model *model,
                                   const struct um_model_result *result,
                                   struct um_app_space_error *out);
 

@@ -113,3 +113,15 @@ done:
   *out = result;
   return status;
 }
+
+enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   struct um_model_result **out)
+{
+  UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
+  (*out)->nobs = precomputed->nobs;
+  enum um_status status = um_model_run_histories(context, model, precomputed, heat, *out);
+  if (status != UM_OK) um_model_result_destroy(context, out);
+  return status;
+}

@@ -25,4 +25,10 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out);
 
+/* Temperatures of places alone: the result has no light and no heat. */
+enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   struct um_model_result **out);
+
 #endif

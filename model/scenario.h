@@ -411,7 +411,7 @@ struct um_scenario_limit {
 struct um_scenario_case {
   struct um_mark at;
   const char *name;
-  int analysis;                             /* enum um_model_analysis */
+  int analysis;                             /* enum um_variant_analysis */
   struct um_schema_list set, with, without; /* of const char *, as on the command line */
 };
 

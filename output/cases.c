@@ -15,17 +15,17 @@
 #define ROWS   60 /* shown at most */
 #define RIGHT  170
 
-void um_output_write_cases(const struct um_model_cases *cases, FILE *file)
+void um_output_write_cases(const struct um_variant_cases *cases, FILE *file)
 {
   fputs("case,analysis,place,mean_K,lowest_K,highest_K,minimum_K,maximum_K,uncertainty_K,"
         "margin_low_K,margin_high_K\n",
         file);
   for (size_t i = 0; i < cases->count; i++)
     for (size_t p = 0; p < cases->item[i].nplace; p++) {
-      const struct um_model_case *c = &cases->item[i];
-      const struct um_model_case_place *place = &c->place[p];
+      const struct um_variant_case *c = &cases->item[i];
+      const struct um_variant_case_place *place = &c->place[p];
       um_core_csv_put(file, c->name, "");
-      um_output_csv_text(file, um_model_analysis_name(c->analysis), "");
+      um_output_csv_text(file, um_variant_analysis_name(c->analysis), "");
       um_output_csv_text(file, place->name, "");
       const double value[] = {place->mean,       place->lowest,     place->highest,
                               place->minimum,    place->maximum,    place->uncertainty,
@@ -36,13 +36,13 @@ void um_output_write_cases(const struct um_model_cases *cases, FILE *file)
     }
 }
 
-static bool has_limit(const struct um_model_case_place *place)
+static bool has_limit(const struct um_variant_case_place *place)
 {
   return !isnan(place->minimum) || !isnan(place->maximum);
 }
 
-bool um_output_case_shows(const struct um_model_cases *cases,
-                          const struct um_model_case_place *place)
+bool um_output_case_shows(const struct um_variant_cases *cases,
+                          const struct um_variant_case_place *place)
 {
   for (size_t i = 0; i < cases->count; i++)
     for (size_t p = 0; p < cases->item[i].nplace; p++)
@@ -52,7 +52,8 @@ bool um_output_case_shows(const struct um_model_cases *cases,
 }
 
 /* The place of that name in a case; NULL: the case's parts have none. */
-static const struct um_model_case_place *place_of(const struct um_model_case *c, const char *name)
+static const struct um_variant_case_place *place_of(const struct um_variant_case *c,
+                                                    const char *name)
 {
   for (size_t p = 0; p < c->nplace; p++)
     if (strcmp(c->place[p].name, name) == 0) return &c->place[p];
@@ -61,26 +62,26 @@ static const struct um_model_case_place *place_of(const struct um_model_case *c,
 
 /* What is drawn: bars of these places, one of each case. */
 struct bars {
-  const struct um_model_cases *cases;
-  const struct um_model_case_place *row[ROWS]; /* [nrow] places of the first case */
+  const struct um_variant_cases *cases;
+  const struct um_variant_case_place *row[ROWS]; /* [nrow] places of the first case */
   size_t nrow, nall;
   double low, high; /* of bars, with their uncertainty, and bounds [K] */
 };
 
-static double uncertainty_of(const struct um_model_case_place *place)
+static double uncertainty_of(const struct um_variant_case_place *place)
 {
   return has_limit(place) ? place->uncertainty : 0.0;
 }
 
-static struct bars bars_of(const struct um_model_cases *cases)
+static struct bars bars_of(const struct um_variant_cases *cases)
 {
   struct bars b = {.cases = cases, .low = INFINITY, .high = -INFINITY};
   for (size_t p = 0; p < cases->item[0].nplace; p++) {
-    const struct um_model_case_place *first = &cases->item[0].place[p];
+    const struct um_variant_case_place *first = &cases->item[0].place[p];
     if (!um_output_case_shows(cases, first) || b.nall++ >= ROWS) continue;
     b.row[b.nrow++] = first;
     for (size_t i = 0; i < cases->count; i++) {
-      const struct um_model_case_place *place = place_of(&cases->item[i], first->name);
+      const struct um_variant_case_place *place = place_of(&cases->item[i], first->name);
       if (place == NULL) continue;
       double u = uncertainty_of(place);
       b.low = fmin(b.low, fmin(place->lowest - u, place->minimum));
@@ -102,7 +103,7 @@ static void put_table(struct um_plot *plot, const struct bars *b)
   um_plot_add(plot, "$bars << EOD\n");
   for (size_t row = 0; row < b->nrow; row++)
     for (size_t i = 0; i < b->cases->count; i++) {
-      const struct um_model_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
+      const struct um_variant_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
       if (place == NULL) continue;
       um_plot_add(plot, "%zu,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", i, middle(b, row, i),
                   place->lowest - least, place->highest + least, place->minimum, place->maximum,
@@ -123,11 +124,11 @@ static void put_words(struct um_plot *plot, const struct bars *b)
                   "linecolor rgb '#dddddd' back\n",
                   (double)row, (double)row);
     for (size_t i = 0; i < b->cases->count; i++) {
-      const struct um_model_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
+      const struct um_variant_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
       char words[60];
-      if (place == NULL || isnan(um_model_case_margin(place))) continue;
-      bool exceeded = um_model_case_exceeded(place);
-      snprintf(words, sizeof words, "%.2f K%s", um_model_case_margin(place),
+      if (place == NULL || isnan(um_variant_case_margin(place))) continue;
+      bool exceeded = um_variant_case_exceeded(place);
+      snprintf(words, sizeof words, "%.2f K%s", um_variant_case_margin(place),
                exceeded ? " EXCEEDED" : "");
       um_plot_add(plot, "set label %s at graph 1.01, first %.4f left font ',10' textcolor rgb %s\n",
                   words, middle(b, row, i), exceeded ? "#b2182b" : "#444444");
@@ -163,8 +164,8 @@ static void draw(struct um_plot *plot, const struct bars *b)
               1.4 * half, 1.4 * half, 1.4 * half, 1.4 * half);
 }
 
-enum um_status um_output_plot_cases(struct um_context *context, const struct um_model_cases *cases,
-                                    const char *folder)
+enum um_status um_output_plot_cases(struct um_context *context,
+                                    const struct um_variant_cases *cases, const char *folder)
 {
   struct um_plot *plot = NULL;
   struct bars b = bars_of(cases);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "model/cases.h"
+#include "variant/cases.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/near.h"
 #include "tests/support/with_context.h"
@@ -42,17 +42,17 @@ static void write_scenario(const char *more)
   assert_int_equal(fclose(file), 0);
 }
 
-static struct um_model_cases *compute(const char *more)
+static struct um_variant_cases *compute(const char *more)
 {
   struct um_model_options options = {0};
-  struct um_model_cases *cases = NULL;
+  struct um_variant_cases *cases = NULL;
   write_scenario(more);
-  if (um_model_cases_create(context, FILE_NAME, &options, &cases) != UM_OK)
+  if (um_variant_cases_create(context, FILE_NAME, &options, &cases) != UM_OK)
     fail_msg("%s", um_core_message(context));
   return cases;
 }
 
-static const struct um_model_case_place *place_of(const struct um_model_case *c, const char *name)
+static const struct um_variant_case_place *place_of(const struct um_variant_case *c, const char *name)
 {
   for (size_t p = 0; p < c->nplace; p++)
     if (strcmp(c->place[p].name, name) == 0) return &c->place[p];
@@ -66,27 +66,27 @@ static const struct um_model_case_place *place_of(const struct um_model_case *c,
 static void balances_are_closed_forms(void **state)
 {
   (void)state;
-  struct um_model_cases *cases =
+  struct um_variant_cases *cases =
       compute("cases:\n  now: {analysis: steady}\n  mean: {analysis: orbit_mean}\n  orbit: {}\n");
   assert_int_equal(cases->count, 3);
   double sunlit = 1.0 - (asin(6371.0 / 6871.0) + 6371e3 / UM_AU) / UM_PI;
   double now = pow(1361.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25);
-  const struct um_model_case_place *steady = place_of(&cases->item[0], "plate");
-  const struct um_model_case_place *mean = place_of(&cases->item[1], "plate");
-  const struct um_model_case_place *orbit = place_of(&cases->item[2], "plate");
+  const struct um_variant_case_place *steady = place_of(&cases->item[0], "plate");
+  const struct um_variant_case_place *mean = place_of(&cases->item[1], "plate");
+  const struct um_variant_case_place *orbit = place_of(&cases->item[2], "plate");
   check_near("steady", steady->mean, now, 1e-6);
   check_near("orbit mean", mean->mean, now * pow(sunlit, 0.25), 2e-4);
   /* the periodic orbit stays below the balance in sunlight and crosses that of the mean */
   assert_true(orbit->highest < steady->mean && orbit->highest > mean->mean);
   assert_true(orbit->lowest < mean->mean && orbit->mean < mean->mean);
-  um_model_cases_destroy(context, &cases);
+  um_variant_cases_destroy(context, &cases);
 }
 
 /* A case is what the command line makes of the same changes, and margins are what they say. */
 static void changes_and_margins(void **state)
 {
   (void)state;
-  struct um_model_cases *cases =
+  struct um_variant_cases *cases =
       compute("limits:\n  - {of: plate, minimum_K: 200, maximum_K: 300, uncertainty_K: 4}\n"
               "  - {of: plate.front, maximum_K: 350}\n"
               "cases:\n  hot: {analysis: steady, set: [environment.solar_irradiance_W_m2=1414]}\n"
@@ -95,41 +95,41 @@ static void changes_and_margins(void **state)
               "1]}\", \"parts.plate.groups={plate: {power_W: 100}}\"]}\n"
               "  level: {analysis: steady, with: [\"solar_irradiance,irradiance_factor=0.9\"]}\n");
   double hot = pow(1414.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25);
-  const struct um_model_case_place *p = place_of(&cases->item[0], "plate");
+  const struct um_variant_case_place *p = place_of(&cases->item[0], "plate");
   check_near("hot", p->highest, hot, 1e-6);
   check_near("margin of the minimum", p->margin_low, hot - 4.0 - 200.0, 1e-6);
   check_near("margin of the maximum", p->margin_high, 300.0 - 4.0 - hot, 1e-6);
-  check_near("least margin", um_model_case_margin(p), 300.0 - 4.0 - hot, 1e-6);
+  check_near("least margin", um_variant_case_margin(p), 300.0 - 4.0 - hot, 1e-6);
   p = place_of(&cases->item[0], "plate.front");
   assert_true(isnan(p->margin_low));
-  check_near("one bound", um_model_case_margin(p), 350.0 - hot, 1e-6);
-  assert_true(isnan(um_model_case_margin(place_of(&cases->item[0], "plate.back"))));
+  check_near("one bound", um_variant_case_margin(p), 350.0 - hot, 1e-6);
+  assert_true(isnan(um_variant_case_margin(place_of(&cases->item[0], "plate.back"))));
   p = place_of(&cases->item[1], "plate");
   check_near("edge on", p->mean, pow(100.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25), 1e-6);
   p = place_of(&cases->item[2], "plate");
   check_near("less of the Sun", p->mean, pow(0.9 * 1361.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25),
              1e-6);
-  um_model_cases_destroy(context, &cases);
+  um_variant_cases_destroy(context, &cases);
 }
 
 /* Without cases the scenario itself is one. */
 static void nominal(void **state)
 {
   (void)state;
-  struct um_model_cases *cases = compute("");
+  struct um_variant_cases *cases = compute("");
   assert_int_equal(cases->count, 1);
   assert_string_equal(cases->item[0].name, "nominal");
   assert_true(cases->item[0].analysis == UM_ANALYSIS_TRANSIENT);
-  um_model_cases_destroy(context, &cases);
+  um_variant_cases_destroy(context, &cases);
 }
 
 static void refused(const char *more, const char *words)
 {
   struct um_model_options options = {0};
-  struct um_model_cases *cases = NULL;
+  struct um_variant_cases *cases = NULL;
   write_scenario(more);
   um_core_message_clear(context);
-  assert_int_equal(um_model_cases_create(context, FILE_NAME, &options, &cases), UM_ERR_INPUT);
+  assert_int_equal(um_variant_cases_create(context, FILE_NAME, &options, &cases), UM_ERR_INPUT);
   assert_null(cases);
   if (strstr(um_core_message(context), words) == NULL)
     fail_msg("'%s' lacks '%s'", um_core_message(context), words);
