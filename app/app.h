@@ -9,7 +9,7 @@
 #include "core/json.h"
 #include "model/model.h"
 
-/* UM_APP_VERSION, as "0.1.0": the project's, from CMakeLists.txt by the build. */
+/* UM_APP_VERSION, as "1.2.3": the project's, from CMakeLists.txt by the build. */
 
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
 #define UM_APP_RENDER_SAMPLES    16  /* per pixel */
