@@ -76,6 +76,7 @@ static void test_refused(void **state)
     assert_null(strchr(message, '\n'));
     um_core_message_clear(context);
   }
+  world_clear(context);
 }
 
 int main(void)

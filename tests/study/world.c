@@ -42,7 +42,12 @@ void world_put(const char *study)
   put(WORLD_STUDY, "schema: 1\nname: test\nscenario: " WORLD_SCENARIO "\n", study);
 }
 
-void world_clear(struct um_context *context) { um_study_records_remove(context, WORLD_RECORDS); }
+void world_clear(struct um_context *context)
+{
+  um_study_records_remove(context, WORLD_RECORDS);
+  remove(WORLD_SCENARIO);
+  remove(WORLD_STUDY);
+}
 
 struct um_study_run_options world_options(int workers, bool resume)
 {

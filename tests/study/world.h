@@ -10,7 +10,7 @@
 
 /* The scenario, and a study of these lines behind schema, name and scenario. */
 void world_put(const char *study);
-/* Without records of an earlier test. */
+/* Removes both and the records. */
 void world_clear(struct um_context *context);
 struct um_study_run_options world_options(int workers, bool resume);
 

@@ -1,5 +1,5 @@
 /* CMocka, which wants these headers before its own, a comparison of numbers, and programs that tell
- * CTest of skipped tests. */
+ * CTest of skipped tests and work in a folder of their own. */
 #ifndef UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
 #define UMBRA_TESTS_SUPPORT_CMOCKA_ALL_H
 
@@ -21,10 +21,12 @@
 
 /* A group of tests returns 0, UM_TEST_SKIPPED when a test called skip() and none failed, and
  * otherwise the number of those that failed: CMocka alone returns 0 for tests that were skipped.
- * um_test() of CMake names the same code to CTest. */
+ * um_test() of CMake names the same code to CTest. The group works in a fresh temporary folder, its
+ * working folder, which has to be empty again at the end: what lies there counts as a failure. */
 #define UM_TEST_SKIPPED 77
 
 void um_test_skip_note(void);
+void um_test_begin(void);
 int um_test_result(int failures);
 
 #undef skip
@@ -36,7 +38,7 @@ int um_test_result(int failures);
 
 #undef cmocka_run_group_tests
 #define cmocka_run_group_tests(tests, setup, teardown)                                             \
-  um_test_result(                                                                                  \
-      _cmocka_run_group_tests(#tests, tests, sizeof(tests) / sizeof((tests)[0]), setup, teardown))
+  (um_test_begin(), um_test_result(_cmocka_run_group_tests(                                        \
+                        #tests, tests, sizeof(tests) / sizeof((tests)[0]), setup, teardown)))
 
 #endif
