@@ -14,10 +14,10 @@
 
 /* What a law may look at, all GCRS. */
 struct um_orbit_attitude_input {
-  double t_tai;
+  double t_tai;                         /* [s] */
   struct um_vec3 r, v;                  /* [m], [m/s] */
-  struct um_vec3 sun;                   /* unit, from the satellite */
-  struct um_vec3 observer;              /* unit, from the satellite; zero when there is none */
+  struct um_vec3 sun;                   /* unit, from the satellite [1] */
+  struct um_vec3 observer;              /* unit, from the satellite; zero when there is none [1] */
   struct um_orbit_ephemeris *ephemeris; /* MAGNETIC: NULL: the series; borrowed */
 };
 

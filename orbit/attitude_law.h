@@ -26,21 +26,21 @@ enum um_orbit_axis_frame { UM_AXIS_GCRS, UM_AXIS_LVLH, UM_AXIS_BODY };
 
 struct um_orbit_attitude_law {
   enum um_orbit_attitude_kind kind;
-  double from_tai;           /* the law holds from here on (-inf: always) */
+  double from_tai;           /* the law holds from here on (-inf: always) [s] */
   struct um_quat q;          /* FIXED: GCRS to body. TUMBLE, and SPIN with axis in the BODY frame:
                                 GCRS to body at at_tai */
   double roll, pitch, yaw;   /* LVLH [rad] */
-  struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN, MAGNETIC: unit */
-  struct um_vec3 clock_body; /* all but SPIN: unit, not parallel to axis_body */
+  struct um_vec3 axis_body;  /* SUN, TARGET, YAW_STEERING, SPIN, MAGNETIC: unit [1] */
+  struct um_vec3 clock_body; /* all but SPIN: unit, not parallel to axis_body [1] */
   enum um_orbit_axis_frame axis_frame; /* SPIN */
   struct um_vec3 axis; /* SPIN: unit axis in that frame. In GCRS: inertial. In LVLH: the
-                          axis co-rotates with the orbital frame at every instant. */
+                          axis co-rotates with the orbital frame at every instant. [1] */
   double period;       /* SPIN, MAGNETIC [s]; > 0 right-handed about +axis; negative turns
                           back; MAGNETIC: 0 does not turn */
   double phase;  /* MAGNETIC [rad]: the same, from clock_body. SPIN [rad]: turn at at_tai; phase 0:
                     with e = axis (in GCRS  resp. LVLH axes) the body is the smallest rotation of
                     that  frame that brings axis_body onto the axis */
-  double at_tai; /* SPIN, MAGNETIC, TUMBLE: reference time */
+  double at_tai; /* SPIN, MAGNETIC, TUMBLE: reference time [s] */
   /* SPIN of a body that is symmetric about axis_body: nutation[2] tips axis_body from the angular
    * momentum, which lies along `axis`, about two axes across it at at_tai [rad]; inertia about
    * axis_body over that across it [1], 0 as 1 */

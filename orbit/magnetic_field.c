@@ -11,8 +11,8 @@
 
 #include "orbit/magnetic_field_impl.h"
 
-#define RADIUS 6371.2e3 /* of the reference sphere of IGRF [m] */
-#define YEAR   (365.25 * 86400.0)
+#define RADIUS 6371.2e3           /* of the reference sphere of IGRF [m] */
+#define YEAR   (365.25 * 86400.0) /* [s] */
 #define SIZE   (UM_MAGNETIC_DEGREE + 2)
 
 /* V_nm and W_nm = (a/r)^(n+1) P_nm(sin lat) times cosine and sine of m lon. */

@@ -13,7 +13,7 @@ struct um_orbit_observer {
   double latitude, longitude, height;            /* STATION, geodetic WGS-84 [rad], [rad], [m] */
   struct um_orbit_earth_orientation orientation; /* STATION */
   const struct um_orbit_trajectory *trajectory;  /* TRAJECTORY; borrowed */
-  struct um_vec3 direction_gcrs;                 /* DIRECTION: unit, satellite to observer */
+  struct um_vec3 direction_gcrs;                 /* DIRECTION: unit, satellite to observer [1] */
   double range;                                  /* DIRECTION [m] */
   int light_time;                                /* nonzero: iterate light time (not DIRECTION) */
 };
@@ -22,7 +22,7 @@ struct um_orbit_observer {
 struct um_orbit_look {
   double t_satellite;            /* emission time, t_tai [s] */
   struct um_vec3 r_gcrs, v_gcrs; /* satellite then [m], [m/s] */
-  struct um_vec3 to_observer;    /* unit, GCRS, from the satellite */
+  struct um_vec3 to_observer;    /* unit, GCRS, from the satellite [1] */
   double range;                  /* [m] */
   double azimuth, elevation;     /* [rad], airless, azimuth north over east, 0..2 pi */
   double sun_elevation;          /* [rad] at the station, airless, geometric */

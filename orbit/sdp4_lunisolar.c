@@ -12,7 +12,7 @@
 #define ZNL             1.5835218e-4 /* of the Moon [rad/min] */
 #define ZEL             0.05490      /* of the Moon */
 #define C1_SUN          2.9864797e-6 /* perturbation coefficients [rad/min] */
-#define C1_MOON         4.7968065e-7
+#define C1_MOON         4.7968065e-7 /* [rad/min] */
 #define LOW_INCLINATION 5.2359877e-2 /* 3 deg: node terms are dropped [rad] */
 #define LYDDANE_LIMIT   0.2          /* [rad] */
 

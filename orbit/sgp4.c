@@ -11,8 +11,8 @@
 #include "orbit/sdp4_resonance_impl.h"
 #include "orbit/sgp4_impl.h"
 
-#define DEEP_SPACE_PERIOD 225.0 /* [min] */
-#define JD_1950           2433281.5
+#define DEEP_SPACE_PERIOD 225.0     /* [min] */
+#define JD_1950           2433281.5 /* [d] */
 
 enum sgp4_error {
   SGP4_GOOD = 0,

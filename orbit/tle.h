@@ -8,7 +8,7 @@ struct um_orbit_tle {
   int catalogue_number; /* Alpha-5 decoded */
   char designator[9];
   double epoch_tai;   /* [s] t_tai */
-  double epoch_jd[2]; /* UTC Julian date as printed */
+  double epoch_jd[2]; /* UTC Julian date as printed [d] */
   double mean_motion; /* [rad/min] */
   double mean_motion_dot,
       mean_motion_ddot; /* as printed [rev/day^2 / 2, rev/day^3 / 6]; unused by SGP4 */

@@ -26,7 +26,7 @@
 #define PER_DAY      1000.0 /* [m] */
 #define DRAG_SCATTER 0.15   /* [1] */
 #define LOW_ORBIT    225.0  /* longest period of what was measured [min]; beyond it SDP4 begins */
-#define TWO_PI       6.283185307179586
+#define TWO_PI       6.283185307179586 /* [rad] */
 
 /* How far the satellite moves when drag grows by its scatter [m]; NaN where it then decays. */
 static enum um_status drag_error(struct um_context *context, const struct um_orbit_tle *tle,

@@ -14,7 +14,8 @@ enum um_status um_orbit_trajectory_create_tle(struct um_context *context,
                                               const struct um_orbit_tle *tle,
                                               const struct um_orbit_earth_orientation *orientation,
                                               struct um_orbit_trajectory **out);
-/* Two-body motion, mu = UM_EARTH_GM, elements in GCRS at epoch; a [m], angles [rad]. */
+/* Two-body motion, mu = UM_EARTH_GM, elements in GCRS at epoch_tai [s]; a [m], e [1], angles [rad].
+ */
 struct um_orbit_kepler {
   double epoch_tai, a, e, i, raan, argp, mean_anomaly;
 };
