@@ -5,8 +5,8 @@
 
 /* Per unit of the optical depth at 0.55 um [1]. */
 struct um_environment_ice {
-  double extinction; /* scattered and absorbed: what the image of a star or a satellite loses */
-  double absorption; /* what glows: heat that is scattered forward comes from sky as cold */
+  double extinction; /* scattered and absorbed: what the image of a star or a satellite loses [1] */
+  double absorption; /* what glows: heat that is scattered forward comes from sky as cold [1] */
 };
 
 /* Ice crystals at a wavelength [m], 7.0 to 14.5 um; below 2 um grey and without absorption, between

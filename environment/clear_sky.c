@@ -23,19 +23,19 @@
 #include "environment/limb_air.h"
 #include "environment/sky_table.h"
 
-#define LINES         0.6 /* exponents of the curves of growth [1] */
-#define OXYGEN        0.5
-#define CARBON        0.8
-#define OZONE         0.7
-#define COOLING       0.25
+#define LINES         0.6    /* exponents of the curves of growth [1] */
+#define OXYGEN        0.5    /* [1] */
+#define CARBON        0.8    /* [1] */
+#define OZONE         0.7    /* [1] */
+#define COOLING       0.25   /* [1] */
 #define SCALE         8400.0 /* of pressure [m] */
 #define WATER_SCALE   2000.0 /* of water vapour [m] */
-#define DOBSON_PER_CM 1000.0
-#define CIRRUS        225.0 /* temperature at 10 km (US Standard Atmosphere 1976: 223 K) [K] */
+#define DOBSON_PER_CM 1000.0 /* [DU/cm] */
+#define CIRRUS        225.0  /* temperature at 10 km (US Standard Atmosphere 1976: 223 K) [K] */
 
 /* Cells of 20 nm from 0.30 um: k_w, k_u. */
-#define VISIBLE_FROM 0.30e-6
-#define VISIBLE_STEP 0.02e-6
+#define VISIBLE_FROM 0.30e-6 /* [m] */
+#define VISIBLE_STEP 0.02e-6 /* [m] */
 static const struct {
   double water, uniform;
 } visible[] = {{0, 0},
@@ -86,7 +86,7 @@ static const struct {
 
 /* Cells of 25 1/cm from 700 1/cm: k_u, k_w, k_c, k_o, d [K]. */
 #define INFRARED_FROM 70000.0 /* [1/m] */
-#define INFRARED_STEP 2500.0
+#define INFRARED_STEP 2500.0  /* [1/m] */
 static const struct {
   double uniform, water, continuum, ozone, cooling;
 } infrared[] = {{0, 1.444, 0, 5.464, 0},

@@ -41,7 +41,7 @@ struct um_environment {
   double
       shadow_radius; /* [m] CYLINDER and SPHERE; equatorial radius of OBLATE (WGS-84 flattening) */
   enum um_environment_disc disc;
-  double limb_darkening; /* u of 1 - u (1 - mu) */
+  double limb_darkening; /* u of 1 - u (1 - mu) [1] */
   /* the Earth's air before the Sun (shadow_light.h); limb is borrowed, never written; NULL: none */
   bool shadow_refraction_on;
   const struct um_environment_limb *limb;
@@ -174,10 +174,10 @@ void um_environment_earth_flux_by_angle(const struct um_environment *environment
  * and emitted radiance [W/m^2/sr]. capacity >= UM_EARTH_CAP_POINTS. Returns the number. */
 #define UM_EARTH_CAP_POINTS 128
 struct um_environment_cap_point {
-  struct um_vec3 direction;
-  double solid_angle;     /* [sr] */
-  double albedo_radiance; /* [W/m^2/sr] */
-  double planet_radiance; /* [W/m^2/sr] */
+  struct um_vec3 direction; /* [1] */
+  double solid_angle;       /* [sr] */
+  double albedo_radiance;   /* [W/m^2/sr] */
+  double planet_radiance;   /* [W/m^2/sr] */
 };
 size_t um_environment_earth_cap(const struct um_environment *environment,
                                 const struct um_environment_globe *globe, struct um_vec3 r,

@@ -34,8 +34,8 @@ struct um_environment_region {
 /* How the Earth is turned, in the frame in which a caller gives everything else. */
 struct um_environment_globe {
   double t_tai;             /* [s] */
-  struct um_vec3 pole;      /* unit */
-  struct um_vec3 greenwich; /* unit: where prime meridian and equator meet */
+  struct um_vec3 pole;      /* unit [1] */
+  struct um_vec3 greenwich; /* unit: where prime meridian and equator meet [1] */
 };
 
 /* What a place reflects and emits, as Lambert surface. */

@@ -9,12 +9,12 @@ bool um_environment_region_is_neutral(const struct um_environment_region *region
 /* Everything that is one for all places of an instant. */
 struct um_environment_ground_view {
   const struct um_environment *environment;
-  struct um_vec3 pole, greenwich, east; /* right-handed */
+  struct um_vec3 pole, greenwich, east; /* right-handed [1] */
   double season;                        /* cosine of the annual phase of Knocke's model [1] */
   double irradiance;                    /* solar, nominal, at the Earth's distance [W/m^2] */
-  double month;          /* 0 in the middle of January, 11 in that of December; -0.5..11.5 */
-  double weight;         /* of the region at this time, 0..1 [1] */
-  struct um_vec3 centre; /* of the region */
+  double month;  /* 0 in the middle of January, 11 in that of December; -0.5..11.5 [months] */
+  double weight; /* of the region at this time, 0..1 [1] */
+  struct um_vec3 centre; /* of the region [1] */
 };
 /* globe: NULL for a uniform Earth. sun_distance [m]. */
 struct um_environment_ground_view

@@ -5,7 +5,7 @@
 
 #include "core/constants.h"
 
-#define DAY              86400.0
+#define DAY              86400.0  /* [s] */
 #define KNOCKE_EPOCH_DAY 6584.5   /* from 1981-12-22 0 h to 2000-01-01 12 h [d] */
 #define WINDOW_A         1.228    /* Ohring, Gruber & Ellingson 1984 [1] */
 #define WINDOW_B         1.106e-3 /* the same [1/K] */

@@ -18,7 +18,7 @@
 #include "environment/knocke.h"
 #include "environment/map_impl.h"
 
-#define SECONDS    120.0
+#define SECONDS    120.0 /* [s] */
 #define MEGABYTE   2048
 #define TIMES_MOST 20000
 #define DARK       5.0   /* mean insolation below which a ratio says nothing [W/m^2] */

@@ -19,14 +19,14 @@
 #include "core/constants.h"
 
 #define TERMS     10
-#define MIDDLE    0.55e-6 /* [m] */
-#define SHORTEST  0.35e-6
-#define LONGEST   2.4e-6
-#define HEAT      3e-6 /* from here on the Moon's own heat */
-#define ASKED     0.6e-6
-#define LEAST     1e-4 /* of the sunlight */
-#define LAST      97.0 /* phase angle that was measured [deg] */
-#define OBLIQUITY (23.4392911 * UM_DEG)
+#define MIDDLE    0.55e-6               /* [m] */
+#define SHORTEST  0.35e-6               /* [m] */
+#define LONGEST   2.4e-6                /* [m] */
+#define HEAT      3e-6                  /* from here on the Moon's own heat [m] */
+#define ASKED     0.6e-6                /* [m] */
+#define LEAST     1e-4                  /* of the sunlight [1] */
+#define LAST      97.0                  /* phase angle that was measured [deg] */
+#define OBLIQUITY (23.4392911 * UM_DEG) /* [rad] */
 
 /* a_0..a_3, b_1..b_3, d_1..d_3: powers 0 to 3 of x. */
 static const double course[TERMS][4] = {

@@ -28,7 +28,7 @@ void um_environment_moon_place(const struct um_environment *environment, struct 
 struct um_environment_moonlight {
   double scale;            /* E/E_sun(1 au) where A = 1 and nothing hides it [1] */
   double phase, longitude; /* [rad] */
-  double eclipse;          /* of the sunlight on its disc, what the Earth lets by */
+  double eclipse;          /* of the sunlight on its disc, what the Earth lets by [1] */
   struct um_environment_shadow_light earth; /* what the Earth before it lets by */
 };
 

@@ -28,10 +28,10 @@
 #include "environment/shadow_impl.h"
 
 #define SHORTEST     0.25e-6 /* [m] */
-#define LONGEST      4e-6
-#define CLOUD_SPREAD 2.5e3 /* s [m] */
-#define FAR          3.0   /* radii of the Sun that the Earth is wide at least */
-#define DARK         60.0  /* optical depth beyond which nothing is left */
+#define LONGEST      4e-6    /* [m] */
+#define CLOUD_SPREAD 2.5e3   /* s [m] */
+#define FAR          3.0     /* radii of the Sun that the Earth is wide at least [1] */
+#define DARK         60.0    /* optical depth beyond which nothing is left [1] */
 
 void um_environment_limb_make(const struct um_environment *environment,
                               struct um_environment_limb *out)

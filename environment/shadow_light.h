@@ -10,8 +10,8 @@
 /* What sunlit fractions need of the air, for one environment; never written afterwards. */
 struct um_environment_limb {
   struct um_environment_limb_air air;
-  double share[UM_LIMB_BANDS];                       /* of sunlight by wavelength; sum 1 */
-  double depth[UM_LIMB_BANDS][UM_LIMB_CONSTITUENTS]; /* of um_environment_limb_depth */
+  double share[UM_LIMB_BANDS];                       /* of sunlight by wavelength; sum 1 [1] */
+  double depth[UM_LIMB_BANDS][UM_LIMB_CONSTITUENTS]; /* of um_environment_limb_depth [1] */
 };
 /* The standard air over the radius of the environment's shadow, before its Sun. */
 void um_environment_limb_make(const struct um_environment *environment,
@@ -19,10 +19,12 @@ void um_environment_limb_make(const struct um_environment *environment,
 
 /* The light of the Sun at one place: bundles of rays by the height at which they pass. */
 struct um_environment_shadow_light {
-  double direct; /* share of the disc whose light meets no air, or all of it without refraction */
+  double
+      direct; /* share of the disc whose light meets no air, or all of it without refraction [1] */
   size_t count;
-  double share[UM_LIMB_NODES]; /* of the light of the disc, spread by refraction, not yet dimmed */
-  double depth[UM_LIMB_CONSTITUENTS][UM_LIMB_NODES]; /* column times what is stated of it */
+  double
+      share[UM_LIMB_NODES]; /* of the light of the disc, spread by refraction, not yet dimmed [1] */
+  double depth[UM_LIMB_CONSTITUENTS][UM_LIMB_NODES]; /* column times what is stated of it [1] */
 };
 
 /* Arguments of um_environment_sunlit_fraction. direct is 1 in full sunlight; in the full shadow it

@@ -23,8 +23,8 @@ struct um_environment_sky_light {
 
 /* Shortest and longest wavelength that is known [m]: beyond 1.2 um the air glows more at night than
  * it scatters, and is left dark. */
-#define UM_SKY_LIGHT_SHORTEST 0.30e-6
-#define UM_SKY_LIGHT_LONGEST  1.20e-6
+#define UM_SKY_LIGHT_SHORTEST 0.30e-6 /* [m] */
+#define UM_SKY_LIGHT_LONGEST  1.20e-6 /* [m] */
 
 /* The air of the environment above a station at a height [m]: its ozone and aerosol, the aerosol of
  * the stratosphere as stated for the shadow's edge; light that is scattered more than once, at
@@ -44,15 +44,16 @@ bool um_environment_sky_light_is_of(const struct um_environment_sky_light *light
 /* A line of sight: cells of air on it, and how the lamp lights them. */
 struct um_environment_sky_path {
   const struct um_environment_sky_light *light;
-  double amount[UM_LIMB_CONSTITUENTS]; /* of what is stated */
-  double angstrom;
+  double amount[UM_LIMB_CONSTITUENTS]; /* of what is stated [1] */
+  double angstrom;                     /* [1] */
   double cosine; /* of the angle between the line of sight and where the lamp's light goes on [1] */
   struct {
-    double inside[UM_LIMB_CONSTITUENTS]; /* columns of the cell, to its middle, of the lamp's ray */
-    double before[UM_LIMB_CONSTITUENTS];
-    double lamp[UM_LIMB_CONSTITUENTS];
-    double arrives;  /* of the lamp's light without extinction; 0 in the Earth's shadow */
-    double row, col; /* place in the table of what is scattered again */
+    double inside[UM_LIMB_CONSTITUENTS]; /* columns of the cell, to its middle, of the lamp's ray
+                                            [1] */
+    double before[UM_LIMB_CONSTITUENTS]; /* [1] */
+    double lamp[UM_LIMB_CONSTITUENTS];   /* [1] */
+    double arrives;  /* of the lamp's light without extinction; 0 in the Earth's shadow [1] */
+    double row, col; /* place in the table of what is scattered again [1] */
   } cell[UM_SKY_LIGHT_POINTS];
 };
 

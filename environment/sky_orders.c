@@ -15,15 +15,15 @@
 #include "environment/quadrature_impl.h"
 #include "environment/sky_light_impl.h"
 
-#define TOP        100e3
-#define CURVE      1.8 /* of the heights */
-#define GROUND     0.15
+#define TOP        100e3 /* of the air [m] */
+#define CURVE      1.8   /* of the heights [1] */
+#define GROUND     0.15  /* what the ground reflects [1] */
 #define ORDERS     4
 #define POLAR      16 /* half of it on lines that leave the air, half on those to the ground */
 #define AZIMUTHS   6
 #define STEPS      14
-#define LEAST      1e-60
-#define MOST       0.9 /* ratio of the geometric series */
+#define LEAST      1e-60 /* in place of 0 before a logarithm [1] */
+#define MOST       0.9   /* ratio of the geometric series [1] */
 #define LAMP_ROWS  41
 #define LAMP_COLS  177
 #define LAMP_SPLIT 80.0 /* [deg] */

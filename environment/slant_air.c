@@ -19,11 +19,11 @@
 #include "core/constants.h"
 
 #define STEP       (UM_SLANT_TOP / (UM_SLANT_DENSITIES - 1))
-#define STEP_UP    1e3 /* [m] between tabulated heights */
-#define POINTS     120 /* of an integral upward */
-#define SCALE      7500.0
-#define LEAST      1e-300
-#define MOST_BENT  0.04 /* [rad] more than any ray is */
+#define STEP_UP    1e3    /* [m] between tabulated heights */
+#define POINTS     120    /* of an integral upward */
+#define SCALE      7500.0 /* [m] */
+#define LEAST      1e-300 /* in place of 0 before a logarithm [1] */
+#define MOST_BENT  0.04   /* [rad] more than any ray is */
 #define HALVINGS   16
 #define DIFFERENCE 1e-5 /* [rad] */
 

@@ -117,7 +117,7 @@ static const double irradiance_um[] =
 enum { COUNT = sizeof wavelength_um / sizeof wavelength_um[0] };
 
 /* Integral of the table [W/m^2]; test: environment/solar */
-static const double total = 1366.0908708408863;
+static const double total = 1366.0908708408863; /* [W/m^2] */
 
 double um_environment_e490_spectrum(double wavelength)
 {
