@@ -41,16 +41,16 @@ struct um_geometry_part_spec {
   double size[3];                                  /* [m] */
   double radius, radius_top, height, focal_length; /* [m] */
   const char *mesh_path;
-  double mesh_scale;       /* metres per file unit; 0 means 1 */
+  double mesh_scale;       /* metres per file unit; 0 means 1 [m] */
   const char *parent;      /* NULL: the body frame */
   struct um_vec3 position; /* of the part's origin in the parent's frame [m] */
   struct um_quat rotation; /* parent frame to part frame, passive; all zero: not turned */
   enum um_geometry_joint_kind joint;
-  struct um_vec3 joint_axis; /* unit, in the part frame, through its origin */
+  struct um_vec3 joint_axis; /* unit, in the part frame, through its origin [1] */
   struct um_vec3
       joint_normal;     /* SUN: this unit vector of the part frame is turned toward the Sun */
   double joint_angle;   /* [rad], FIXED; offset of SUN */
-  struct um_vec3 grain; /* direction of brushing or tows, in the part frame; all zero: x */
+  struct um_vec3 grain; /* direction of brushing or tows, in the part frame; all zero: x [1] */
   const struct um_geometry_skin *skins; /* [nskin] */
   size_t nskin;
   double facet_size; /* longest edge wanted [m]; 0: only what the shape needs */
@@ -85,7 +85,7 @@ struct um_geometry_mesh {
 /* Positions of one configuration of the joints, body frame. */
 struct um_geometry_pose {
   struct um_vec3 *vertex;       /* [nvertex] [m] */
-  struct um_vec3 *facet_normal; /* [nfacet] unit, of the front */
+  struct um_vec3 *facet_normal; /* [nfacet] unit, of the front [1] */
 };
 
 struct um_geometry; /* opaque: parts, groups, materials, mesh */

@@ -11,7 +11,7 @@
 #define UM_GEOMETRY_MAX_GROUPS 2000
 
 /* Sizes and coordinates above this are refused, before squares of squares overflow [m]. */
-#define UM_GEOMETRY_MAX_LENGTH 1e7
+#define UM_GEOMETRY_MAX_LENGTH 1e7 /* [m] */
 
 /* Points closer than this times the diagonal of the part are one vertex [1]. */
 #define UM_GEOMETRY_WELD 1e-9

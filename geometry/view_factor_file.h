@@ -23,7 +23,7 @@ struct um_geometry_view_factor_set {
   size_t npose;
   struct um_geometry_patches *patches;    /* NULL before they are read */
   struct um_geometry_view_factors **pose; /* [npose] */
-  double interpolation;                   /* see view_factor_table.h */
+  double interpolation;                   /* see view_factor_table.h [1] */
   bool closed;                            /* a room: nothing goes to space */
 };
 

@@ -24,7 +24,7 @@ struct um_geometry_view_factor_table {
   struct um_geometry_view_factors **pose; /* [npose] */
   size_t ntime, ncorner;
   uint32_t *corner; /* [ntime][ncorner] pose */
-  double *weight;   /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used */
+  double *weight;   /* [ntime][ncorner] of it, sum 1; 0 where a corner is not used [1] */
   double step;      /* between poses [rad]; 0: nothing moves */
   struct um_geometry_mirrors *mirrors;        /* of the options, a copy; NULL: none, or none that
                                                  another patch sees */

@@ -15,7 +15,7 @@ enum um_status um_geometry_visibility_create(struct um_context *context,
 void um_geometry_visibility_destroy(struct um_geometry_visibility **visibility);
 
 struct um_geometry_ray {
-  struct um_vec3 origin, direction; /* unit direction */
+  struct um_vec3 origin, direction; /* [m], unit [1] */
   double limit;                     /* [m]; INFINITY */
   uint32_t from_facet; /* where the origin lies; never hit, nor is what does not rise above its
                           plane on the ray's side; UM_GEOMETRY_NONE for none */
@@ -24,7 +24,7 @@ struct um_geometry_hit {
   uint32_t facet;   /* UM_GEOMETRY_NONE: missed */
   uint32_t surface; /* the side that was hit; UM_GEOMETRY_NONE when that side is not a surface */
   double distance;  /* [m] */
-  double weight[3]; /* barycentric weights of the corners */
+  double weight[3]; /* barycentric weights of the corners [1] */
 };
 /* Thread-safe; packets inside. occluded[i] = 1 when something lies within the limit. */
 void um_geometry_visibility_occluded(const struct um_geometry_visibility *visibility,
