@@ -11,8 +11,8 @@
 
 struct um_irradiation_loads {
   size_t ntime, nsurface;
-  double *t;          /* [ntime] t_tai, ascending */
-  double *sunlit;     /* [ntime] fraction of the disc */
+  double *t;          /* [ntime] t_tai, ascending [s] */
+  double *sunlit;     /* [ntime] fraction of the disc [1] */
   double *irradiance; /* [ntime] solar irradiance outside the shadow [W/m^2] */
   float *sun;         /* [ntime][nsurface] free fraction * max(cos incidence, 0) [1] */
   float *incidence; /* [ntime][nsurface] max(cos incidence, 0) of the Sun; 0 in deep eclipse [1] */
@@ -30,7 +30,7 @@ struct um_irradiation_loads {
                                              environment/angular_moments.h [W/m^2]; NULL: unknown */
   float *gas; /* [ntime][nsurface] energy of the atmosphere that a surface takes [W/m^2]; NULL: none
                */
-  double *edge; /* [nedge] times at which the integrator must stop: eclipse edges */
+  double *edge; /* [nedge] times at which the integrator must stop: eclipse edges [s] */
   size_t nedge;
 };
 
