@@ -9,8 +9,8 @@ struct um_optics_adaptation {
   size_t missed;  /* instants that ask for more than UM_OPTICS_SAMPLES_MAX points or 64 times the
                      paths of the scene */
   int most;       /* points per facet of any instant */
-  double points;  /* per facet, mean over instants */
-  double paths;   /* over those of the scene, mean over instants */
+  double points;  /* per facet, mean over instants [1] */
+  double paths;   /* over those of the scene, mean over instants [1] */
 };
 
 /* Trace instants of a view again, with more points, and set the paths of instants, until the

@@ -39,7 +39,7 @@ struct um_optics_image {
 struct um_optics_image_options {
   int width; /* pixels; height follows; square pixels */
   int samples_per_pixel;
-  struct um_vec3 up_gcrs; /* direction that points up in the picture */
+  struct um_vec3 up_gcrs; /* direction that points up in the picture [1] */
 };
 /* One specular lobe, shadows by rays to points of the Sun's disc, inter-reflection as facet means
  * when the scene asks for it; the same radiance as the light curve, so that the sum over pixels
@@ -59,7 +59,7 @@ struct um_optics_image_cost {
   int width, height;
   double pixel_size; /* [m] */
   double covered;    /* share of the pixels that see something [1] */
-  double bytes;      /* of the picture and of the rendering, at most */
+  double bytes;      /* of the picture and of the rendering, at most [bytes] */
   double seconds;    /* of tracing, on this machine as it is now [s] */
 };
 /* Needs geometry and samples of the scene alone, so it comes before heat and light. Errors as of

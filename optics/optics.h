@@ -55,7 +55,7 @@ struct um_optics_lit {
   float *error;  /* [nrow][nsurface] its standard error */
   float *cosine; /* [nrow][nsurface] of the surface normal to the lamp; <= 0: away */
   /* [nrow][nsurface] cosine of the normal to the lamp-observer bisector; double, because narrow
-   * lobes depend on 1 - cos; 0 where the lamp stands opposite to the observer */
+   * lobes depend on 1 - cos; 0 where the lamp stands opposite to the observer [1] */
   double *cos_half;
 };
 
