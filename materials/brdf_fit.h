@@ -29,7 +29,7 @@ void um_materials_brdf_destroy(struct um_context *context, struct um_materials_b
 struct um_materials_brdf_fit {
   struct um_materials_lobe lobe;
   double diffuse, specular; /* rho, F [1] */
-  double rms, largest;      /* of ln f: root of the mean square, largest difference */
+  double rms, largest;      /* of ln f: root of the mean square, largest difference [1] */
   double albedo; /* directional-hemispherical reflectance, the largest of 0 to 80 deg [1] */
   size_t nrow;   /* rows fitted */
 };

@@ -28,7 +28,7 @@ struct um_materials_layer {
  * intensities. Exact for coherent layers; between thick ones that absorb good to second order in
  * k/n. wavelength [m]. Test: materials/stack. */
 struct um_materials_passed {
-  double reflected, transmitted;
+  double reflected, transmitted; /* [1] */
 };
 struct um_materials_passed um_materials_stack_passes(const struct um_materials_layer *layer,
                                                      size_t n, double ns, double ks,

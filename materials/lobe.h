@@ -56,8 +56,8 @@ double um_materials_pair_offset(const struct um_materials_pair *pair);
 
 /* A direction from which light is reflected to o. */
 struct um_materials_reflected {
-  struct um_vec3 i;
-  double cos_d;  /* [1] */
+  struct um_vec3 i; /* [1] */
+  double cos_d;     /* [1] */
   double weight; /* f cos_i over the density of i, of a mixture so in the mean over what comes from
                     i; 0 where i is below the surface [1] */
 };

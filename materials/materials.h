@@ -27,19 +27,19 @@ struct um_materials_lobe_adjustment {
  * only, not on absorptance, emittance or emissivity. */
 struct um_materials_adjustment {
   double absorptance_shift; /* added to solar absorptance; diffuse reflectance below 2.5 um falls
-                               alike; null 0 */
-  double emittance_scale;   /* of emittance and spectral emissivity above 2.5 um; null 1 */
+                               alike; null 0 [1] */
+  double emittance_scale;   /* of emittance and spectral emissivity above 2.5 um; null 1 [1] */
   double band_emissivity_scale; /* of spectral emissivity above 2.5 um alone (not of the total);
-                                   null 1 */
-  double roughness_scale;       /* of the lobe's alpha; null 1 */
-  double specular_scale;        /* of F; null 1 */
-  double diffuse_scale;         /* of the diffuse reflectance below 2.5 um, optics only; null 1 */
+                                   null 1 [1] */
+  double roughness_scale;       /* of the lobe's alpha; null 1 [1] */
+  double specular_scale;        /* of F; null 1 [1] */
+  double diffuse_scale;   /* of the diffuse reflectance below 2.5 um, optics only; null 1 [1] */
   double emissivity_tilt; /* d: emissivity above 2.5 um + d eps_h (1 - 21 (1 - cos)^5) / 20, the
                              hemispherical value eps_h stays; 1 turns a diffuse emitter into a
-                             dielectric after Schlick, below 0 it rises to grazing; null 0 */
+                             dielectric after Schlick, below 0 it rises to grazing; null 0 [1] */
   struct um_materials_lobe_adjustment lobe;
   double thickness_scale; /* of the layers on a record's substrate, 0 takes them off; null 1. It
-                             acts through um_materials_library_thickened, no look-up reads it */
+                             acts through um_materials_library_thickened, no look-up reads it [1] */
 };
 extern const struct um_materials_adjustment um_materials_no_adjustment;
 
@@ -195,7 +195,7 @@ struct um_materials_mirror um_materials_mirror_creased(const struct um_materials
                                                        double slope_variance);
 /* Catalogue values that the record quotes, NaN where none: value and its stated uncertainty. */
 struct um_materials_catalogue {
-  double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance;
+  double solar_absorptance, solar_absorptance_tolerance, emittance, emittance_tolerance; /* [1] */
   const char *source;
   bool emittance_is_normal; /* compare with um_materials_normal_emittance, not the hemispherical */
 };

@@ -26,7 +26,7 @@ struct um_materials_measured_found {
   double asymmetry;     /* root of the mean square of ln f(i, o)/f(o, i) [1] */
   double largest;       /* of |ln f(i, o)/f(o, i)| [1] */
   double largest_at[3]; /* where: incidence, reflection, azimuth [rad] */
-  double sides;         /* as above */
+  double sides;         /* as above [1] */
   size_t incidences;    /* how many angles were measured as incidences */
   double left_out; /* each of them but the outermost from the others: rms of ln f; 0 where all polar
                       angles were incidences [1] */
