@@ -16,20 +16,21 @@ struct um_instrument_counts {
   double saturation; /* of a pixel [counts]; INFINITY: none */
 };
 struct um_instrument_aperture {
-  double x, y;           /* its middle [pixels] */
-  double radius;         /* of the circle, the region of interest [pixels] */
-  double inside, beyond; /* radii of the sky annulus; pixels whose middle lies there count */
-  bool median;           /* the sky is their median, else their mean */
+  double x, y;   /* its middle [pixels] */
+  double radius; /* of the circle, the region of interest [pixels] */
+  double inside,
+      beyond;  /* radii of the sky annulus; pixels whose middle lies there count [pixels] */
+  bool median; /* the sky is their median, else their mean */
 };
 struct um_instrument_aperture_sum {
-  double sum;       /* counts in the circle, pixels that it cuts by their share */
-  double pixels;    /* its area, pi r^2 */
+  double sum;       /* in the circle, pixels that it cuts by their share [counts] */
+  double pixels;    /* its area, pi r^2 [pixels] */
   double sky;       /* of a pixel [counts] */
   double sky_error; /* standard error of that [counts] */
   size_t annulus;   /* pixels that it is read from */
   double net;       /* sum less sky [counts] */
   double error;     /* standard error of that [counts] */
-  double snr;
+  double snr;       /* [1] */
   size_t saturated; /* pixels in the circle, in part or whole, at the saturation */
 };
 

@@ -9,14 +9,14 @@
 /* One star in one frame. */
 struct um_instrument_star {
   double airmass;         /* [1] */
-  double measured, sigma; /* counts per second */
-  double predicted;       /* those of the telescope as it is stated, above this extinction */
+  double measured, sigma; /* counts [1/s] */
+  double predicted;       /* those of the telescope as it is stated, above this extinction [1/s] */
 };
 struct um_instrument_calibration {
   double kappa, kappa_sigma;           /* factor of the counts [1] */
   double extinction, extinction_sigma; /* k [mag per airmass] */
   double correlation;                  /* of -2.5 log10 kappa and k [1] */
-  double chi2;
+  double chi2;                         /* [1] */
   size_t dof;
 };
 

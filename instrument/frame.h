@@ -13,12 +13,12 @@
 struct um_instrument_source {
   int width, height;
   double pixel;       /* [arcsec] */
-  const double *rate; /* [height][width] electrons per second */
+  const double *rate; /* [height][width] [e/s] */
 };
 /* A point of light beside it, which does not move with it. */
 struct um_instrument_frame_star {
   double x, y; /* right of the frame's middle and above it [arcsec] */
-  double rate; /* electrons per second */
+  double rate; /* [e/s] */
 };
 struct um_instrument_frame_options {
   double pixel;       /* of the detector [arcsec] */
@@ -33,10 +33,10 @@ struct um_instrument_frame_options {
 struct um_instrument_frame {
   int width, height;
   double pixel;      /* [arcsec] */
-  double *electrons; /* [height][width], row 0 on top */
-  double source;     /* electrons of the whole source */
-  double stars;      /* of all stars */
-  double outside;    /* of both, what the frame does not hold: wings of the spread function */
+  double *electrons; /* [height][width], row 0 on top [e] */
+  double source;     /* of the whole source [e] */
+  double stars;      /* of all stars [e] */
+  double outside;    /* of both, what the frame does not hold: wings of the spread function [e] */
 };
 
 /* The source's middle lies in the frame's, which is as large as source and stars want it. Light is

@@ -8,13 +8,13 @@
 #include "core/planck.h"
 #include "inference/fit.h"
 
-#define COLDEST 40.0 /* [K] */
-#define HOTTEST 1500.0
-#define STEPS   120  /* of the scan of one, in the logarithm */
-#define COARSE  48   /* of two */
-#define LEAST   0.05 /* of the area, that a component begins with */
-#define RATIO   1.5  /* ln of the hotter temperature by the colder one, at most */
-#define LOGIT   2.0  /* prior width: a share of 2 to 98 % */
+#define COLDEST 40.0   /* [K] */
+#define HOTTEST 1500.0 /* [K] */
+#define STEPS   120    /* of the scan of one, in the logarithm */
+#define COARSE  48     /* of two */
+#define LEAST   0.05   /* of the area, that a component begins with */
+#define RATIO   1.5    /* ln of the hotter temperature by the colder one, at most */
+#define LOGIT   2.0    /* prior width: a share of 2 to 98 % */
 
 #define TOUCH 1e-6 /* of a bin's width: edges nearer than this are one */
 

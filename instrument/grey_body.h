@@ -14,8 +14,8 @@ struct um_instrument_grey_body {
   double temperature[2]; /* characteristic temperature [K] */
   double area[2];        /* infrared cross-section: emissivity times area seen, [m^2] for W/sr; of
                             irradiance in W/m^2, m^2 per square of the range */
-  double temperature_sigma[2], area_sigma[2]; /* INFINITY: not determined */
-  double chi2, bic;                           /* bic: chi2 + 2 n ln(bands) */
+  double temperature_sigma[2], area_sigma[2]; /* INFINITY: not determined [K], [m^2] */
+  double chi2, bic;                           /* bic: chi2 + 2 n ln(bands) [1] */
 };
 
 /* Bands below this and above that are not the object's heat [m]. */

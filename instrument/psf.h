@@ -48,8 +48,8 @@ void um_instrument_psf_clear(struct um_context *context, struct um_instrument_ps
 struct um_instrument_kernel {
   int half;
   double cell;   /* [arcsec] */
-  double *share; /* [2 half + 1][2 half + 1] */
-  double sum;
+  double *share; /* [2 half + 1][2 half + 1] [1] */
+  double sum;    /* [1] */
 };
 /* half: chosen so that a share of at least `enclosed` of the light lies within, up to 512 cells.
  * UM_ERR_INPUT: cells that do not resolve the function (a FWHM below half a cell); UM_ERR_MEMORY.

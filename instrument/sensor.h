@@ -42,7 +42,7 @@ struct um_instrument_exposure {
   double peak;       /* brightest pixel, centred on it, at most what it holds [e] */
   bool saturated;
   double snr;      /* [1] */
-  double limit_ab; /* magnitude at the aperture at which that would be 5; NAN: no pixels */
+  double limit_ab; /* magnitude at the aperture at which that would be 5; NAN: no pixels [mag] */
 };
 /* Electrons per second and pixel of a sky of radiance per bin [n] [W/m^2/sr/m]. */
 double um_instrument_sky_rate(const struct um_instrument_sensor *sensor,
