@@ -7,14 +7,15 @@
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
 # make fuzz   every fuzz target for ten minutes; FUZZ_SECONDS=60 FUZZ="csv model" shorter, fewer
 # make tidy   clang-tidy with path analysis;  make coverage   which lines the tests reach
-# make nightly   all tests under the sanitizers, tidy, fuzz, mutate: hours
+# make bricks   pull every effect, lobe, filter, sensor and scenario in turn; BRICKS="cirrus ggx" some; a day
+# make nightly   all tests under the sanitizers, tidy, fuzz, mutate, one brick of each kind: hours
 FUZZ_SECONDS ?= 600
 export FUZZ FUZZ_SECONDS
 BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate clean
+.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate bricks clean
 
 all: program
 
@@ -52,6 +53,9 @@ lab: build
 
 mutate: deps
 	tools/mutate $(MUTATE)
+
+bricks: deps
+	tools/pull-any-brick $(BRICKS)
 
 bench: configure
 	tools/bench $(BUILD) $(BENCH)
