@@ -68,6 +68,7 @@ struct um_materials_lobe_kind {
   bool rough;       /* has a roughness */
   bool masked;      /* has Smith's masking in two forms */
   bool anisotropic; /* alpha_across may differ from alpha */
+  double exponent;  /* alpha^2 times the exponent that may stand for it [1]; 0: none does */
   bool delta;       /* a mirror: f is no number, sunlit is */
   bool mixed;       /* made of others: needs a mixture */
   bool absorbs; /* what its albedo lacks of 1 is absorbed, not kept back by masking: f is a whole

@@ -75,6 +75,7 @@ const struct um_materials_lobe_kind um_materials_lobe_ashikhmin_shirley = {
     .reference = "Ashikhmin & Shirley 2000, Journal of Graphics Tools 5(2)",
     .rough = true,
     .anisotropic = true,
+    .exponent = 2.0,
     .evaluate = evaluate,
     .sunlit = sunlit,
     .draw = draw,

@@ -80,6 +80,7 @@ const struct um_materials_lobe_kind um_materials_lobe_phong = {
     .reference =
         "Phong 1975; Neumann, Neumann & Szirmay-Kalos 1999, Compact metallic reflectance models",
     .rough = true,
+    .exponent = 0.5,
     .evaluate = evaluate,
     .sunlit = sunlit,
     .draw = draw,

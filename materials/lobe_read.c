@@ -15,21 +15,20 @@
  * lobe_phong.c). */
 static double alpha_of(const struct um_materials_lobe_kind *kind, double exponent)
 {
-  return sqrt((kind == &um_materials_lobe_phong ? 0.5 : 2.0) / exponent);
+  return sqrt(kind->exponent / exponent);
 }
 
 static enum um_status check_kind(struct um_context *context,
                                  const struct um_materials_lobe_input *in,
                                  const struct um_materials_lobe_kind *kind)
 {
-  bool powers = kind == &um_materials_lobe_phong || kind == &um_materials_lobe_ashikhmin_shirley;
   bool across = !isnan(in->alpha_across) || !isnan(in->exponent_across);
   if (in->masking >= 0 && !kind->masked)
     return um_document_mark_fail(context, &in->at,
                                  "masking belongs to facets; accepted: with kind beckmann or ggx, "
                                  "not %s",
                                  kind->name);
-  if (!powers && (!isnan(in->exponent) || !isnan(in->exponent_across)))
+  if (kind->exponent == 0.0 && (!isnan(in->exponent) || !isnan(in->exponent_across)))
     return um_document_mark_fail(context, &in->at,
                                  "exponent belongs to phong and ashikhmin_shirley; accepted for "
                                  "kind %s: %s",

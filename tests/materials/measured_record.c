@@ -13,7 +13,7 @@
 
 static struct um_context *context;
 static struct um_materials_library *library;
-static char table[UM_TEST_PATH]; /* 0.15/pi + 0.5 GGX of alpha 0.3 */
+static char table[UM_TEST_PATH]; /* 0.15/pi + 0.5 Beckmann of alpha 0.3 */
 static char warned[512];
 
 static void hear(void *self, enum um_core_log_level level, const char *line)
@@ -26,7 +26,7 @@ static struct test_brdf brdf_of(void)
 {
   struct test_brdf b = {.diffuse = 0.15, .rest = 0.5};
   b.lobe = (struct um_materials_lobe){
-      .kind = um_materials_lobe_kind_find("ggx"), .alpha = 0.3, .alpha_across = 0.3};
+      .kind = um_materials_lobe_kind_find("beckmann"), .alpha = 0.3, .alpha_across = 0.3};
   return b;
 }
 
