@@ -79,7 +79,7 @@ struct um_model {
   struct um_model_options options; /* with and without alone, for variants of the scenario */
   struct um_core_arena memory;     /* of what building keeps */
   struct um_document *document;
-  struct um_scenario *scenario;
+  const struct um_scenario *scenario;
   struct um_effects_registry *registry; /* effects that it may use */
   struct um_model_effect *effect;       /* [neffect] those it uses */
   size_t neffect;

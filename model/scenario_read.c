@@ -87,7 +87,7 @@ static enum um_status point_to_shipped(struct um_context *context, const char *p
 
 enum um_status um_model_scenario_read(struct um_context *context, const char *path,
                                       const char *const *overrides, size_t noverride,
-                                      struct um_document **document, struct um_scenario **out)
+                                      struct um_document **document, const struct um_scenario **out)
 {
   struct stat info;
   char *file = NULL;

@@ -8,7 +8,8 @@
  * (stop after start, names). The document owns everything. */
 enum um_status um_model_scenario_read(struct um_context *context, const char *path,
                                       const char *const *overrides, size_t noverride,
-                                      struct um_document **document, struct um_scenario **out);
+                                      struct um_document **document,
+                                      const struct um_scenario **out);
 
 /* The scenario of a document with changes, which outlives the new one (um_document_change); the
  * same checks. */

@@ -184,7 +184,7 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
   const char *path = um_fuzz_file(0, scenarios[base], strlen(scenarios[base]));
   const struct um_model_options options = {.overrides = set, .noverride = n};
   struct um_document *document = NULL;
-  struct um_scenario *scenario;
+  const struct um_scenario *scenario;
   struct um_model *model = NULL;
   if (um_fuzz_good(context, um_model_scenario_read(context, path, set, n, &document, &scenario)) &&
       builds_fast(scenario) &&

@@ -251,7 +251,7 @@ static void test_quantities(void **state)
              um_compare_quantity_name((enum um_compare_quantity)q));
     put_world(more);
     struct um_document *document;
-    struct um_scenario *scenario;
+    const struct um_scenario *scenario;
     assert_ok(um_model_scenario_read(context, SCENARIO, NULL, 0, &document, &scenario));
     const struct um_scenario_noise *noise = scenario->measurements->noise.items;
     assert_int_equal(noise[0].quantity, q);
