@@ -46,6 +46,7 @@ if(UMBRA_SANITIZE)
 endif()
 if(UMBRA_TSAN)
   target_compile_options(um_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_compile_definitions(um_options INTERFACE __SANITIZE_THREAD__=1) # gcc says so, clang does not
   target_link_options(um_options INTERFACE -fsanitize=thread)
 endif()
 if(UMBRA_COVERAGE)

@@ -151,8 +151,8 @@ static bool take_row(const struct um_thermal_exchange_maker *m, const struct mir
 }
 
 /* The same operations in the same order, hence the same bits, on registers as wide as the machine
- * has them. */
-#if defined __x86_64__ && defined __GLIBC__
+ * has them. ThreadSanitizer cannot have them: the loader chooses before it has begun. */
+#if defined __x86_64__ && defined __GLIBC__ && !defined __SANITIZE_THREAD__
 #define UM_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
 #else
 #define UM_WIDE_VECTORS
