@@ -284,10 +284,51 @@ static void test_left_to_runs(void **state)
   }
 }
 
+/* A stated start with an interior that begins 5 K warmer: so do the moved models, and a watt more
+ * inside has changed nothing when the run begins. */
+static void test_start_offset(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"time.step_s=60", "time.exposure_s=0",
+                                    "thermal.start=isothermal", "thermal.orbits_before=0.05",
+                                    "parts.bus.interior.capacity_J_K=3000"};
+  static const char *const with[] = {"stored_heat:bus,delta_K=5"};
+  const struct um_model_options options = {
+      .overrides = set, .noverride = 5, .with = with, .nwith = 1};
+  const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
+  struct world base = {0};
+  struct um_model_thermal_solution *heat, *moved;
+  struct um_model_thermal_sensitivity *s;
+  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
+  assert_non_null(base.model->start_offset);
+  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
+      UM_OK);
+  struct world w = variant(&base, &power, 1e-3);
+  const struct um_model_thermal_move move = {w.model, w.precomputed, 1e-3};
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_move(context, heat, s, 0, 1.0, w.model, w.precomputed, &moved),
+      UM_OK);
+  const struct um_thermal_history *h = heat->run.history;
+  double most = 0.0, bound = (h->t[0] - heat->run.from) / 3000.0; /* [K]: a watt into 3 kJ/K */
+  for (size_t i = 0; i < h->nnode; i++)
+    most = fmax(most, fabs(moved->run.history->temperature[i] - h->temperature[i]));
+  print_message("a watt over %.0f s: %.4f K at most\n", h->t[0] - heat->run.from, most);
+  assert_true(most <= bound);
+  um_model_thermal_solution_destroy(context, &moved);
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  world_release(&w);
+  world_release(&base);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_differences),
                                      cmocka_unit_test(test_mirrors), cmocka_unit_test(test_refused),
-                                     cmocka_unit_test(test_left_to_runs)};
+                                     cmocka_unit_test(test_left_to_runs),
+                                     cmocka_unit_test(test_start_offset)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
