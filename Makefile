@@ -8,6 +8,7 @@
 # make fuzz   every fuzz target for ten minutes; FUZZ_SECONDS=60 FUZZ="csv model" shorter, fewer
 # make tidy   clang-tidy with path analysis;  make coverage   which lines the tests reach
 # make bricks   pull every effect, lobe, filter, sensor and scenario in turn; BRICKS="cirrus ggx" some; a day
+# make tsan   many threads on one model under ThreadSanitizer: minutes
 # make nightly   all tests under the sanitizers, tidy, fuzz, mutate, one brick of each kind: hours
 FUZZ_SECONDS ?= 600
 export FUZZ FUZZ_SECONDS
@@ -15,7 +16,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage nightly mutate bricks clean
+.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks clean
 
 all: program
 
@@ -74,6 +75,9 @@ tidy:
 coverage:
 	@tools/install-deps --checks
 	@tools/coverage
+
+tsan:
+	@tools/nightly shared
 
 nightly:
 	@tools/nightly
