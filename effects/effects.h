@@ -60,6 +60,9 @@ enum um_effects_reach {
 };
 /* Or-ed um_effects_reach of its hooks. Does not fail. */
 uint32_t um_effects_reach(const struct um_effect *effect);
+/* Do all of its hooks act on light that has left the satellite: on the air before the observer, on
+ * what is measured? Does not fail. */
+bool um_effects_act_behind(const struct um_effect *effect);
 
 /* The manual's page of one effect, built-in or a user's own, as Markdown; and the whole manual,
  * docs/effects.md. Errors of writing are the stream's. */

@@ -18,3 +18,11 @@ uint32_t um_effects_reach(const struct um_effect *effect)
   if (h->observation != NULL) reach |= UM_REACH_OBSERVATION;
   return reach;
 }
+
+bool um_effects_act_behind(const struct um_effect *effect)
+{
+  struct um_effect rest = *effect;
+  rest.hooks.sky = NULL;
+  rest.hooks.observation = NULL;
+  return um_effects_reach(&rest) == 0;
+}

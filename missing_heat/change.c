@@ -34,7 +34,7 @@ static enum um_status run_with(struct um_context *context, const struct um_missi
   const struct um_model_changes changes = {
       .addition = base->addition, .naddition = base->naddition, .source = &source, .nsource = 1};
   UM_CHECK(um_variant_open(context, f->evaluator, &changes, &heat, &v));
-  UM_CHECK(um_model_run_observed(context, v.model, v.precomputed, v.heat, &result));
+  UM_CHECK(um_variant_observe(context, f->evaluator, &v, &result));
   UM_CHECK(um_missing_heat_predict(context, base, result, value));
   f->evaluations++;
 done:

@@ -86,16 +86,13 @@ enum um_status um_model_run_with(struct um_context *context, const struct um_mod
   return status;
 }
 
-enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
-                                     const struct um_model_thermal_solution *heat,
-                                     struct um_model_result **out)
+/* All but the light and what is made of it. */
+static enum um_status run_dark(struct um_context *context, const struct um_model *model,
+                               const struct um_model_precomputed *precomputed,
+                               const struct um_model_thermal_solution *heat,
+                               struct um_model_result *result)
 {
-  enum um_status status;
   const struct um_model_heat_run *run = &heat->run;
-  struct um_model_result *result = NULL;
-  *out = NULL;
-  UM_TRY(um_core_allocate(context, 1, sizeof *result, &result));
   result->nobs = precomputed->nobs;
   result->audit = run->history->audit;
   result->audit_error = run->history->audit_error;
@@ -103,12 +100,43 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
   result->steps = run->history->steps;
   result->rhs_evaluations = run->history->rhs_evaluations;
   result->jacobians = run->history->jacobians;
-  UM_CHECK(keep_temperatures(context, model, precomputed, run, result));
+  UM_TRY(keep_temperatures(context, model, precomputed, run, result));
   if (model->scenario->thermal->outside_range == UM_RANGE_ERROR)
-    UM_CHECK(um_model_check_record_ranges(context, model, precomputed, result));
-  UM_CHECK(um_model_run_histories(context, model, precomputed, heat, result));
-  UM_CHECK(um_model_run_optics(context, model, precomputed, run, result));
+    UM_TRY(um_model_check_record_ranges(context, model, precomputed, result));
+  return um_model_run_histories(context, model, precomputed, heat, result);
+}
+
+enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   const struct um_optics_lightcurve *light,
+                                   struct um_model_result **out)
+{
+  struct um_model_result *result = NULL;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *result, &result));
+  enum um_status status = run_dark(context, model, precomputed, heat, result);
+  if (status == UM_OK) status = um_model_run_optics(context, model, precomputed, light, result);
+  if (status != UM_OK) um_model_result_destroy(context, &result);
+  *out = result;
+  return status;
+}
+
+enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_thermal_solution *heat,
+                                     struct um_model_result **out)
+{
+  enum um_status status;
+  struct um_optics_lightcurve *light = NULL;
+  struct um_model_result *result = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *result, &result));
+  UM_CHECK(run_dark(context, model, precomputed, heat, result));
+  UM_CHECK(um_model_run_light(context, model, precomputed, heat, &light));
+  UM_CHECK(um_model_run_optics(context, model, precomputed, light, result));
 done:
+  um_optics_lightcurve_destroy(context, &light);
   if (status != UM_OK) um_model_result_destroy(context, &result);
   *out = result;
   return status;

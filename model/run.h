@@ -25,6 +25,18 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out);
 
+/* Light toward the observer before air and instrument; *out NULL without an observer. Errors of
+ * um_model_run_observed. The caller destroys by um_optics_lightcurve_destroy. */
+enum um_status um_model_run_light(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_thermal_solution *heat,
+                                  struct um_optics_lightcurve **out);
+/* um_model_run_observed of a model whose light is at hand: air, instrument and temperatures. */
+enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_thermal_solution *heat,
+                                   const struct um_optics_lightcurve *light,
+                                   struct um_model_result **out);
 /* Temperatures of places alone: the result has no light and no heat. */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,

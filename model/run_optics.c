@@ -8,6 +8,7 @@
 #include "model/counts.h"
 #include "model/effects_impl.h"
 #include "model/grey_body.h"
+#include "model/run.h"
 #include "model/run_optics_impl.h"
 #include "model/sky_bands_impl.h"
 
@@ -366,18 +367,29 @@ done:
   return status;
 }
 
+enum um_status um_model_run_light(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_thermal_solution *heat,
+                                  struct um_optics_lightcurve **out)
+{
+  struct um_optics_scene scene = {0};
+  *out = NULL;
+  if (precomputed->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, precomputed, heat->run.surface, &scene));
+  enum um_status status =
+      um_optics_lightcurve_compute(context, &scene, model->band, model->nband, out);
+  um_model_scene_release(context, &scene);
+  return status;
+}
+
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
-                                   const struct um_model_heat_run *run,
+                                   const struct um_optics_lightcurve *curve,
                                    struct um_model_result *result)
 {
   enum um_status status;
-  struct um_optics_scene scene = {0};
-  struct um_optics_lightcurve *curve = NULL;
   struct spectral_irradiance light = {NULL, NULL};
-  if (precomputed->view == NULL) return UM_OK;
-  UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
-  UM_CHECK(um_optics_lightcurve_compute(context, &scene, model->band, model->nband, &curve));
+  if (curve == NULL) return UM_OK;
   UM_CHECK(result_arrays(context, model, precomputed, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.exo_atmospheric));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.at_aperture));
@@ -387,7 +399,5 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
 done:
   um_core_free(context, light.exo_atmospheric);
   um_core_free(context, light.at_aperture);
-  um_optics_lightcurve_destroy(context, &curve);
-  um_model_scene_release(context, &scene);
   return status;
 }

@@ -5,10 +5,10 @@
 #include "model/result.h"
 #include "model/thermal_solution_impl.h"
 
-/* Light curves. */
+/* What air and instrument make of a light curve (um_model_run_light); NULL: nothing. */
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,
-                                   const struct um_model_heat_run *run,
+                                   const struct um_optics_lightcurve *curve,
                                    struct um_model_result *result);
 /* A band irradiance [W/m^2] through all effects on observations, in order: those of the sky, then
  * switches of the detector. at->value is not read. */

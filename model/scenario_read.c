@@ -113,7 +113,8 @@ done:
 enum um_status um_model_scenario_change(struct um_context *context,
                                         const struct um_document *origin,
                                         const struct um_document_change *change, size_t nchange,
-                                        struct um_document **document, struct um_scenario **out)
+                                        struct um_document **document,
+                                        const struct um_scenario **out)
 {
   void *root = NULL;
   *out = NULL;

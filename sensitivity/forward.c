@@ -31,7 +31,7 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
                               const struct um_variant *v)
 {
   struct um_model_result *result = NULL;
-  UM_TRY(um_model_run_observed(context, v->model, v->precomputed, v->heat, &result));
+  UM_TRY(um_variant_observe(context, forward->evaluator, v, &result));
   enum um_status status =
       um_compare_predict(context, forward->plan, v->precomputed, result, forward->cache->predicted);
   um_model_result_destroy(context, &result);
@@ -204,9 +204,9 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   f->paths = f->model->scenario->optics->interreflection_samples;
   if (!has_light(f))
     return um_model_run_with(context, base->model, base->precomputed, base->heat, out);
-  UM_TRY(um_compare_refine_with(context, f->model, um_variant_base_precomputed(f->evaluator),
-                                base->heat, UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user,
-                                out, &refinement));
+  UM_TRY(um_compare_refine_with(
+      context, f->model, um_variant_base_precomputed(context, f->evaluator), base->heat,
+      UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user, out, &refinement));
   f->samples = refinement.samples;
   f->paths = refinement.interreflection;
   f->instants.sampling =

@@ -174,7 +174,7 @@ enum um_status um_study_forecast_compute(struct um_context *context, void *user,
   UM_CHECK(um_study_forecast_changes(context, work, (size_t)coordinate[0], coordinate[1],
                                      coordinate[2], NAN, &changes));
   UM_CHECK(um_variant_open_over(context, work->evaluator, NULL, &changes.all, &heat, &v));
-  UM_CHECK(um_model_run_observed(context, v.model, v.precomputed, v.heat, &result));
+  UM_CHECK(um_variant_observe(context, work->evaluator, &v, &result));
   store(work, v.precomputed, result, v.model->orbit_delay, coordinate[3], value);
 done:
   um_model_result_destroy(context, &result);

@@ -31,7 +31,7 @@ static enum um_status observe(struct um_context *context, const struct um_study 
                               const struct um_variant *v, double *value)
 {
   struct um_model_result *result = NULL;
-  UM_TRY(um_model_run_observed(context, v->model, v->precomputed, v->heat, &result));
+  UM_TRY(um_variant_observe(context, study->evaluator, v, &result));
   enum um_status status = um_study_outputs_take(context, study, v->model, result, value);
   um_model_result_destroy(context, &result);
   return status;

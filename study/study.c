@@ -34,7 +34,7 @@ static enum um_status solve_nominal(struct um_context *context, struct um_study 
   double begin = omp_get_wtime();
   UM_TRY(um_variant_evaluator_create(context, study->model, &settings, &study->evaluator));
   UM_TRY(um_variant_base(context, study->evaluator, &study->base));
-  UM_TRY(um_model_run_observed(context, base->model, base->precomputed, base->heat, &result));
+  UM_TRY(um_variant_observe(context, study->evaluator, base, &result));
   study->seconds_run = omp_get_wtime() - begin;
   enum um_status status =
       um_study_outputs_take(context, study, study->model, result, study->nominal);

@@ -6,6 +6,7 @@
 #include "effects/effects.h"
 #include "model/build.h"
 #include "model/precomputed_serves.h"
+#include "model/run.h"
 #include "variant/cache_impl.h"
 
 struct um_variant_evaluator {
@@ -13,6 +14,7 @@ struct um_variant_evaluator {
   struct um_variant_settings settings;
   struct um_model_precomputed *precomputed; /* its geometry; NULL: not yet */
   struct um_model_thermal_solution *heat;   /* and heat */
+  struct um_optics_lightcurve *light;       /* and light */
   struct um_variant_costs costs;            /* of both */
   struct um_variant_cache cache;            /* of variants */
 };
@@ -34,6 +36,7 @@ void um_variant_evaluator_destroy(struct um_context *context,
   struct um_variant_evaluator *e = *evaluator;
   if (e == NULL) return;
   um_variant_cache_clear(context, &e->cache);
+  um_optics_lightcurve_destroy(context, &e->light);
   um_model_thermal_solution_destroy(context, &e->heat);
   um_model_precomputed_destroy(context, &e->precomputed);
   um_core_free(context, e);
@@ -45,8 +48,10 @@ struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator 
   return evaluator->costs;
 }
 
-struct um_model_precomputed *um_variant_base_precomputed(struct um_variant_evaluator *evaluator)
+struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
+                                                         struct um_variant_evaluator *evaluator)
 {
+  um_optics_lightcurve_destroy(context, &evaluator->light);
   return evaluator->precomputed;
 }
 
@@ -266,6 +271,14 @@ static enum um_status make_model(struct um_context *context, const struct um_var
   return UM_OK;
 }
 
+static bool acts_behind(const struct um_model_changes *changes)
+{
+  bool behind = changes->nkey + changes->nwith + changes->nwithout + changes->nsource == 0;
+  for (size_t i = 0; i < changes->naddition; i++)
+    behind = behind && um_effects_act_behind(changes->addition[i].effect);
+  return behind;
+}
+
 enum um_status um_variant_reaches_geometry(struct um_context *context,
                                            const struct um_variant_evaluator *evaluator,
                                            const struct um_model_addition *addition,
@@ -291,6 +304,7 @@ enum um_status um_variant_open(struct um_context *context, struct um_variant_eva
   enum um_status status;
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
   UM_CHECK(make_model(context, evaluator, changes, out));
+  out->behind = acts_behind(changes);
   UM_CHECK(find_geometry(context, evaluator, changes, out));
   if (heat != NULL) UM_CHECK(um_variant_find_heat(context, evaluator, heat, out));
 done:
@@ -314,6 +328,19 @@ enum um_status um_variant_open_over(struct um_context *context,
 done:
   um_core_quiet_end(context);
   return status;
+}
+
+enum um_status um_variant_observe(struct um_context *context,
+                                  struct um_variant_evaluator *evaluator,
+                                  const struct um_variant *v, struct um_model_result **out)
+{
+  struct um_variant_evaluator *e = evaluator;
+  *out = NULL;
+  if (!v->behind || v->heat != e->heat || v->precomputed != e->precomputed)
+    return um_model_run_observed(context, v->model, v->precomputed, v->heat, out);
+  if (e->light == NULL)
+    UM_TRY(um_model_run_light(context, e->model, e->precomputed, e->heat, &e->light));
+  return um_model_run_behind(context, v->model, v->precomputed, v->heat, e->light, out);
 }
 
 void um_variant_close(struct um_context *context, struct um_variant *variant)

@@ -45,7 +45,8 @@ struct um_variant {
   const struct um_model_precomputed *precomputed;
   const struct um_model_thermal_solution *heat;
   bool fresh_geometry, fresh_heat; /* computed for it: nothing at hand served */
-  double seconds_heat;             /* wall time of fresh heat, 0 without [s] */
+  bool behind;         /* all that is changed acts on light that has left the satellite */
+  double seconds_heat; /* wall time of fresh heat, 0 without [s] */
   /* private */
   struct um_variant_kept *kept;
   struct um_model *own_model;
@@ -71,9 +72,10 @@ struct um_variant_costs {
   double geometry, heat;
 };
 struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator *evaluator);
-/* Its geometry, for who traces lines of sight again (um_model_precomputed_resample); NULL before
- * um_variant_base. */
-struct um_model_precomputed *um_variant_base_precomputed(struct um_variant_evaluator *evaluator);
+/* Its geometry, for who traces lines of sight again (um_model_precomputed_resample): light that is
+ * kept is given up. NULL before um_variant_base. */
+struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
+                                                         struct um_variant_evaluator *evaluator);
 
 /* The scenario with changes, its geometry and, with `heat`, its heat; heat NULL: none is asked for.
  * What is refused because of the changes is UM_ERR_REFUSED. Errors of um_model_variant_create,
@@ -104,6 +106,12 @@ enum um_status um_variant_heat_again(struct um_context *context,
                                      struct um_variant_evaluator *evaluator,
                                      const struct um_variant_heat *heat,
                                      struct um_variant *variant);
+/* Light and temperatures of an open variant with heat (um_model_run_observed). Light of the
+ * scenario as it stands is computed once, and serves variants that change nothing before it is on
+ * its way. The caller destroys *out. */
+enum um_status um_variant_observe(struct um_context *context,
+                                  struct um_variant_evaluator *evaluator,
+                                  const struct um_variant *variant, struct um_model_result **out);
 void um_variant_close(struct um_context *context, struct um_variant *variant);
 
 #endif

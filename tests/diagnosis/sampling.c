@@ -85,7 +85,7 @@ static void withhold(struct um_sensitivity_forward *f)
   f->instants.sampling = (struct um_model_sampling){
       f->samples_before, f->model->scenario->optics->interreflection_samples};
   assert_ok(um_model_precomputed_resample(
-      context, f->model, um_variant_base_precomputed(f->evaluator), f->instants.sampling));
+      context, f->model, um_variant_base_precomputed(context, f->evaluator), f->instants.sampling));
   assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
   assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
   um_model_result_destroy(context, &result);

@@ -148,6 +148,10 @@ static void test_serves_as_traced(void **state)
   struct um_model *made = NULL;
   struct um_model_precomputed *own = NULL;
   size_t wrong = 0;
+  FILE *file = fopen(FILE_NAME, "w");
+  assert_non_null(file);
+  fputs(scenario, file);
+  fclose(file);
   need(um_model_create(context, FILE_NAME, NULL, &made));
   need(um_model_precompute(context, made, &own));
   for (size_t i = 0; i < CHANGES; i++) {
@@ -173,15 +177,12 @@ static void test_serves_as_traced(void **state)
   }
   um_model_precomputed_destroy(context, &own);
   um_model_destroy(context, &made);
+  remove(FILE_NAME);
   assert_int_equal(wrong, 0);
 }
 
 int main(void)
 {
-  FILE *file = fopen(FILE_NAME, "w");
-  if (file == NULL) return 1;
-  fputs(scenario, file);
-  fclose(file);
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_serves_as_traced)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

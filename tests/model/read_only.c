@@ -151,7 +151,8 @@ static enum um_status variant(struct work *w, const char *effect, const char *ta
   struct um_model_addition a = {.effect = um_effects_find(effect), .target = target};
   for (size_t p = 0; p < a.effect->nparameter; p++) a.value[p] = a.effect->parameters[p].null_value;
   memcpy(a.value, value, nvalue * sizeof *value);
-  return um_model_variant_create(w->context, w->shared->model, &a, 1, out);
+  const struct um_model_changes changes = {.addition = &a, .naddition = 1};
+  return um_model_variant_create(w->context, w->shared->model, &changes, out);
 }
 
 /* Temperatures of a model with more power inside, by the sensitivity to it. */
