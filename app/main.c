@@ -105,6 +105,11 @@ int main(int argc, char **argv)
     fputs("umbra: out of memory\n", stderr);
     return UM_APP_FAILED;
   }
+  if (um_core_context_set_cache(context, getenv("UMBRA_CACHE")) != UM_OK) {
+    um_core_context_destroy(&context);
+    fputs("umbra: out of memory\n", stderr);
+    return UM_APP_FAILED;
+  }
   um_app_terminal_attach(context);
   int code = dispatch(context, verb, argc, argv);
   um_app_terminal_clear();

@@ -26,6 +26,7 @@ struct um_context {
   struct um_core_held_files *held;
   um_core_stop_source stop_source;
   void *stop_self;
+  char *data, *cache; /* folders; NULL: none */
 };
 
 static void *default_allocate(void *self, size_t bytes)
@@ -64,6 +65,8 @@ void um_core_context_destroy(struct um_context **context)
   if (context == NULL || *context == NULL) return;
   struct um_core_allocator a = (*context)->allocator;
   a.release(a.self, (*context)->log);
+  a.release(a.self, (*context)->data);
+  a.release(a.self, (*context)->cache);
   a.release(a.self, *context);
   *context = NULL;
 }
@@ -79,6 +82,29 @@ void um_core_context_set_threads(struct um_context *context, int threads)
 }
 
 int um_core_context_threads(const struct um_context *context) { return context->threads; }
+
+static enum um_status set_folder(struct um_context *context, const char *folder, char **out)
+{
+  char *copy = NULL;
+  if (folder != NULL && folder[0] != '\0') UM_TRY(um_core_strdup(context, folder, &copy));
+  um_core_free(context, *out);
+  *out = copy;
+  return UM_OK;
+}
+
+enum um_status um_core_context_set_data(struct um_context *context, const char *folder)
+{
+  return set_folder(context, folder, &context->data);
+}
+
+enum um_status um_core_context_set_cache(struct um_context *context, const char *folder)
+{
+  return set_folder(context, folder, &context->cache);
+}
+
+const char *um_core_context_data(const struct um_context *context) { return context->data; }
+
+const char *um_core_context_cache(const struct um_context *context) { return context->cache; }
 
 const char *um_core_message(const struct um_context *context) { return context->message; }
 

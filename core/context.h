@@ -46,6 +46,15 @@ void um_core_context_destroy(struct um_context **context);
 void um_core_context_set_threads(struct um_context *context, int threads);
 int um_core_context_threads(const struct um_context *context);
 
+/* Folder that holds materials/, filters/, sensors/ and scenarios/ in place of those that come with
+ * the program (core/data.h), and folder where view factors are kept between runs. Copied; NULL or
+ * "": none, which is the default. UM_ERR_MEMORY leaves what was set. */
+enum um_status um_core_context_set_data(struct um_context *context, const char *folder);
+enum um_status um_core_context_set_cache(struct um_context *context, const char *folder);
+/* NULL: none; borrowed until the next setting. */
+const char *um_core_context_data(const struct um_context *context);
+const char *um_core_context_cache(const struct um_context *context);
+
 /* Message of the last failure, "" when none; one line; borrowed until the next failure. */
 const char *um_core_message(const struct um_context *context);
 /* Record a one-line message (no newline) for `status` and return `status`. Thread-safe; the first

@@ -1,7 +1,10 @@
 /* Where the program's own files lie. */
+#define _GNU_SOURCE /* dladdr1 */
 #include "core/data.h"
 
+#include <dlfcn.h>
 #include <limits.h>
+#include <link.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,25 +20,42 @@ static bool is_folder(const char *path)
   return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 }
 
+/* Cut behind the folder; false where there is none. */
+static bool cut_name(char path[PATH_MAX])
+{
+  char *slash = strrchr(path, '/');
+  if (slash != NULL) *slash = '\0';
+  return slash != NULL;
+}
+
 /* The folder of the running program, links resolved; false where the system does not say. */
 static bool program_folder(char out[PATH_MAX])
 {
   ssize_t n = readlink("/proc/self/exe", out, PATH_MAX);
   if (n <= 0 || n >= PATH_MAX) return false;
   out[n] = '\0';
-  char *slash = strrchr(out, '/');
-  if (slash == NULL) return false;
-  *slash = '\0';
-  return true;
+  return cut_name(out);
 }
 
-/* Does the program stand in the folder that it was built in, or below? */
-static bool runs_from_build(const char *program)
+/* The folder of the shared library that this code is part of, links resolved; false: of none, it is
+ * part of the program. */
+static bool library_folder(char out[PATH_MAX])
+{
+  static const char here; /* an address of this code */
+  Dl_info info;
+  void *map = NULL;
+  if (dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) == 0 || map == NULL) return false;
+  const struct link_map *object = map;
+  if (object->l_name == NULL || object->l_name[0] == '\0') return false;
+  return realpath(object->l_name, out) != NULL && cut_name(out);
+}
+
+/* Does the folder lie in the one that this was built in, or below? */
+static bool is_in_build(const char *folder)
 {
   char *build = realpath(UMBRA_BUILD_FOLDER, NULL);
   size_t n = build == NULL ? 0 : strlen(build);
-  bool inside =
-      n > 0 && strncmp(program, build, n) == 0 && (program[n] == '/' || program[n] == '\0');
+  bool inside = n > 0 && strncmp(folder, build, n) == 0 && (folder[n] == '/' || folder[n] == '\0');
   free(build);
   return inside;
 }
@@ -48,14 +68,15 @@ static const char *source_name(const char *name)
   return strcmp(name, "filters") == 0 ? "instrument/filters" : name;
 }
 
-static enum um_status of_variable(struct um_context *context, const char *data, const char *name,
-                                  char **out)
+/* said: what names `data`. */
+static enum um_status of_folder(struct um_context *context, const char *said, const char *data,
+                                const char *name, char **out)
 {
   UM_TRY(um_core_asprintf(context, out, "%s/%s", data, name));
   if (is_folder(*out)) return UM_OK;
-  enum um_status status = um_core_fail(
-      context, UM_ERR_IO, "%s: no such folder; accepted: UMBRA_DATA names a folder that holds %s/",
-      *out, name);
+  enum um_status status =
+      um_core_fail(context, UM_ERR_IO, "%s: no such folder; accepted: %s a folder that holds %s/",
+                   *out, said, name);
   um_core_free(context, *out);
   *out = NULL;
   return status;
@@ -75,20 +96,15 @@ static enum um_status try_folder(struct um_context *context, const char *folder,
   return status;
 }
 
-enum um_status um_core_data_folder(struct um_context *context, const char *name, char **out)
+/* From the folder `from`, in which program or library stand: share/umbra by the way of the
+ * installed tree, else the source tree. */
+static enum um_status beside(struct um_context *context, const char *from, const char *way,
+                             const char *name, char **out)
 {
-  char program[PATH_MAX] = "", *share;
-  const char *data = getenv("UMBRA_DATA");
-  *out = NULL;
-  if (data != NULL && data[0] != '\0') return of_variable(context, data, name, out);
-  if (!program_folder(program))
-    return um_core_fail(context, UM_ERR_IO,
-                        "/proc/self/exe cannot be read; accepted: UMBRA_DATA names a folder that "
-                        "holds %s/",
-                        name);
-  UM_TRY(um_core_asprintf(context, &share, "%s/" UMBRA_DATA_FROM_PROGRAM, program));
+  char *share;
+  UM_TRY(um_core_asprintf(context, &share, "%s/%s", from, way));
   enum um_status status = try_folder(context, share, name, out);
-  if (status == UM_OK && *out == NULL && runs_from_build(program))
+  if (status == UM_OK && *out == NULL && is_in_build(from))
     status = try_folder(context, UMBRA_SOURCE_FOLDER, source_name(name), out);
   if (status == UM_OK && *out == NULL)
     status = um_core_fail(context, UM_ERR_IO,
@@ -97,6 +113,22 @@ enum um_status um_core_data_folder(struct um_context *context, const char *name,
                           share, name, name);
   um_core_free(context, share);
   return status;
+}
+
+enum um_status um_core_data_folder(struct um_context *context, const char *name, char **out)
+{
+  char folder[PATH_MAX] = "";
+  const char *given = um_core_context_data(context), *data = getenv("UMBRA_DATA");
+  *out = NULL;
+  if (given != NULL) return of_folder(context, "the data folder is", given, name, out);
+  if (data != NULL && data[0] != '\0')
+    return of_folder(context, "UMBRA_DATA names", data, name, out);
+  if (library_folder(folder)) return beside(context, folder, UMBRA_DATA_FROM_LIBRARY, name, out);
+  if (program_folder(folder)) return beside(context, folder, UMBRA_DATA_FROM_PROGRAM, name, out);
+  return um_core_fail(context, UM_ERR_IO,
+                      "/proc/self/exe cannot be read; accepted: UMBRA_DATA names a folder that "
+                      "holds %s/",
+                      name);
 }
 
 enum um_status um_core_data_names(struct um_context *context, const char *folder, const char *tail,

@@ -5,10 +5,12 @@
 #include "core/context.h"
 
 /* Folder `name` ("materials", "filters", "sensors", "scenarios") of the program's own files; the
- * caller frees. The first that holds: $UMBRA_DATA/name, where that variable is set,
- *   ../share/umbra/name from the folder of the running program (as it was installed, wherever the
- *   tree was moved to),
- *   the source tree, where the program runs from its build folder.
+ * caller frees. The first that holds: the context's data folder, where it has one
+ * (um_core_context_set_data),
+ *   $UMBRA_DATA/name, where that variable is set,
+ *   share/umbra/name beside the program, or beside the shared library that this code is part of (as
+ *   they were installed, wherever the tree was moved to),
+ *   the source tree, where program or library stand in their build folder.
  * UM_ERR_IO names what is missing; UM_ERR_MEMORY. */
 enum um_status um_core_data_folder(struct um_context *context, const char *name, char **out);
 

@@ -3,7 +3,6 @@
 #include "model/precompute_exchange_impl.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/constants.h"
 #include "core/file.h"
@@ -101,15 +100,14 @@ static void say(struct um_context *context, const struct um_model *model,
   say_leaks(context, model, table);
 }
 
-/* By the keys of the scenario; view factors of earlier runs stand in the folder that the
- * environment variable UMBRA_CACHE names, if it does. */
-static struct um_geometry_view_factor_options options_of(const struct um_model *model)
+/* By the keys of the scenario; view factors of earlier runs stand in the context's cache. */
+static struct um_geometry_view_factor_options options_of(const struct um_context *context,
+                                                         const struct um_model *model)
 {
   struct um_geometry_view_factor_options options;
-  const char *cache = getenv("UMBRA_CACHE");
   um_geometry_view_factor_defaults(&options);
   options.rays = (size_t)model->scenario->thermal->view_factor_rays;
-  if (cache != NULL && cache[0] != '\0') options.cache = cache;
+  options.cache = um_core_context_cache(context);
   return options;
 }
 
@@ -117,7 +115,7 @@ enum um_status um_model_view_factors(struct um_context *context, const struct um
                                      const double *angles, size_t ntime,
                                      struct um_geometry_view_factor_table **out)
 {
-  struct um_geometry_view_factor_options options = options_of(model);
+  struct um_geometry_view_factor_options options = options_of(context, model);
   return um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
                                               (size_t)model->scenario->thermal->exchange_patches,
                                               &options, out);
@@ -155,7 +153,7 @@ static enum um_status make_table(struct um_context *context, const struct um_mod
                                  struct um_geometry_view_factor_table **out)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  struct um_geometry_view_factor_options options = options_of(model);
+  struct um_geometry_view_factor_options options = options_of(context, model);
   char *import = NULL;
   enum um_status status = UM_OK;
   if (thermal->view_factors != NULL)

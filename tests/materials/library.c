@@ -524,6 +524,18 @@ static void product_folder(void **state)
   assert_string_equal(found, inside);
   um_core_free(context, found);
   rmdir(inside);
+
+  /* the context's own goes before the variable */
+  setenv("UMBRA_DATA", UMBRA_SOURCE_DIR "/tests/fuzz/data", 1);
+  assert_int_equal(um_core_context_set_data(context, folder), UM_OK);
+  assert_int_equal(um_materials_library_folder(context, &found), UM_ERR_IO);
+  assert_non_null(strstr(um_core_message(context), inside));
+  assert_int_equal(um_core_context_set_data(context, ""), UM_OK);
+  assert_null(um_core_context_data(context));
+  um_core_message_clear(context);
+  assert_int_equal(um_materials_library_folder(context, &found), UM_OK);
+  assert_string_equal(found, UMBRA_SOURCE_DIR "/tests/fuzz/data/materials");
+  um_core_free(context, found);
   unsetenv("UMBRA_DATA");
 }
 
