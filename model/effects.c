@@ -113,17 +113,15 @@ static enum um_status take_scenario(struct um_context *context, struct um_model 
   return UM_OK;
 }
 
-/* "effect[:target][,name=value]...", cut in place. */
-static enum um_status take_text(struct um_context *context, struct um_model *model, char *text,
-                                const struct origin *origin, bool off)
+/* The use that an option or a change is about, on or off; NULL: all uses of an effect were turned
+ * off. */
+static enum um_status take_use(struct um_context *context, struct um_model *model,
+                               const struct origin *origin, const char *name, const char *target,
+                               bool off, struct um_model_effect **out)
 {
   const struct um_effect *effect = NULL;
-  struct um_model_effect *use = NULL;
-  char *rest = text + strcspn(text, ",");
-  if (*rest != '\0') *rest++ = '\0';
-  char *target = strchr(text, ':');
-  if (target != NULL) *target++ = '\0';
-  UM_TRY(find(context, model, origin, text, &effect));
+  *out = NULL;
+  UM_TRY(find(context, model, origin, name, &effect));
   if (!off || target != NULL) UM_TRY(check_target(context, origin, effect, target));
   if (off && target == NULL) { /* all of its uses */
     bool any = false;
@@ -131,11 +129,36 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
       if (model->effect[i].effect == effect) any = model->effect[i].off = true;
     if (any || !effect->on_by_default) return UM_OK;
   }
-  UM_TRY(use_of(context, model, effect, target, &use));
-  use->off = off;
-  use->at = NULL;
-  use->option = origin->option;
-  use->text = origin->text;
+  UM_TRY(use_of(context, model, effect, target, out));
+  (*out)->off = off;
+  (*out)->at = NULL;
+  (*out)->option = origin->option;
+  (*out)->text = origin->text;
+  return UM_OK;
+}
+
+static enum um_status take_change(struct um_context *context, struct um_model *model,
+                                  const struct um_model_change *change)
+{
+  struct um_model_effect *use = NULL;
+  const struct origin origin = {.option = "effect", .text = change->effect};
+  UM_TRY(take_use(context, model, &origin, change->effect, change->target, change->off, &use));
+  for (size_t p = 0; use != NULL && p < change->nparameter; p++)
+    UM_TRY(set_parameter(context, &origin, use, change->parameter[p], change->value[p]));
+  return UM_OK;
+}
+
+/* "effect[:target][,name=value]...", cut in place. */
+static enum um_status take_text(struct um_context *context, struct um_model *model, char *text,
+                                const struct origin *origin, bool off)
+{
+  struct um_model_effect *use = NULL;
+  char *rest = text + strcspn(text, ",");
+  if (*rest != '\0') *rest++ = '\0';
+  char *target = strchr(text, ':');
+  if (target != NULL) *target++ = '\0';
+  UM_TRY(take_use(context, model, origin, text, target, off, &use));
+  if (use == NULL) return UM_OK;
   while (*rest != '\0') {
     char *next = rest + strcspn(rest, ",");
     if (*next != '\0') *next++ = '\0';
@@ -206,6 +229,8 @@ static enum um_status take_all(struct um_context *context, struct um_model *mode
     UM_TRY(take_option(context, model, "--with", options->with[k], false));
   for (size_t k = 0; k < options->nwithout; k++)
     UM_TRY(take_option(context, model, "--without", options->without[k], true));
+  for (size_t k = 0; k < options->nchange; k++)
+    UM_TRY(take_change(context, model, &options->change[k]));
   return UM_OK;
 }
 
@@ -232,6 +257,8 @@ enum um_status um_model_build_effects(struct um_context *context, struct um_mode
   if (options != NULL) {
     kept->nwith = options->nwith;
     kept->nwithout = options->nwithout;
+    kept->change = options->change;
+    kept->nchange = options->nchange;
     UM_TRY(keep_texts(context, model, options->with, kept->nwith, &kept->with));
     UM_TRY(keep_texts(context, model, options->without, kept->nwithout, &kept->without));
   }

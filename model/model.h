@@ -28,14 +28,28 @@ struct um_model_sensor {
   struct um_instrument_sensor optics;
 };
 
-/* Changes to a scenario from the command line; texts as the user typed them, borrowed. */
+/* An effect turned on with values, or off; everything borrowed. */
+struct um_model_change {
+  const char *effect, *target; /* target NULL: global; of one that is off: all of its uses */
+  bool off;
+  const char *const *parameter; /* [nparameter] names; the others stay as they are */
+  const double *value;          /* [nparameter] in the parameters' units */
+  size_t nparameter;
+};
+
+/* Changes to a scenario from the command line or a caller; texts as the user typed them, borrowed.
+ */
 struct um_model_options {
+  const char *text; /* the scenario's YAML, in place of what stands at its path, from which relative
+                       names of files lead all the same; NULL: read */
   const char *const *overrides; /* "key.path=value" */
   size_t noverride;
   const char *const *with; /* "effect[:target]" */
   size_t nwith;
   const char *const *without;
   size_t nwithout;
+  const struct um_model_change *change; /* [nchange] in order, after those; outlives the model */
+  size_t nchange;
   const char *const *effect_files; /* shared objects beside those of the scenario */
   size_t neffect_file;
   bool allow_effects; /* load what the scenario's effect_files name though effect_files does not */

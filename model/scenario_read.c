@@ -86,8 +86,9 @@ static enum um_status point_to_shipped(struct um_context *context, const char *p
 }
 
 enum um_status um_model_scenario_read(struct um_context *context, const char *path,
-                                      const char *const *overrides, size_t noverride,
-                                      struct um_document **document, const struct um_scenario **out)
+                                      const char *text, const char *const *overrides,
+                                      size_t noverride, struct um_document **document,
+                                      const struct um_scenario **out)
 {
   struct stat info;
   char *file = NULL;
@@ -95,13 +96,17 @@ enum um_status um_model_scenario_read(struct um_context *context, const char *pa
   enum um_status status;
   *document = NULL;
   *out = NULL;
-  UM_TRY(point_to_shipped(context, path));
-  if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+  if (text == NULL) UM_TRY(point_to_shipped(context, path));
+  if (text == NULL && stat(path, &info) == 0 && S_ISDIR(info.st_mode))
     UM_TRY(um_core_asprintf(context, &file, "%s/scenario.yaml", path));
   else
     UM_TRY(um_core_strdup(context, path, &file));
-  UM_CHECK(um_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
-                            document, &root));
+  if (text != NULL)
+    UM_CHECK(um_document_parse(context, file, text, &um_model_scenario_schema, overrides, noverride,
+                               document, &root));
+  else
+    UM_CHECK(um_document_read(context, file, &um_model_scenario_schema, overrides, noverride,
+                              document, &root));
   UM_CHECK(check_scenario(context, root));
   *out = root;
 done:

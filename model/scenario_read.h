@@ -5,10 +5,11 @@
 #include "model/scenario.h"
 
 /* Read a scenario folder or file with overrides; checks what one mapping cannot know of another
- * (stop after start, names). The document owns everything. */
+ * (stop after start, names). text: its YAML, in place of the file at `path`; NULL: read. The
+ * document owns everything. */
 enum um_status um_model_scenario_read(struct um_context *context, const char *path,
-                                      const char *const *overrides, size_t noverride,
-                                      struct um_document **document,
+                                      const char *text, const char *const *overrides,
+                                      size_t noverride, struct um_document **document,
                                       const struct um_scenario **out);
 
 /* The scenario of a document with changes, which outlives the new one (um_document_change); the
