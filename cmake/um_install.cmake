@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place, beside the headers (effects/) and the material records
-# (materials/): the program, scenarios, documents, man page, completions. The tree may be moved: the
+# What `cmake --install` puts in place, beside the headers (effects/), the material records
+# (materials/) and the library (library/): the program, scenarios, documents, man page, completions. The tree may be moved: the
 # program finds its files from its own folder (core/data.h).
 include(GNUInstallDirs)
 
@@ -33,7 +33,7 @@ else()
   message(STATUS "help2man is not there: no man page")
 endif()
 add_custom_target(umbra_pages ALL DEPENDS ${umbra_completions} ${umbra_man})
-add_custom_target(program DEPENDS umbra umbra_pages) # all that is installed
+add_custom_target(program DEPENDS umbra umbra_pages umbra_shared umbra_static) # all that is installed
 install(FILES ${umbra_pages}/umbra.bash RENAME umbra
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(FILES ${umbra_pages}/_umbra DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")

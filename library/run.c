@@ -1,0 +1,212 @@
+/* A run of both halves, and its arrays. */
+#include <math.h>
+
+#include "library/model_impl.h"
+#include "library/result_impl.h"
+#include "model/precompute.h"
+#include "model/run.h"
+#include "orbit/time.h"
+#include "output/output.h"
+
+struct run {
+  struct umbra_model *model; /* shared */
+  struct um_model_precomputed *precomputed;
+  struct um_model_result *result;
+};
+
+static void run_release(struct um_context *context, void *work)
+{
+  struct run *run = work;
+  um_model_result_destroy(context, &run->result);
+  um_model_precomputed_destroy(context, &run->precomputed);
+  um_library_model_drop(&run->model);
+  um_core_free(context, run);
+}
+
+static enum um_status run_write(struct um_context *context, const struct umbra_result *result,
+                                const struct umbra_write *write, struct um_core_folder *folder)
+{
+  const struct run *run = result->work;
+  const struct um_output_run files = {.model = run->model->model,
+                                      .precomputed = run->precomputed,
+                                      .result = run->result,
+                                      .command = write->command,
+                                      .version = UM_LIBRARY_VERSION,
+                                      .options = &run->model->options,
+                                      .context = context};
+  UM_TRY(um_output_write_run(context, &files, folder));
+  if (write->pictures == 0) return UM_OK;
+  return um_output_plot_run(context, um_core_folder_path(folder), &files);
+}
+
+static const struct um_library_kind kind = {run_write, run_release};
+
+/* --- arrays that are as they were computed ------------------------------------------------------
+ */
+
+static enum um_status show_light(struct um_context *context, const struct um_model_result *r,
+                                 struct umbra_result *to)
+{
+  const struct umbra_array arrays[] = {
+      {"irradiance", "W/m^2", 0, {r->nobs, r->nband}, {"time", "band"}, r->irradiance},
+      {"magnitude_ab", "mag", 0, {r->nobs, r->nband}, {"time", "band"}, r->magnitude_ab},
+      {"intensity_error", "W/sr", 0, {r->nobs, r->nband}, {"time", "band"}, r->standard_error},
+      {"intensity_parts",
+       "W/sr",
+       0,
+       {r->nobs, r->nband, r->nmaterial, UM_MECHANISM_COUNT},
+       {"time", "band", "material", "mechanism"},
+       r->intensity},
+      {"spectral_intensity",
+       "W/(sr m)",
+       0,
+       {r->nobs, r->nbin, UM_MECHANISM_COUNT},
+       {"time", "bin", "mechanism"},
+       r->spectral},
+      {"wavelength_m", "m", 0, {r->nbin}, {"bin"}, r->wavelength},
+      {"count_rate", "1/s", 0, {r->nobs, r->nsensor}, {"time", "sensor"}, r->count_rate},
+      {"count_rate_error",
+       "1/s",
+       0,
+       {r->nobs, r->nsensor},
+       {"time", "sensor"},
+       r->count_rate_error}};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+    UM_TRY(um_library_result_show(context, to, &arrays[i]));
+  return UM_OK;
+}
+
+static enum um_status show_heat(struct um_context *context, const struct um_model_result *r,
+                                struct umbra_result *to)
+{
+  const struct umbra_array arrays[] = {
+      {"surface_temperature",
+       "K",
+       0,
+       {r->nobs, r->nsurface},
+       {"time", "surface"},
+       r->surface_temperature},
+      {"node_temperature", "K", 0, {r->nobs, r->nnode}, {"time", "node"}, r->node_temperature}};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+    UM_TRY(um_library_result_show(context, to, &arrays[i]));
+  return UM_OK;
+}
+
+/* --- arrays that are made ---------------------------------------------------------------------
+ */
+
+/* POSIX time [s]: leap seconds are not counted. */
+static double unix_time(double t_tai)
+{
+  double mjd, seconds;
+  um_orbit_time_utc_clock(t_tai, &mjd, &seconds);
+  return 86400.0 * (mjd - 40587.0) + seconds;
+}
+
+/* One number of every observation. */
+static enum um_status make_times(struct um_context *context,
+                                 const struct um_model_precomputed *precomputed, bool observer,
+                                 struct umbra_result *to)
+{
+  struct umbra_array a = {.unit = "s", .shape = {precomputed->nobs}, .axis = {"time"}};
+  double *time, *sunlit, *hidden, *range, *phase;
+  a.name = "time_unix_s";
+  UM_TRY(um_library_result_make(context, to, a, &time));
+  a.unit = "1";
+  a.name = "sunlit";
+  UM_TRY(um_library_result_make(context, to, a, &sunlit));
+  a.name = "hidden";
+  UM_TRY(um_library_result_make(context, to, a, &hidden));
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    time[k] = unix_time(precomputed->t_obs[k]);
+    sunlit[k] = precomputed->sunlit[k];
+    hidden[k] = precomputed->hidden[k] ? 1.0 : 0.0;
+  }
+  if (!observer) return UM_OK;
+  a.unit = "m";
+  a.name = "range_m";
+  UM_TRY(um_library_result_make(context, to, a, &range));
+  a.unit = "rad";
+  a.name = "phase_angle_rad";
+  UM_TRY(um_library_result_make(context, to, a, &phase));
+  for (size_t k = 0; k < precomputed->nobs; k++) {
+    size_t middle = k * precomputed->nsub + precomputed->nsub / 2;
+    const struct um_environment_sample *s = &precomputed->sample[middle];
+    range[k] = precomputed->look[middle].range;
+    phase[k] = um_vec3_angle(s->sun, s->to_observer);
+  }
+  return UM_OK;
+}
+
+static enum um_status make_light(struct um_context *context, const struct um_model_result *r,
+                                 struct umbra_result *to)
+{
+  struct umbra_array a = {.shape = {r->nobs, r->nband}, .axis = {"time", "band"}};
+  double *intensity, *vega;
+  a.name = "intensity";
+  a.unit = "W/sr";
+  UM_TRY(um_library_result_make(context, to, a, &intensity));
+  a.name = "magnitude_vega";
+  a.unit = "mag";
+  UM_TRY(um_library_result_make(context, to, a, &vega));
+  for (size_t k = 0; k < r->nobs; k++)
+    for (size_t b = 0; b < r->nband; b++) {
+      intensity[k * r->nband + b] = um_model_result_intensity(r, k, b, -1);
+      vega[k * r->nband + b] = r->magnitude_ab[k * r->nband + b] - r->vega_ab[b];
+    }
+  return UM_OK;
+}
+
+static enum um_status make_places(struct um_context *context, const struct um_model_result *r,
+                                  struct umbra_result *to)
+{
+  static const char *const name[] = {"temperature", "temperature_lowest", "temperature_highest"};
+  for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
+    const struct umbra_array a = {
+        .name = name[i], .unit = "K", .shape = {r->nplace, r->nobs}, .axis = {"place", "time"}};
+    double *data;
+    UM_TRY(um_library_result_make(context, to, a, &data));
+    for (size_t p = 0; p < r->nplace; p++) {
+      const struct um_model_place_history *h = &r->place[p];
+      const double *of[] = {h->mean, h->minimum, h->maximum};
+      for (size_t k = 0; k < r->nobs; k++) data[p * r->nobs + k] = of[i][k];
+    }
+  }
+  return UM_OK;
+}
+
+static enum um_status fill(struct um_context *context, const struct run *run,
+                           struct umbra_result *to)
+{
+  const struct um_model *model = run->model->model;
+  const struct um_model_result *r = run->result;
+  UM_TRY(make_times(context, run->precomputed, model->has_observer, to));
+  if (model->has_observer) {
+    UM_TRY(make_light(context, r, to));
+    UM_TRY(show_light(context, r, to));
+  }
+  UM_TRY(make_places(context, r, to));
+  return show_heat(context, r, to);
+}
+
+enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model,
+                            struct umbra_result **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  struct umbra_result *result = NULL;
+  struct run *run = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
+  run->model = um_library_model_share((struct umbra_model *)model); /* counts its users */
+  UM_CHECK(um_model_precompute(context, model->model, &run->precomputed));
+  UM_CHECK(um_model_run(context, model->model, run->precomputed, &run->result));
+  UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
+  run = NULL;
+  UM_CHECK(fill(context, result->work, result));
+  *out = result;
+done:
+  if (run != NULL) run_release(context, run);
+  if (status != UM_OK) umbra_result_close(&result);
+  return um_library_status(status);
+}

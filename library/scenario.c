@@ -1,0 +1,143 @@
+/* Scenarios: read, checked, changed. */
+#include "library/scenario_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/csv.h"
+#include "effects/effects.h"
+#include "model/scenario_read.h"
+
+#define IN_MEMORY "scenario.yaml" /* what messages call a text without a path */
+
+/* Is the scenario good as it stands? */
+static enum um_status check(struct um_context *context, const struct um_library_source *source)
+{
+  struct um_document *document = NULL;
+  struct um_scenario *scenario;
+  UM_TRY(um_model_scenario_read(context, source->path, source->text,
+                                (const char *const *)source->override, source->noverride, &document,
+                                &scenario));
+  um_document_destroy(&document);
+  return UM_OK;
+}
+
+static enum um_status read(struct um_context *context, const char *path, const char *text,
+                           struct um_library_source *source)
+{
+  struct um_document *document = NULL;
+  struct um_scenario *scenario;
+  if (path == NULL && text == NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "no scenario; accepted: a path, or a text");
+  UM_TRY(um_model_scenario_read(context, path != NULL ? path : IN_MEMORY, text, NULL, 0, &document,
+                                &scenario));
+  enum um_status status = um_core_strdup(context, scenario->at.file, &source->path);
+  if (status == UM_OK) status = um_document_text(context, document, &source->text);
+  um_document_destroy(&document);
+  return status;
+}
+
+enum umbra_status umbra_scenario_read(struct umbra *umbra, const char *path, const char *text,
+                                      struct umbra_scenario **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  struct umbra_scenario *scenario = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *scenario, &scenario));
+  scenario->session = um_library_session_share(umbra);
+  UM_CHECK(read(context, path, text, &scenario->source));
+  *out = scenario;
+done:
+  if (status != UM_OK) umbra_scenario_close(&scenario);
+  return um_library_status(status);
+}
+
+void umbra_scenario_close(struct umbra_scenario **scenario)
+{
+  if (scenario == NULL || *scenario == NULL) return;
+  struct umbra *session = (*scenario)->session;
+  um_library_source_release(session->context, &(*scenario)->source);
+  um_core_free(session->context, *scenario);
+  *scenario = NULL;
+  um_library_session_drop(&session);
+}
+
+static enum um_status set(struct um_context *context, struct um_library_source *source,
+                          const char *key, const char *value)
+{
+  char *text;
+  if (strchr(key, '=') != NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "'%s': no key holds '='", key);
+  UM_TRY(um_core_asprintf(context, &text, "%s=%s", key, value));
+  enum um_status status = um_library_source_add_override(context, source, text);
+  um_core_free(context, text);
+  UM_TRY(status);
+  status = check(context, source);
+  if (status != UM_OK) um_library_source_drop_override(context, source);
+  return status;
+}
+
+enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
+                                     const char *key, const char *value)
+{
+  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, value));
+}
+
+enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,
+                                            const char *key, double value)
+{
+  struct um_context *context = um_library_begin(umbra);
+  char text[32];
+  if (!isfinite(value))
+    return um_library_status(
+        um_core_fail(context, UM_ERR_INPUT, "%s: %g; accepted: a finite number", key, value));
+  um_core_number_text(value, text);
+  return um_library_status(set(context, &scenario->source, key, text));
+}
+
+static enum um_status check_value(struct um_context *context, const struct um_effect *effect,
+                                  const char *name, double value)
+{
+  for (size_t p = 0; p < effect->nparameter; p++) {
+    const struct um_effect_parameter *parameter = &effect->parameters[p];
+    if (strcmp(parameter->name, name) != 0) continue;
+    if (value >= parameter->minimum && value <= parameter->maximum) return UM_OK;
+    return um_core_fail(context, UM_ERR_INPUT, "%s: %s: %g is out of range; accepted: %g to %g %s",
+                        effect->name, name, value, parameter->minimum, parameter->maximum,
+                        parameter->unit);
+  }
+  return um_effects_refuse_parameter(context, effect, name);
+}
+
+static enum um_status check_change(struct um_context *context,
+                                   const struct umbra_effect_change *change)
+{
+  UM_TRY(
+      um_library_check_size(context, "struct umbra_effect_change", change->size, sizeof *change));
+  const struct um_effect *effect = um_effects_find(change->effect);
+  if (effect == NULL) return um_effects_registry_refuse(context, NULL, change->effect);
+  for (size_t p = 0; p < change->nparameter; p++)
+    UM_TRY(check_value(context, effect, change->parameter[p], change->value[p]));
+  if (change->target != NULL && effect->targets == UM_TARGET_GLOBAL)
+    return um_core_fail(context, UM_ERR_INPUT, "%s acts on everything; accepted: no target",
+                        effect->name);
+  if (change->target == NULL && !change->off && (effect->targets & UM_TARGET_GLOBAL) == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "%s needs a target", effect->name);
+  return UM_OK;
+}
+
+enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_effect_change *change)
+{
+  struct um_context *context = um_library_begin(umbra);
+  enum um_status status = check_change(context, change);
+  const struct um_model_change typed = {.effect = change->effect,
+                                        .target = change->target,
+                                        .off = change->off != 0,
+                                        .parameter = change->parameter,
+                                        .value = change->value,
+                                        .nparameter = change->nparameter};
+  if (status == UM_OK) status = um_library_source_add_change(context, &scenario->source, &typed);
+  return um_library_status(status);
+}

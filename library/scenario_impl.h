@@ -1,0 +1,13 @@
+/* The scenario behind the public header. Private to library/. */
+#ifndef UMBRA_LIBRARY_SCENARIO_IMPL_H
+#define UMBRA_LIBRARY_SCENARIO_IMPL_H
+
+#include "library/session_impl.h"
+#include "library/source_impl.h"
+
+struct umbra_scenario {
+  struct umbra *session;
+  struct um_library_source source;
+};
+
+#endif

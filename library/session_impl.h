@@ -1,0 +1,27 @@
+/* The session behind the public header. Private to library/. */
+#ifndef UMBRA_LIBRARY_SESSION_IMPL_H
+#define UMBRA_LIBRARY_SESSION_IMPL_H
+
+#include <stdatomic.h>
+
+#include "core/context.h"
+#include "library/umbra.h"
+
+struct umbra {
+  struct um_context *context;
+  struct umbra_settings settings; /* its texts belong to the context */
+  atomic_int users;               /* the caller's handle, and objects that were made with it */
+};
+
+/* One user more; gone with the last. Accepts NULL. */
+struct umbra *um_library_session_share(struct umbra *umbra);
+void um_library_session_drop(struct umbra **umbra);
+
+/* The context for a new call, its message cleared. */
+struct um_context *um_library_begin(struct umbra *umbra);
+enum umbra_status um_library_status(enum um_status status);
+/* Does a structure of the caller's begin with a size that this version knows? UM_ERR_INPUT. */
+enum um_status um_library_check_size(struct um_context *context, const char *name, size_t size,
+                                     size_t known);
+
+#endif

@@ -1,0 +1,32 @@
+/* A scenario as a caller has it: text and changes. Private to library/. */
+#ifndef UMBRA_LIBRARY_SOURCE_IMPL_H
+#define UMBRA_LIBRARY_SOURCE_IMPL_H
+
+#include "model/model.h"
+
+/* All zero is empty. Texts are owned. */
+struct um_library_source {
+  char *path, *text; /* text: the YAML */
+  char **override;   /* [noverride] "key=value" */
+  size_t noverride;
+  struct um_model_change *change; /* [nchange] */
+  size_t nchange;
+};
+
+enum um_status um_library_source_add_override(struct um_context *context,
+                                              struct um_library_source *source, const char *text);
+/* Takes copies of everything that the change borrows. */
+enum um_status um_library_source_add_change(struct um_context *context,
+                                            struct um_library_source *source,
+                                            const struct um_model_change *change);
+/* Take the last one off. */
+void um_library_source_drop_override(struct um_context *context, struct um_library_source *source);
+/* out: released by the caller, also after a failure. */
+enum um_status um_library_source_copy(struct um_context *context,
+                                      const struct um_library_source *source,
+                                      struct um_library_source *out);
+void um_library_source_release(struct um_context *context, struct um_library_source *source);
+/* What a model is built with; borrowed from the source. */
+struct um_model_options um_library_source_options(const struct um_library_source *source);
+
+#endif

@@ -1,0 +1,196 @@
+/* libumbra: what a telescope sees of a satellite, in the visible and the thermal infrared.
+ *
+ * A session (struct umbra) holds settings and the message of the last error. A scenario is read and
+ * changed, built into a model, and run; a result has arrays. Everything is opaque; every object is
+ * closed by its own function, in any order: what is made from another keeps it alive.
+ *
+ * Errors are statuses; umbra_message says in one line what was wrong, with value, unit and what is
+ * accepted. Where a function fails, *out is NULL and nothing has changed.
+ *
+ * Structures that a caller fills begin with `size`, which the macro beside each sets; everything
+ * else may stay zero, which is its default. Structures that are returned are borrowed from the
+ * object they were asked of. Texts are UTF-8. Angles in names of keys are degrees.
+ *
+ * Threads: a session belongs to one thread at a time, and so do the objects made with it; several
+ * sessions work side by side. Work inside a call is shared among settings.threads threads; results
+ * do not depend on their number.
+ *
+ * Processes: nothing here prints, ends the process, installs a signal handler or keeps state
+ * outside of the session. Three things work in a forked child, which is gone when the call returns:
+ * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures). Of foreign
+ * libraries that keep state of their own, netCDF/HDF5, OpenMP and, where a solid is large, CHOLMOD
+ * with its BLAS are used; sessions that write files do so one after another. */
+#ifndef UMBRA_UMBRA_H
+#define UMBRA_UMBRA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum umbra_status {
+  UMBRA_OK,
+  UMBRA_ERR_INPUT,     /* what was given is wrong */
+  UMBRA_ERR_IO,        /* a file could not be read or written */
+  UMBRA_ERR_MEMORY,    /* out of memory */
+  UMBRA_ERR_NUMERIC,   /* a computation did not converge or left its domain */
+  UMBRA_ERR_LIBRARY,   /* a foreign library failed */
+  UMBRA_ERR_CANCELLED, /* a callback ended the work */
+  UMBRA_ERR_REFUSED    /* a model refuses the values it is asked for */
+};
+
+/* "0.4.0"; borrowed for good. */
+const char *umbra_version(void);
+
+/* --- session --------------------------------------------------------------------------------- */
+
+struct umbra;
+
+enum umbra_log_level { UMBRA_LOG_DEBUG, UMBRA_LOG_INFO, UMBRA_LOG_WARNING, UMBRA_LOG_ERROR };
+
+struct umbra_settings {
+  size_t size;
+  /* Folder that holds materials/, filters/, sensors/ and scenarios/. NULL: the one that the
+   * environment variable UMBRA_DATA names, else share/umbra beside the shared library. A program
+   * that is linked with the static library gives the one or the other. */
+  const char *data;
+  const char *cache; /* folder where view factors are kept between runs; NULL: none */
+  int threads;       /* 0: as many as OpenMP would take */
+  void *self;        /* handed to the callbacks */
+  /* Each may be NULL. A line of the log, without its end. */
+  void (*log)(void *self, enum umbra_log_level level, const char *line);
+  /* `done` of `total` steps of a task, total 0 where nobody knows. 0 ends the work. */
+  int (*progress)(void *self, const char *task, size_t done, size_t total);
+  /* Not 0 ends the work, within 2 s. Asked from several threads at once; must be cheap. */
+  int (*stop)(void *self);
+};
+#define UMBRA_SETTINGS                                                                             \
+  {                                                                                                \
+    sizeof(struct umbra_settings), NULL, NULL, 0, NULL, NULL, NULL, NULL                           \
+  }
+
+/* settings: NULL for the defaults; its texts are copied. The data folder is looked for when
+ * something of it is wanted. UMBRA_ERR_INPUT: `size` is of no version; UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_open(const struct umbra_settings *settings, struct umbra **out);
+/* Accepts NULL, sets NULL; likewise all that close. */
+void umbra_close(struct umbra **umbra);
+/* Of the last call that failed with this session, "" where none has; borrowed until the next call.
+ */
+const char *umbra_message(const struct umbra *umbra);
+
+/* --- scenario -------------------------------------------------------------------------------- */
+
+struct umbra_scenario;
+
+/* A scenario: text NULL: of a folder or file; else of YAML text, whose relative names of files lead
+ * from `path` as if it were its file (NULL: from the working folder). The file is read now, once.
+ * UMBRA_ERR_IO, UMBRA_ERR_INPUT with file, line and key, UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_scenario_read(struct umbra *umbra, const char *path, const char *text,
+                                      struct umbra_scenario **out);
+/* Set a key, "parts.bus.interior.power_W"; names address elements of lists, integers their
+ * positions; missing mappings are made. The value is YAML text, or a number. Later changes go
+ * before earlier ones. UMBRA_ERR_INPUT: no such key, or a value that it does not accept. */
+enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
+                                     const char *key, const char *value);
+enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,
+                                            const char *key, double value);
+
+struct umbra_effect_change {
+  size_t size;
+  const char *effect;
+  const char *target; /* NULL: an effect on everything; of one that is turned off: all its uses */
+  int off;            /* not 0: off */
+  /* [nparameter] names and values in the parameters' units; others keep what the scenario says, or
+   * their defaults */
+  const char *const *parameter;
+  const double *value;
+  size_t nparameter;
+};
+#define UMBRA_EFFECT_CHANGE                                                                        \
+  {                                                                                                \
+    sizeof(struct umbra_effect_change), NULL, NULL, 0, NULL, NULL, 0                               \
+  }
+
+/* Turn an effect on or off. Texts are copied. UMBRA_ERR_INPUT: no such effect or parameter, a value
+ * out of range, a target that it cannot have; that the target exists is seen when a model is built.
+ */
+enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_effect_change *change);
+void umbra_scenario_close(struct umbra_scenario **scenario);
+
+/* --- model ----------------------------------------------------------------------------------- */
+
+struct umbra_model;
+
+/* Build what the scenario says at this time; later changes of it leave the model as it is. Errors
+ * as of umbra_scenario_read, and of files that the scenario names. */
+enum umbra_status umbra_model_build(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                    struct umbra_model **out);
+
+enum umbra_names { UMBRA_PARTS, UMBRA_PLACES, UMBRA_MATERIALS, UMBRA_BANDS, UMBRA_SENSORS };
+
+/* Names, in the order of arrays that have an axis of that kind. Places are what has a temperature
+ * in results: parts, sides, interiors, and materials ("material:NAME"). *out: [count], borrowed
+ * from the model. UMBRA_ERR_INPUT: no such kind. */
+enum umbra_status umbra_model_names(struct umbra *umbra, const struct umbra_model *model,
+                                    enum umbra_names kind, const char *const **out, size_t *count);
+void umbra_model_close(struct umbra_model **model);
+
+/* --- results --------------------------------------------------------------------------------- */
+
+struct umbra_result;
+
+/* Light and heat over the scenario's own window. UMBRA_ERR_NUMERIC, UMBRA_ERR_LIBRARY,
+ * UMBRA_ERR_CANCELLED and those of umbra_model_build. */
+enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model,
+                            struct umbra_result **out);
+
+/* Numbers in the order of C: the last index moves first. */
+struct umbra_array {
+  const char *name, *unit; /* "K"; "1" for what has none */
+  size_t dimensions;       /* at most 4 */
+  size_t shape[4];
+  const char *axis[4]; /* "time", "band", "place", "material", "mechanism", "bin", "surface",
+                          "node", "sensor", "observation" */
+  const double *data;
+};
+
+/* An array by its name, NULL where the result has none of it; borrowed from the result, so that
+ * nothing is copied. A run has
+ *   time_unix_s [time], sunlit [time], hidden [time] (1 below the horizon or behind the Earth),
+ *   range_m, phase_angle_rad [time] with an observer,
+ *   irradiance, magnitude_ab, magnitude_vega, intensity, intensity_error [time, band],
+ *   intensity_parts [time, band, material, mechanism], mechanisms being Sun, Earth, emitted,
+ *   inter-reflected, other,
+ *   spectral_intensity [time, bin, mechanism] before any filter, wavelength_m [bin],
+ *   count_rate, count_rate_error [time, sensor],
+ *   temperature, temperature_lowest, temperature_highest [place, time],
+ *   surface_temperature [time, surface], node_temperature [time, node].
+ * NaN is what does not exist. */
+const struct umbra_array *umbra_result_array(const struct umbra_result *result, const char *name);
+/* The same by number; NULL behind the last. */
+const struct umbra_array *umbra_result_array_at(const struct umbra_result *result, size_t index);
+
+struct umbra_write {
+  size_t size;
+  int force;           /* not 0: a folder that Umbra did not write is replaced, too */
+  int pictures;        /* not 0: pictures by gnuplot; where there is none, a warning */
+  const char *command; /* what files say they come from; NULL: "libumbra" */
+};
+#define UMBRA_WRITE                                                                                \
+  {                                                                                                \
+    sizeof(struct umbra_write), 0, 0, NULL                                                         \
+  }
+
+/* Write the files that the command writes for such a result (docs/files.md); the folder appears
+ * whole or not at all. write: NULL for the defaults. UMBRA_ERR_IO. */
+enum umbra_status umbra_result_write(struct umbra *umbra, const struct umbra_result *result,
+                                     const char *folder, const struct umbra_write *write);
+void umbra_result_close(struct umbra_result **result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
