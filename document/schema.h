@@ -184,6 +184,14 @@ enum um_status um_document_schema_write_field(FILE *file, const struct um_schema
                                               const struct um_schema_field *field,
                                               const char *path);
 enum um_status um_document_schema_write_json_field(FILE *file, const struct um_schema_field *field);
+/* What a field accepts, in words; cut where the buffer is full. Does not fail. */
+void um_document_schema_accepted(const struct um_schema_field *field, char *buffer, size_t size);
+/* Every path of keys and its field, as um_document_schema_find_path takes them, without those of
+ * mappings that hold themselves; what a visit returns but UM_OK ends it and is returned. */
+typedef enum um_status (*um_document_schema_visitor)(void *self, const char *path,
+                                                     const struct um_schema_field *field);
+enum um_status um_document_schema_walk(const struct um_schema_object *schema,
+                                       um_document_schema_visitor visit, void *self);
 /* Every path of keys, one a line, as um_document_schema_find_path takes them; without those of
  * mappings that hold themselves. */
 void um_document_schema_write_paths(FILE *file, const struct um_schema_object *schema);

@@ -9,7 +9,6 @@
 #include "document/document_impl.h"
 #include "document/schema_bind_impl.h"
 #include "document/schema_check_impl.h"
-#include "document/schema_text_impl.h"
 
 struct binder {
   struct um_document *document;

@@ -79,21 +79,35 @@ enum um_status um_document_schema_find_path(struct um_context *context,
   return *field != NULL ? UM_OK : refuse_key(context, schema, path, "");
 }
 
-static void write_paths(FILE *file, const struct um_schema_object *object, const char *before,
-                        int depth)
+static enum um_status walk(const struct um_schema_object *object, const char *before, int depth,
+                           um_document_schema_visitor visit, void *self)
 {
   for (size_t i = 0; i < object->nfield; i++) {
     const struct um_schema_field *field = &object->fields[i];
     char path[PATH_SIZE];
     if (field->type == UM_SCHEMA_REST) continue;
     snprintf(path, sizeof path, "%.180s%s%.60s", before, before[0] != '\0' ? "." : "", field->key);
-    fprintf(file, "%s\n", path);
+    UM_TRY(visit(self, path, field));
     if (field->object != NULL && field->object != object && depth < DEPTH_MAX)
-      write_paths(file, field->object, path, depth + 1);
+      UM_TRY(walk(field->object, path, depth + 1, visit, self));
   }
+  return UM_OK;
+}
+
+enum um_status um_document_schema_walk(const struct um_schema_object *schema,
+                                       um_document_schema_visitor visit, void *self)
+{
+  return walk(schema, "", 0, visit, self);
+}
+
+static enum um_status write_path(void *self, const char *path, const struct um_schema_field *field)
+{
+  (void)field;
+  fprintf(self, "%s\n", path);
+  return UM_OK;
 }
 
 void um_document_schema_write_paths(FILE *file, const struct um_schema_object *schema)
 {
-  write_paths(file, schema, "", 0);
+  (void)um_document_schema_walk(schema, write_path, file);
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "core/words.h"
-#include "document/schema_text_impl.h"
+#include "document/schema.h"
 
 static void append(char *buffer, size_t size, const char *text)
 {

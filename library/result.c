@@ -78,6 +78,8 @@ void umbra_result_close(struct umbra_result **result)
   if (r->work != NULL) r->kind->release(context, r->work);
   for (size_t i = 0; i < r->nowned; i++) um_core_free(context, r->owned[i]);
   um_core_free(context, r->owned);
+  um_core_free(context, (void *)r->citation.sentence);
+  um_core_free(context, (void *)r->citation.bibtex);
   um_core_free(context, r->array);
   um_core_free(context, r);
   *result = NULL;

@@ -4,12 +4,15 @@
 
 #include "core/file.h"
 #include "library/session_impl.h"
+#include "model/model.h"
 
 /* What differs between results of runs, comparisons and diagnoses. */
 struct um_library_kind {
   enum um_status (*write)(struct um_context *context, const struct umbra_result *result,
                           const struct umbra_write *write, struct um_core_folder *folder);
   void (*release)(struct um_context *context, void *work);
+  /* The model that it is of; borrowed. */
+  const struct um_model *(*model)(const void *work);
 };
 
 struct umbra_result {
@@ -20,6 +23,7 @@ struct umbra_result {
   size_t narray;
   double **owned; /* [nowned] what arrays show that nobody else has */
   size_t nowned;
+  struct umbra_citation citation; /* owned texts; NULL: not asked for */
 };
 
 /* A result without arrays; takes `work` over when it succeeds. */

@@ -39,7 +39,12 @@ static enum um_status run_write(struct um_context *context, const struct umbra_r
   return um_output_plot_run(context, um_core_folder_path(folder), &files);
 }
 
-static const struct um_library_kind kind = {run_write, run_release};
+static const struct um_model *run_model(const void *work)
+{
+  return ((const struct run *)work)->model->model;
+}
+
+static const struct um_library_kind kind = {run_write, run_release, run_model};
 
 /* --- arrays that are as they were computed ------------------------------------------------------
  */

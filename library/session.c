@@ -81,6 +81,7 @@ enum umbra_status umbra_open(const struct umbra_settings *settings, struct umbra
   atomic_init(&umbra->users, 1);
   enum um_status status = um_core_context_create(NULL, &umbra->context);
   if (status == UM_OK) status = apply(umbra, settings);
+  if (status == UM_OK) status = um_library_catalogue(umbra);
   if (status != UM_OK) um_library_session_drop(&umbra);
   *out = umbra;
   return um_library_status(status);
@@ -96,6 +97,7 @@ void um_library_session_drop(struct umbra **umbra)
 {
   if (umbra == NULL || *umbra == NULL) return;
   if (atomic_fetch_sub(&(*umbra)->users, 1) == 1) {
+    if ((*umbra)->context != NULL) um_core_arena_release((*umbra)->context, &(*umbra)->memory);
     um_core_context_destroy(&(*umbra)->context);
     free(*umbra);
   }

@@ -4,13 +4,19 @@
 
 #include <stdatomic.h>
 
+#include "core/arena.h"
 #include "core/context.h"
 #include "library/umbra.h"
 
 struct umbra {
   struct um_context *context;
   struct umbra_settings settings; /* its texts belong to the context */
-  atomic_int users;               /* the caller's handle, and objects that were made with it */
+  struct um_core_arena memory;    /* of the catalogue */
+  struct umbra_effect *effect;    /* [neffect] */
+  size_t neffect;
+  struct umbra_key *key; /* [nkey] */
+  size_t nkey;
+  atomic_int users; /* the caller's handle, and objects that were made with it */
 };
 
 /* One user more; gone with the last. Accepts NULL. */
@@ -20,6 +26,8 @@ void um_library_session_drop(struct umbra **umbra);
 /* The context for a new call, its message cleared. */
 struct um_context *um_library_begin(struct umbra *umbra);
 enum umbra_status um_library_status(enum um_status status);
+/* Fill the lists of effects and keys. UM_ERR_MEMORY. */
+enum um_status um_library_catalogue(struct umbra *umbra);
 /* Does a structure of the caller's begin with a size that this version knows? UM_ERR_INPUT. */
 enum um_status um_library_check_size(struct um_context *context, const char *name, size_t size,
                                      size_t known);

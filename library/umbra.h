@@ -189,6 +189,83 @@ enum umbra_status umbra_result_write(struct umbra *umbra, const struct umbra_res
                                      const char *folder, const struct umbra_write *write);
 void umbra_result_close(struct umbra_result **result);
 
+/* --- what there is: effects, keys, sources ------------------------------------------------------
+ */
+
+struct umbra_parameter {
+  const char *name, *unit, *help; /* name with its unit, "power_W"; unit "1": none */
+  double null_value;              /* the effect vanishes here */
+  double default_value, minimum, maximum;
+  double prior_sigma; /* of a weak prior about null_value, of a logarithmic one of ln(value /
+                         null_value); INFINITY: none */
+  const char *prior;  /* where that comes from; NULL: not said */
+  int logarithmic;    /* a positive factor that may be off either way */
+  int fitted;         /* 0: a number that is chosen, never fitted */
+};
+
+enum umbra_target { /* or-ed */
+                    UMBRA_TARGET_GLOBAL = 1,
+                    UMBRA_TARGET_PART = 2,
+                    UMBRA_TARGET_SIDE = 4, /* "PART.SIDE" */
+                    UMBRA_TARGET_MATERIAL = 8,
+                    UMBRA_TARGET_BAND = 16,
+                    UMBRA_TARGET_SENSOR = 32,
+                    UMBRA_TARGET_INTERIOR =
+                        64 /* "PART.NAME" of what a part lists under interiors */
+};
+
+struct umbra_effect {
+  const char *name, *summary, *reference, *validity;
+  const char *separated_by; /* reads behind "told apart from"; NULL: not said */
+  unsigned targets;         /* or-ed umbra_target */
+  int on_by_default;
+  const struct umbra_parameter *parameter; /* [nparameter] */
+  size_t nparameter;
+};
+
+/* The effects that a scenario may use, in the order of the manual; NULL behind the last. Borrowed
+ * from the session. */
+const struct umbra_effect *umbra_effect_at(const struct umbra *umbra, size_t index);
+
+enum umbra_key_type {
+  UMBRA_KEY_NUMBER,
+  UMBRA_KEY_INTEGER,
+  UMBRA_KEY_BOOL,
+  UMBRA_KEY_TEXT,   /* a date, too */
+  UMBRA_KEY_CHOICE, /* a text out of `choice` */
+  UMBRA_KEY_NUMBERS,
+  UMBRA_KEY_TEXTS,
+  UMBRA_KEY_MAP, /* holds keys */
+  UMBRA_KEY_LIST /* of elements that hold keys, or a mapping of names to such */
+};
+
+struct umbra_key {
+  const char *path;     /* "parts.interior.power_W": without names of elements */
+  const char *unit;     /* "W/(m^2 K)"; NULL where the key's name ends in none */
+  const char *help;     /* one sentence; NULL of a mapping that its keys explain */
+  const char *accepted; /* "a finite number, more than 0" */
+  enum umbra_key_type type;
+  int required;
+  double minimum, maximum;   /* NaN: no bound */
+  double default_value;      /* of numbers and choices (by number); NaN: none */
+  const char *const *choice; /* [ends with NULL]; NULL: of no choice */
+};
+
+/* The keys of a scenario, a mapping before what it holds; NULL behind the last. Borrowed from the
+ * session. */
+const struct umbra_key *umbra_key_at(const struct umbra *umbra, size_t index);
+
+struct umbra_citation {
+  const char *sentence; /* "Computed with Umbra 0.4.0 ..., with ..." */
+  const char *bibtex;   /* the entries it names, the program's first */
+};
+
+/* What a result rests on: the program, the models and data it used, the libraries that computed it,
+ * the records of its materials, the references of its effects. Owned by the result, like *out.
+ * UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_cite(struct umbra *umbra, struct umbra_result *result,
+                             const struct umbra_citation **out);
+
 #ifdef __cplusplus
 }
 #endif

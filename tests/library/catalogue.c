@@ -1,0 +1,199 @@
+/* What the library says of effects, keys and sources. */
+#include <stdio.h>
+#include <string.h>
+
+#include "library/key_unit_impl.h"
+#include "library/umbra.h"
+#include "tests/support/cmocka_all.h"
+
+static struct umbra *umbra;
+
+static int enter(void **state)
+{
+  (void)state;
+  return umbra_open(NULL, &umbra) == UMBRA_OK ? 0 : -1;
+}
+
+static int leave(void **state)
+{
+  (void)state;
+  umbra_close(&umbra);
+  return 0;
+}
+
+/* Every effect has what a doc string is made of; one is known whole. */
+static void test_effects(void **state)
+{
+  (void)state;
+  const struct umbra_effect *effect, *emittance = NULL;
+  size_t n = 0, on = 0;
+  for (; (effect = umbra_effect_at(umbra, n)) != NULL; n++) {
+    assert_true(effect->name[0] != '\0' && effect->summary[0] != '\0' && effect->reference != NULL);
+    assert_true(effect->targets != 0);
+    on += effect->on_by_default != 0;
+    for (size_t p = 0; p < effect->nparameter; p++) {
+      const struct umbra_parameter *parameter = &effect->parameter[p];
+      assert_true(parameter->minimum < parameter->maximum && parameter->help[0] != '\0');
+      assert_true(parameter->default_value >= parameter->minimum &&
+                  parameter->default_value <= parameter->maximum);
+    }
+    if (strcmp(effect->name, "emittance") == 0) emittance = effect;
+  }
+  assert_true(n > 60 && on > 5 && on < n);
+  assert_non_null(emittance);
+  assert_int_equal(emittance->targets, UMBRA_TARGET_MATERIAL);
+  assert_int_equal(emittance->nparameter, 1);
+  assert_string_equal(emittance->parameter->name, "emittance_factor");
+  assert_string_equal(emittance->parameter->unit, "1");
+  assert_close(emittance->parameter->null_value, 1.0, 0.0);
+  assert_close(emittance->parameter->prior_sigma, 0.12, 0.0);
+  assert_true(emittance->parameter->fitted);
+  assert_null(umbra_effect_at(umbra, (size_t)-1));
+}
+
+static const struct umbra_key *find(const char *path)
+{
+  for (size_t i = 0; umbra_key_at(umbra, i) != NULL; i++)
+    if (strcmp(umbra_key_at(umbra, i)->path, path) == 0) return umbra_key_at(umbra, i);
+  fail_msg("no key %s", path);
+  return NULL;
+}
+
+static void test_keys(void **state)
+{
+  (void)state;
+  size_t n = 0;
+  for (const struct umbra_key *key; (key = umbra_key_at(umbra, n)) != NULL; n++) {
+    if ((key->help == NULL && key->type < UMBRA_KEY_MAP) || key->accepted[0] == '\0')
+      fail_msg("%s", key->path);
+    if (key->type == UMBRA_KEY_CHOICE) assert_non_null(key->choice[0]);
+    if (!isnan(key->minimum) && !isnan(key->maximum)) assert_true(key->minimum < key->maximum);
+  }
+  assert_true(n > 300);
+  const struct umbra_key *step = find("time.step_s");
+  assert_string_equal(step->unit, "s");
+  assert_int_equal(step->type, UMBRA_KEY_NUMBER);
+  assert_true(step->minimum >= 0.0 && step->maximum > 600.0);
+  assert_int_equal(find("time")->required, 1);
+  assert_int_equal(find("parts")->type, UMBRA_KEY_LIST);
+  assert_int_equal(find("environment.shadow")->type, UMBRA_KEY_CHOICE);
+  assert_null(find("environment.shadow")->unit);
+  assert_string_equal(find("parts.shell.areal_heat_capacity_J_m2_K")->unit, "J/(m^2 K)");
+}
+
+static void test_units_of_keys(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *key, *unit;
+  } pairs[] = {{"power_W", "W"},
+               {"areal_heat_capacity_J_m2_K", "J/(m^2 K)"},
+               {"conductance_W_K", "W/K"},
+               {"density_kg_m3", "kg/m^3"},
+               {"inertia_kg_m2", "kg m^2"},
+               {"acceleration_deg_s2", "deg/s^2"},
+               {"layers_per_cm", "1/cm"},
+               {"start_utc", "UTC"},
+               {"sky_mag_arcsec2", "mag/arcsec^2"},
+               {"dark_e_s", "e/s"},
+               {"e", ""},
+               {"front_share", ""},
+               {"earth_orientation", ""}};
+  char unit[UM_LIBRARY_UNIT];
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+    um_library_key_unit(pairs[i].key, unit);
+    assert_string_equal(unit, pairs[i].unit);
+  }
+}
+
+/* Braces in balance, each entry named once. */
+static void check_bibtex(const char *text)
+{
+  int depth = 0, entries = 0;
+  for (const char *c = text; *c != '\0'; c++) {
+    depth += *c == '{' ? 1 : *c == '}' ? -1 : 0;
+    assert_true(depth >= 0);
+    if (*c != '@') continue;
+    char name[128];
+    const char *from = strchr(c, '{') + 1, *end = strchr(from, ',');
+    snprintf(name, sizeof name, "{%.*s,", (int)(end - from), from);
+    if (strstr(end, name) != NULL) fail_msg("%s twice", name);
+    entries++;
+  }
+  assert_int_equal(depth, 0);
+  assert_true(entries > 5);
+}
+
+/* The sphere on a circle has no two-line elements and no solid; turned around, they are cited. */
+static void test_citation(void **state)
+{
+  (void)state;
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_result *result;
+  const struct umbra_citation *citation, *again;
+  struct umbra_effect_change change = UMBRA_EFFECT_CHANGE;
+  change.effect = "emittance";
+  change.target = "grey_sphere";
+  assert_int_equal(
+      umbra_scenario_read(umbra, UMBRA_SOURCE_DIR "/scenarios/sphere", NULL, &scenario), UMBRA_OK);
+  assert_int_equal(umbra_scenario_set(umbra, scenario, "time.step_s", "600"), UMBRA_OK);
+  assert_int_equal(umbra_scenario_effect(umbra, scenario, &change), UMBRA_OK);
+  change = (struct umbra_effect_change)UMBRA_EFFECT_CHANGE;
+  change.effect = "albedo";
+  change.off = 1;
+  assert_int_equal(umbra_scenario_effect(umbra, scenario, &change), UMBRA_OK);
+  assert_int_equal(umbra_model_build(umbra, scenario, &model), UMBRA_OK);
+  assert_int_equal(umbra_run(umbra, model, &result), UMBRA_OK);
+  assert_int_equal(umbra_cite(umbra, result, &citation), UMBRA_OK);
+  assert_non_null(strstr(citation->sentence, umbra_version()));
+  assert_non_null(strstr(citation->sentence, "the scenario sphere"));
+  assert_non_null(strstr(citation->sentence, "SUNDIALS (Hindmarsh et al. 2005)"));
+  assert_null(strstr(citation->sentence, "SGP4"));
+  assert_null(strstr(citation->sentence, "TetGen"));
+  assert_non_null(strstr(citation->bibtex, "@software{umbra,"));
+  assert_non_null(strstr(citation->bibtex, "@misc{umbra:material:grey_sphere,"));
+  assert_non_null(strstr(citation->bibtex, "@misc{umbra:effect:emittance,"));
+  assert_null(strstr(citation->bibtex, "vallado2006"));
+  assert_null(strstr(citation->bibtex, "umbra:effect:albedo,"));
+  check_bibtex(citation->bibtex);
+  assert_int_equal(umbra_cite(umbra, result, &again), UMBRA_OK);
+  assert_ptr_equal(again, citation);
+  umbra_result_close(&result);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
+static void test_citation_of_elements(void **state)
+{
+  (void)state;
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_result *result;
+  const struct umbra_citation *citation;
+  assert_int_equal(
+      umbra_scenario_read(umbra, UMBRA_SOURCE_DIR "/tests/app/data/box.yaml", NULL, &scenario),
+      UMBRA_OK);
+  assert_int_equal(umbra_model_build(umbra, scenario, &model), UMBRA_OK);
+  assert_int_equal(umbra_run(umbra, model, &result), UMBRA_OK);
+  assert_int_equal(umbra_cite(umbra, result, &citation), UMBRA_OK);
+  assert_non_null(strstr(citation->sentence, "SGP4 (Vallado et al. 2006)"));
+  assert_non_null(strstr(citation->sentence, "GeographicLib"));
+  assert_non_null(strstr(citation->bibtex, "vallado2006"));
+  check_bibtex(citation->bibtex);
+  umbra_result_close(&result);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_effects, enter, leave),
+      cmocka_unit_test_setup_teardown(test_keys, enter, leave),
+      cmocka_unit_test(test_units_of_keys),
+      cmocka_unit_test_setup_teardown(test_citation, enter, leave),
+      cmocka_unit_test_setup_teardown(test_citation_of_elements, enter, leave),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
