@@ -1,17 +1,12 @@
 /* umbra compare: a scenario beside measurements. */
-#include "compare/compare.h"
-
 #include <math.h>
 
 #include "app/app.h"
 #include "app/terminal.h"
 #include "compare/measurements.h"
-#include "compare/noise.h"
 #include "compare/plot.h"
-#include "compare/refine.h"
 #include "compare/report.h"
-#include "model/build.h"
-#include "model/precompute.h"
+#include "compare/whole.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3
@@ -128,62 +123,29 @@ static enum um_status write_folder(struct um_context *context,
   return um_core_folder_commit(context, folder);
 }
 
-/* Observations without a sigma take the one that the scenario's noise model gives the model's
- * value. */
-static enum um_status fill_sigma(struct um_context *context, const struct um_compare_run *run,
-                                 struct um_compare_measurements *m)
-{
-  enum um_status status;
-  double *value = NULL, *sigma = NULL;
-  UM_CHECK(um_core_allocate(context, m->count, sizeof *value, &value));
-  UM_CHECK(um_core_allocate(context, m->count, sizeof *sigma, &sigma));
-  UM_CHECK(um_compare_predict(context, run->plan, run->precomputed, run->result, value));
-  UM_CHECK(um_compare_noise_sigmas(context, run->model->scenario, m, value, sigma));
-  for (size_t i = 0; i < m->count; i++) m->row[i].sigma = sigma[i];
-done:
-  um_core_free(context, value);
-  um_core_free(context, sigma);
-  return status;
-}
-
 int um_app_compare(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
-  struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
-  struct um_model_result *result = NULL;
   struct um_compare_measurements *measurements = NULL;
-  struct um_compare_plan *plan = NULL;
-  struct um_compare_comparison *comparison = NULL;
+  struct um_compare_whole whole = {0};
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
   UM_CHECK(um_compare_measurements_read(context, options->positional[1], &measurements));
-  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
-  UM_CHECK(um_compare_plan_create(context, model, measurements, &plan));
-  UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
+  UM_CHECK(um_compare_whole_begin(context, options->positional[0], &changes, measurements, &whole));
+  UM_CHECK(um_app_out_folder(context, options, whole.model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_compare_plan_trace(context, model, plan, &precomputed));
-  struct um_compare_share_user shared = {model, plan};
-  UM_CHECK(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
-                             um_compare_share_of_plan, &shared, &result, NULL));
-  struct um_compare_run run = {model, plan, precomputed, result};
-  UM_CHECK(fill_sigma(context, &run, measurements));
-  UM_CHECK(um_compare_create(context, &run, 0.0, &comparison));
-  UM_CHECK(write_folder(context, comparison, options, &folder));
+  UM_CHECK(um_compare_whole_run(context, &whole));
+  UM_CHECK(write_folder(context, whole.comparison, options, &folder));
   um_app_terminal_clear();
   if (options->json)
-    um_compare_write_json(comparison, options->command, UM_APP_VERSION, stdout);
+    um_compare_write_json(whole.comparison, options->command, UM_APP_VERSION, stdout);
   else
-    print_comparison(comparison, out);
+    print_comparison(whole.comparison, out);
 done:
   um_core_folder_abort(&folder);
-  um_compare_destroy(context, &comparison);
-  um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
-  um_compare_plan_destroy(context, &plan);
+  um_compare_whole_release(context, &whole);
   um_compare_measurements_destroy(context, &measurements);
-  um_model_destroy(context, &model);
   um_core_free(context, out);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

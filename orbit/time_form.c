@@ -73,6 +73,14 @@ static double from_unix(double whole, double fraction)
   return um_orbit_time_from_utc_jd(d1, d2);
 }
 
+bool um_orbit_time_from_unix(double unix_s, double *t_tai)
+{
+  const struct form *form = &forms[UM_ORBIT_TIME_UNIX];
+  if (!(unix_s >= form->first && unix_s < form->end)) return false;
+  *t_tai = from_unix(floor(unix_s), unix_s - floor(unix_s));
+  return true;
+}
+
 /* What the number would be under another name; "" where it fits none. */
 static const char *other_form(double value)
 {

@@ -22,6 +22,9 @@ const char *um_orbit_time_form_column(enum um_orbit_time_form form);
  * problem, with the text. The second 60 of a leap second has no POSIX time. */
 bool um_orbit_time_form_parse(enum um_orbit_time_form form, const char *text, double *t_tai,
                               char *why, size_t why_size);
+/* POSIX seconds -> t_tai [s]; a double of them resolves 0.3 us. False where they lie outside of
+ * 1960 to 2100, or are no number. */
+bool um_orbit_time_from_unix(double unix_s, double *t_tai);
 /* The column of times that a table has. UM_ERR_INPUT: none, or more than one. */
 enum um_status um_orbit_time_form_find(struct um_context *context, const struct um_core_csv *csv,
                                        enum um_orbit_time_form *form, size_t *column);
