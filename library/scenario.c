@@ -127,17 +127,23 @@ static enum um_status check_change(struct um_context *context,
   return UM_OK;
 }
 
-enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
-                                        const struct umbra_effect_change *change)
+enum um_status um_library_take_change(struct um_context *context,
+                                      const struct umbra_effect_change *change,
+                                      struct um_library_source *source)
 {
-  struct um_context *context = um_library_begin(umbra);
-  enum um_status status = check_change(context, change);
+  UM_TRY(check_change(context, change));
   const struct um_model_change typed = {.effect = change->effect,
                                         .target = change->target,
                                         .off = change->off != 0,
                                         .parameter = change->parameter,
                                         .value = change->value,
                                         .nparameter = change->nparameter};
-  if (status == UM_OK) status = um_library_source_add_change(context, &scenario->source, &typed);
-  return um_library_status(status);
+  return um_library_source_add_change(context, source, &typed);
+}
+
+enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_effect_change *change)
+{
+  struct um_context *context = um_library_begin(umbra);
+  return um_library_status(um_library_take_change(context, change, &scenario->source));
 }

@@ -10,4 +10,9 @@ struct umbra_scenario {
   struct um_library_source source;
 };
 
+/* Check a caller's change against the effect, and add it. UM_ERR_INPUT. */
+enum um_status um_library_take_change(struct um_context *context,
+                                      const struct umbra_effect_change *change,
+                                      struct um_library_source *source);
+
 #endif

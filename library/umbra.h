@@ -189,6 +189,157 @@ enum umbra_status umbra_result_write(struct umbra *umbra, const struct umbra_res
                                      const char *folder, const struct umbra_write *write);
 void umbra_result_close(struct umbra_result **result);
 
+/* --- measurements ----------------------------------------------------------------------------- */
+
+struct umbra_measurements;
+
+/* A CSV file of them (docs/files.md). UMBRA_ERR_IO, UMBRA_ERR_INPUT with file and line. */
+enum umbra_status umbra_measurements_read(struct umbra *umbra, const char *path,
+                                          struct umbra_measurements **out);
+
+/* Columns of a table; every pointer leads to [count], and those from sigma on may be NULL. */
+struct umbra_columns {
+  size_t size;
+  size_t count;
+  const double *time_unix_s;   /* of mid-exposure, in order within a track */
+  const char *const *quantity; /* "magnitude_ab", "band_irradiance", "temperature" (K) ... */
+  const char *const *of;       /* band, place, filter or sensor */
+  const double *value;         /* in the quantity's unit */
+  const double *sigma;         /* NaN: what the scenario's noise model says */
+  const double *exposure_s;    /* NaN: the scenario's */
+  const int *flag;             /* not 0: left out */
+  const char *const *track, *const *station;
+  const double *satellite_height_km, *azimuth_deg,
+      *elevation_deg; /* of orbit.points; all or none */
+};
+#define UMBRA_COLUMNS                                                                              \
+  {                                                                                                \
+    sizeof(struct umbra_columns), 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,   \
+        NULL, NULL                                                                                 \
+  }
+
+/* Measurements from arrays, which are copied. UMBRA_ERR_INPUT with the row, counted from 1. */
+enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbra_columns *columns,
+                                          struct umbra_measurements **out);
+void umbra_measurements_close(struct umbra_measurements **measurements);
+
+/* --- comparison ------------------------------------------------------------------------------- */
+
+/* One quantity of one thing. NaN is what does not exist, as chi2 without sigma. */
+struct umbra_channel {
+  const char *quantity, *of, *unit; /* unit: of bias and rms; magnitudes are compared as flux */
+  size_t count, left_out;           /* observations in use; with a flag */
+  double bias, rms;                 /* mean of measured - model, and root of the mean square */
+  double bias_mag, rms_mag;         /* the same of magnitudes [mag] */
+  double scale;                     /* of the model, that makes the rest least [1] */
+  double chi2, dof, chi2_reduced;
+  double durbin_watson, white_p; /* of residuals in order of time: 2 white, 0 slow drifts */
+  double model_share;            /* of the model's own sampling in the variance [1] */
+};
+struct umbra_comparison {
+  double chi2, dof, chi2_reduced;      /* of all observations with a sigma */
+  const struct umbra_channel *channel; /* [nchannel] */
+  size_t nchannel;
+};
+
+/* The scenario beside measurements, with as many samples as they want. The result has arrays of
+ * rows [observation], NaN where a row is left out: model in the quantity's unit; residual, sigma,
+ * model_sigma in the unit of residuals. UMBRA_ERR_INPUT: a band, place or time that the scenario
+ * has not; and errors of umbra_model_build and umbra_run. */
+enum umbra_status umbra_compare(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                struct umbra_measurements *measurements, struct umbra_result **out);
+/* NULL for other results. */
+const struct umbra_comparison *umbra_result_comparison(const struct umbra_result *result);
+
+/* --- fit and diagnosis -------------------------------------------------------------------------
+ */
+
+enum umbra_verdict_kind {
+  UMBRA_COMPLETE,         /* nothing is missing */
+  UMBRA_FOUND,            /* what is missing was found */
+  UMBRA_NOT_IDENTIFIABLE, /* it is one of a group that these measurements cannot tell apart */
+  UMBRA_UNEXPLAINED       /* something is missing, and no effect explains it */
+};
+
+enum umbra_confidence {
+  UMBRA_CERTAIN,      /* no other comes near */
+  UMBRA_ONE_OF_GROUP, /* it or one of the alternatives that are tied with it */
+  UMBRA_SMALL,        /* it explains so little that what it is cannot be known */
+  UMBRA_UNCERTAIN,    /* none comes near, but its value is hardly off nothing */
+  UMBRA_CHOSEN        /* the caller said it */
+};
+
+struct umbra_estimate {
+  const char *name, *unit;
+  double value, sigma; /* sigma NaN or 0: not fitted */
+  double null_value;   /* where the effect vanishes */
+};
+
+struct umbra_alternative {
+  const char *effect, *target; /* target NULL: everything */
+  int fitted;                  /* 0: tested by the linear model alone, which has no estimates */
+  int tied;                    /* these measurements cannot tell it from what was found */
+  int implausible;             /* further than 3 prior widths from where it vanishes */
+  double delta_bic;            /* its BIC less that of what was found; NaN: not fitted */
+  const struct umbra_estimate *estimate; /* [nestimate] */
+  size_t nestimate;
+};
+
+struct umbra_finding {
+  const char *effect, *target; /* target NULL: everything */
+  enum umbra_confidence confidence;
+  double p_value;                        /* corrected for all that were tested; NaN: chosen */
+  double delta_bic;                      /* below 0: better than without; NaN: chosen */
+  const struct umbra_estimate *estimate; /* [nestimate] all fitted together */
+  size_t nestimate;
+  const struct umbra_alternative *alternative; /* [nalternative] the best first */
+  size_t nalternative;
+};
+
+struct umbra_verdict {
+  enum umbra_verdict_kind kind; /* of a fit: how the rest looks */
+  const char *sentence;         /* for a person */
+  double chi2_before, dof_before, chi2_after, dof_after;
+  const struct umbra_finding *finding; /* [nfinding] what stayed */
+  size_t nfinding;
+  const struct umbra_finding *nuisance; /* [nnuisance] what was uncertain anyway, as fitted */
+  size_t nnuisance;
+  const char *next; /* the measurement that would tell most; NULL: nothing is ambiguous, or
+                       nothing that the scenario has would */
+};
+
+struct umbra_diagnose_settings {
+  size_t size;
+  const char *const *only; /* [nonly] "effect" or "effect:target" to look for; none: all */
+  size_t nonly;
+  const char *const *exclude; /* [nexclude] likewise, taken out, beside the scenario's own */
+  size_t nexclude;
+  double level; /* family-wise false-alarm rate; 0: 0.01 */
+  size_t steps; /* effects at most; 0: 4 */
+};
+#define UMBRA_DIAGNOSE_SETTINGS                                                                    \
+  {                                                                                                \
+    sizeof(struct umbra_diagnose_settings), NULL, 0, NULL, 0, 0.0, 0                               \
+  }
+
+/* Which effect the scenario lacks. What is uncertain anyway (nuisances, excluded effects, noise) is
+ * what the scenario says under measurements. settings: NULL for the defaults. The result has the
+ * arrays before and after [fitted observation]: model values in the unit of residuals. Takes up to
+ * hours; progress is reported. UMBRA_ERR_INPUT: no such effect, fewer observations than free
+ * parameters; and errors of umbra_compare. */
+enum umbra_status umbra_diagnose(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                 struct umbra_measurements *measurements,
+                                 const struct umbra_diagnose_settings *settings,
+                                 struct umbra_result **out);
+/* Parameters of chosen effects [nchange]; values are where the fit starts, and an effect that
+ * states none is added as a diagnosis adds it. */
+enum umbra_status umbra_fit(struct umbra *umbra, const struct umbra_scenario *scenario,
+                            struct umbra_measurements *measurements,
+                            const struct umbra_effect_change *change, size_t nchange,
+                            struct umbra_result **out);
+/* NULL for results that are of no fit and no diagnosis. */
+const struct umbra_verdict *umbra_result_verdict(const struct umbra_result *result);
+
 /* --- what there is: effects, keys, sources ------------------------------------------------------
  */
 
