@@ -15,11 +15,12 @@
  * sessions work side by side. Work inside a call is shared among settings.threads threads; results
  * do not depend on their number.
  *
- * Processes: nothing here prints, ends the process, installs a signal handler or keeps state
- * outside of the session. Three things work in a forked child, which is gone when the call returns:
- * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures). Of foreign
- * libraries that keep state of their own, netCDF/HDF5, OpenMP and, where a solid is large, CHOLMOD
- * with its BLAS are used; sessions that write files do so one after another. */
+ * Processes: nothing here prints, ends the process, installs a signal handler or keeps state of its
+ * own outside of the session. Three things work in a forked child, which is gone when the call
+ * returns: TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures). Foreign
+ * libraries keep state of the process: GSL's error handler is turned off; a large solid opens
+ * CHOLMOD, and sets the threads of its BLAS to one; netCDF/HDF5 are for one thread at a time, so
+ * umbra_result_write is, too. */
 #ifndef UMBRA_UMBRA_H
 #define UMBRA_UMBRA_H
 

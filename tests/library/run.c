@@ -1,5 +1,6 @@
 /* A run by the library: the same bytes as the command's, arrays of the same numbers, errors,
  * callbacks, ownership. */
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -362,6 +363,51 @@ static void test_ownership(void **state)
   umbra_result_close(&result);
 }
 
+struct lane {
+  pthread_t thread;
+  double sum;
+  bool good;
+};
+
+static void *run_lane(void *self)
+{
+  struct lane *lane = self;
+  struct umbra_settings settings = UMBRA_SETTINGS;
+  struct umbra *own;
+  struct umbra_scenario *scenario = NULL;
+  struct umbra_model *model = NULL;
+  struct umbra_result *result = NULL;
+  settings.threads = 1;
+  lane->good = umbra_open(&settings, &own) == UMBRA_OK &&
+               umbra_scenario_read(own, "box.yaml", NULL, &scenario) == UMBRA_OK &&
+               umbra_model_build(own, scenario, &model) == UMBRA_OK &&
+               umbra_run(own, model, &result) == UMBRA_OK;
+  for (size_t i = 0; lane->good && i < 10; i++)
+    lane->sum += umbra_result_array(result, "intensity")->data[i];
+  umbra_result_close(&result);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+  umbra_close(&own);
+  return NULL;
+}
+
+/* Sessions work side by side: the same bits. */
+static void test_threads(void **state)
+{
+  (void)state;
+  struct lane lane[4] = {0};
+  struct umbra_result *result = run_box();
+  double expected = 0.0;
+  for (size_t i = 0; i < 10; i++) expected += umbra_result_array(result, "intensity")->data[i];
+  umbra_result_close(&result);
+  for (size_t i = 0; i < 4; i++)
+    assert_int_equal(pthread_create(&lane[i].thread, NULL, run_lane, &lane[i]), 0);
+  for (size_t i = 0; i < 4; i++) {
+    assert_int_equal(pthread_join(lane[i].thread, NULL), 0);
+    assert_true(lane[i].good && lane[i].sum == expected);
+  }
+}
+
 /* The data folder that is given goes before the others. */
 static void test_data_folder(void **state)
 {
@@ -390,6 +436,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_errors_of_effects, enter, leave),
       cmocka_unit_test_setup_teardown(test_callbacks, enter, leave),
       cmocka_unit_test_setup_teardown(test_ownership, enter, leave),
+      cmocka_unit_test_setup_teardown(test_threads, enter, leave),
       cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
