@@ -363,6 +363,29 @@ static void test_ownership(void **state)
   umbra_result_close(&result);
 }
 
+/* View factors are kept where the session says, and taken from there. */
+static void test_cache_folder(void **state)
+{
+  (void)state;
+  struct umbra_settings settings = UMBRA_SETTINGS;
+  struct umbra_scenario *scenario;
+  settings.cache = "kept";
+  umbra_close(&umbra);
+  assert_int_equal(umbra_open(&settings, &umbra), UMBRA_OK);
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_scenario_set_number(umbra, scenario, "parts.bus.inside_emittance", 0.8));
+  assert_false(command_exists("kept"));
+  struct umbra_result *first = run(scenario), *second = run(scenario);
+  assert_true(command_exists("kept"));
+  const struct umbra_array *a = umbra_result_array(first, "temperature");
+  const struct umbra_array *b = umbra_result_array(second, "temperature");
+  assert_memory_equal(a->data, b->data, a->shape[0] * a->shape[1] * sizeof *a->data);
+  umbra_result_close(&first);
+  umbra_result_close(&second);
+  umbra_scenario_close(&scenario);
+}
+
 struct lane {
   pthread_t thread;
   double sum;
@@ -436,6 +459,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_errors_of_effects, enter, leave),
       cmocka_unit_test_setup_teardown(test_callbacks, enter, leave),
       cmocka_unit_test_setup_teardown(test_ownership, enter, leave),
+      cmocka_unit_test_setup_teardown(test_cache_folder, enter, leave),
       cmocka_unit_test_setup_teardown(test_threads, enter, leave),
       cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),
   };
