@@ -42,17 +42,13 @@ done:
 
 enum um_status um_compare_whole_run(struct um_context *context, struct um_compare_whole *whole)
 {
-  struct um_compare_refinement refinement;
   struct um_compare_share_user shared = {whole->model, whole->plan};
   UM_TRY(um_compare_plan_trace(context, whole->model, whole->plan, &whole->precomputed));
   UM_TRY(um_compare_refine(context, whole->model, whole->precomputed, UM_COMPARE_MODEL_SHARE,
-                           um_compare_share_of_plan, &shared, &whole->result, &refinement));
+                           um_compare_share_of_plan, &shared, &whole->result, NULL));
   UM_TRY(fill_sigma(context, whole));
   const struct um_compare_run run = {whole->model, whole->plan, whole->precomputed, whole->result};
-  UM_TRY(um_compare_create(context, &run, 0.0, &whole->comparison));
-  whole->comparison->samples = refinement.samples;
-  whole->comparison->samples_before = refinement.samples_before;
-  return UM_OK;
+  return um_compare_create(context, &run, 0.0, &whole->comparison);
 }
 
 void um_compare_whole_release(struct um_context *context, struct um_compare_whole *whole)

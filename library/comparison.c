@@ -13,6 +13,7 @@ struct comparison {
   struct um_compare_whole whole;
   struct umbra_comparison said;
   struct umbra_channel *channel; /* [nchannel of the comparison] */
+  double *column;                /* [3][observations] residual, sigma, sigma of the model */
 };
 
 static void comparison_release(struct um_context *context, void *work)
@@ -22,6 +23,7 @@ static void comparison_release(struct um_context *context, void *work)
   um_library_measurements_drop(&c->measurements);
   um_library_source_release(context, &c->source);
   um_core_free(context, c->channel);
+  um_core_free(context, c->column);
   um_core_free(context, c);
 }
 
@@ -71,17 +73,25 @@ static enum um_status say(struct um_context *context, struct comparison *work,
                           struct umbra_result *result)
 {
   const struct um_compare_comparison *c = work->whole.comparison;
+  size_t n = work->whole.measurements.count;
+  UM_TRY(um_core_allocate(context, 3 * n, sizeof *work->column, &work->column));
+  for (size_t i = 0; i < n; i++) {
+    const struct um_compare_residual *r = &c->residual[i];
+    work->column[i] = r->measured - r->model;
+    work->column[n + i] = r->sigma;
+    work->column[2 * n + i] = r->model_sigma;
+  }
   const struct {
     const char *name, *unit;
     const double *data;
   } arrays[] = {{"model", "of the quantity", c->model},
-                {"residual", "of residuals", c->residual},
-                {"sigma", "of residuals", c->sigma},
-                {"model_sigma", "of residuals", c->model_sigma}};
+                {"residual", "of residuals", work->column},
+                {"sigma", "of residuals", work->column + n},
+                {"model_sigma", "of residuals", work->column + 2 * n}};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     const struct umbra_array a = {.name = arrays[i].name,
                                   .unit = arrays[i].unit,
-                                  .shape = {work->whole.measurements.count},
+                                  .shape = {n},
                                   .axis = {"observation"},
                                   .data = arrays[i].data};
     UM_TRY(um_library_result_show(context, result, &a));

@@ -14,7 +14,7 @@
 static enum um_status check(struct um_context *context, const struct um_library_source *source)
 {
   struct um_document *document = NULL;
-  struct um_scenario *scenario;
+  const struct um_scenario *scenario;
   UM_TRY(um_model_scenario_read(context, source->path, source->text,
                                 (const char *const *)source->override, source->noverride, &document,
                                 &scenario));
@@ -26,7 +26,7 @@ static enum um_status read(struct um_context *context, const char *path, const c
                            struct um_library_source *source)
 {
   struct um_document *document = NULL;
-  struct um_scenario *scenario;
+  const struct um_scenario *scenario;
   if (path == NULL && text == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "no scenario; accepted: a path, or a text");
   UM_TRY(um_model_scenario_read(context, path != NULL ? path : IN_MEMORY, text, NULL, 0, &document,

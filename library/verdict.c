@@ -9,10 +9,10 @@ SAME(COMPLETE, VERDICT_COMPLETE);
 SAME(FOUND, VERDICT_FOUND);
 SAME(NOT_IDENTIFIABLE, VERDICT_NOT_IDENTIFIABLE);
 SAME(UNEXPLAINED, VERDICT_UNEXPLAINED);
-SAME(CERTAIN, STANDING_CERTAIN);
-SAME(ONE_OF_GROUP, STANDING_ONE_OF_GROUP);
-SAME(SMALL, STANDING_SMALL);
-SAME(UNCERTAIN, STANDING_UNCERTAIN);
+SAME(CERTAIN, CONFIDENCE_CERTAIN);
+SAME(ONE_OF_GROUP, CONFIDENCE_ONE_OF_GROUP);
+SAME(SMALL, CONFIDENCE_SMALL);
+SAME(UNCERTAIN, CONFIDENCE_UNCERTAIN);
 
 static enum um_status estimates(struct um_context *context, struct um_core_arena *memory,
                                 const struct um_effect *effect, const double *value,
@@ -70,7 +70,7 @@ static enum um_status finding(struct um_context *context, struct um_library_diag
   UM_TRY(
       estimates(context, &work->memory, addition->effect, addition->value, sigma, &to->estimate));
   if (step == NULL) return UM_OK;
-  to->confidence = (enum umbra_confidence)step->standing;
+  to->confidence = (enum umbra_confidence)step->confidence;
   to->p_value = step->p_value;
   to->delta_bic = step->delta_bic;
   return alternatives(context, work, step, to);
@@ -107,7 +107,7 @@ enum um_status um_library_verdict(struct um_context *context, struct um_library_
 {
   const struct um_diagnosis *d = work->diagnosis;
   work->verdict = (struct umbra_verdict){.kind = (enum umbra_verdict_kind)d->verdict,
-                                         .sentence = d->sentence,
+                                         .sentence = d->summary,
                                          .chi2_before = d->chi2,
                                          .dof_before = d->dof,
                                          .chi2_after = d->chi2_after,
