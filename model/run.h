@@ -4,6 +4,7 @@
 
 #include "model/model.h"
 #include "model/result.h"
+#include "model/run_light.h"
 #include "model/thermal_solution.h"
 
 /* Run on a geometry precomputation made from the same model. Where the scenario asks for a relative
@@ -25,12 +26,6 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out);
 
-/* Light toward the observer before air and instrument; *out NULL without an observer. Errors of
- * um_model_run_observed. The caller destroys by um_optics_lightcurve_destroy. */
-enum um_status um_model_run_light(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed,
-                                  const struct um_model_thermal_solution *heat,
-                                  struct um_optics_lightcurve **out);
 /* um_model_run_observed of a model whose light is at hand: air, instrument and temperatures. */
 enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
                                    const struct um_model_precomputed *precomputed,

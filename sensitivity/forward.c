@@ -209,8 +209,8 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
       UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user, out, &refinement));
   f->samples = refinement.samples;
   f->paths = refinement.interreflection;
-  f->instants.sampling =
-      base->precomputed->sampling; /* all look at the body with the same points */
+  /* all look at the body with the same points */
+  f->instants.sampling = base->precomputed->sampling;
   return UM_OK;
 }
 

@@ -1,0 +1,19 @@
+/* Light of a run: what surfaces and their temperatures send to the observer. */
+#include "model/run_light.h"
+
+#include "model/run_optics_impl.h"
+
+enum um_status um_model_run_light(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_thermal_solution *heat,
+                                  struct um_optics_lightcurve **out)
+{
+  struct um_optics_scene scene = {0};
+  *out = NULL;
+  if (precomputed->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, precomputed, heat->run.surface, &scene));
+  enum um_status status =
+      um_optics_lightcurve_compute(context, &scene, model->band, model->nband, out);
+  um_model_scene_release(context, &scene);
+  return status;
+}
