@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 
 #define LOAD_ROWS_MOST 5e6 /* instants of the heat loads: 580 days of one every 10 s */
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */

@@ -11,11 +11,11 @@
 #include "model/build_parts_impl.h"
 #include "model/build_thermal_impl.h"
 #include "model/effects_impl.h"
+#include "model/fail_impl.h"
 #include "model/limits_impl.h"
 #include "model/origin_impl.h"
 #include "model/scenario_read.h"
 #include "model/sky_light.h"
-#include "model/words_impl.h"
 
 /* What hangs on the sky: parts, heat. */
 static enum um_status build_body(struct um_context *context, struct um_model *model)

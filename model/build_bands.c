@@ -6,8 +6,8 @@
 
 #include "instrument/filter.h"
 #include "model/bands.h"
+#include "model/fail_impl.h"
 #include "model/origin_impl.h"
-#include "model/words_impl.h"
 
 /* --- bands ----------------------------------------------------------------------------------- */
 

@@ -13,7 +13,7 @@
 #include <math.h>
 
 #include "model/bulk_law_impl.h"
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 
 #define IN_PLANE (1.25 / (8.0 / 3.0))
 

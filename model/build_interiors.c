@@ -8,8 +8,8 @@
 
 #include "model/build_power_impl.h"
 #include "model/build_wall_impl.h"
+#include "model/fail_impl.h"
 #include "model/interior_names_impl.h"
-#include "model/words_impl.h"
 
 /* A name that no other place of the part has. */
 static enum um_status check_name(struct um_context *context, const struct um_model *model,

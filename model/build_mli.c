@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/fail_impl.h"
 #include "model/interior_names_impl.h"
-#include "model/words_impl.h"
 
 /* A key that another law has. */
 static enum um_status key_check(struct um_context *context, const struct um_scenario_mli *from,

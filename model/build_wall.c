@@ -7,7 +7,7 @@
 #include "model/build_honeycomb_impl.h"
 #include "model/build_power_impl.h"
 #include "model/bulk_law_impl.h"
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
                                                      const char *name)

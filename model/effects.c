@@ -15,9 +15,9 @@
 #include "model/bands.h"
 #include "model/effect_files.h"
 #include "model/effect_files_impl.h"
+#include "model/fail_impl.h"
 #include "model/origin_impl.h"
 #include "model/scenario_environment_impl.h"
-#include "model/words_impl.h"
 
 /* Where a use was written; NULL mark for the command line. */
 struct origin {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/words.h"
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 
 size_t um_model_interior_count(const struct um_scenario_part *part)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/words.h"
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 
 static enum um_status fail_unknown(struct um_context *context, const struct um_model *model,
                                    const struct um_scenario_limit *limit)

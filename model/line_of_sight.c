@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "environment/airmass.h"
-#include "model/words_impl.h"
+#include "model/fail_impl.h"
 #include "orbit/time.h"
 
 /* Farthest corner of the body from its origin, joints as they stand [m]. */

@@ -7,8 +7,8 @@
 #include "core/constants.h"
 #include "core/file.h"
 #include "geometry/inside.h"
+#include "model/fail_impl.h"
 #include "model/mirrors.h"
-#include "model/words_impl.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
 static enum um_status angles_make(struct um_context *context, const struct um_model *model,

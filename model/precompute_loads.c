@@ -7,9 +7,9 @@
 
 #include "environment/atmosphere.h"
 #include "model/effects_impl.h"
+#include "model/fail_impl.h"
 #include "model/precompute_exchange_impl.h"
 #include "model/timeline.h"
-#include "model/words_impl.h"
 #include "thermal/ripple.h"
 
 #define GAS_THAT_SHOWS 0.5 /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */

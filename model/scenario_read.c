@@ -10,8 +10,8 @@
 
 #include "core/data.h"
 #include "core/file.h"
+#include "model/fail_impl.h"
 #include "model/scenario_schema.h"
-#include "model/words_impl.h"
 #include "orbit/time.h"
 
 static enum um_status check_time(struct um_context *context, const struct um_scenario *scenario)

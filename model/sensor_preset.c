@@ -6,9 +6,9 @@
 #include "core/data.h"
 #include "core/file.h"
 #include "document/schema.h"
+#include "model/fail_impl.h"
 #include "model/scenario.h"
 #include "model/scenario_schema_impl.h"
-#include "model/words_impl.h"
 
 #define TAIL ".yaml"
 

@@ -1,23 +1,14 @@
-/* What the steps of building share: paths, messages with file, line and key, names, directions.
- * Private to model/. */
+/* What the steps of building share: paths, messages with file and line of a part or table,
+ * directions. Private to model/. */
 #ifndef UMBRA_MODEL_WORDS_IMPL_H
 #define UMBRA_MODEL_WORDS_IMPL_H
 
+#include "model/fail_impl.h"
 #include "model/model.h"
 
 /* Path relative to the file of a mark; owned by the document. */
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
                                 const struct um_mark *at, const char *relative, const char **out);
-/* Put "file:line: path.key: " before the recorded message, with the line of the key where the
- * mapping has it; key NULL: the mapping itself. Returns status. */
-enum um_status um_model_blame(struct um_context *context, const struct um_mark *at, const char *key,
-                              enum um_status status);
-/* Record "file:line: path.key: message" and return UM_ERR_INPUT. */
-enum um_status um_model_fail(struct um_context *context, const struct um_mark *at, const char *key,
-                             const char *format, ...) UM_PRINTF(4, 5);
-/* True for a name that can stand in a CSV header, in a key path and in a netCDF name: not empty, no
- * control characters, none of . / : , ; ' " and backslash. */
-bool um_model_name_is_plain(const char *name);
 /* Put file and line of the part before a message that begins with "part NAME", "part 'NAME'" or the
  * path of its mesh, as those of geometry and heat network do; else the file. Returns status. */
 enum um_status um_model_blame_part(struct um_context *context, struct um_model *model,

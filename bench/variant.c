@@ -1,0 +1,104 @@
+/* What a change of ENVISAT's pass costs over a run of its own from the model on, in processor time
+ * of one thread. Some three minutes. */
+#include "bench/bench.h"
+#include "effects/effects.h"
+#include "model/build.h"
+#include "model/run.h"
+#include "variant/evaluator.h"
+
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
+#define DAY      86400.0
+#define RUNS     3
+
+/* As the points of a study. */
+static const struct um_variant_heat how = {.start = UM_VARIANT_WARM, .tolerance = {12.0, 0.05}};
+
+struct cost {
+  const char *name;
+  double goal; /* of a run [1] */
+  const char *effect, *target;
+  double value;
+  double later; /* all times of the scenario [s] */
+};
+static const struct cost costs[] = {
+    {"zero point of a band", 0.01, "zero_point", "vis", 1.01, 0.0},
+    {"constant light in what is measured", 0.01, "background", "vis", 1e-14, 0.0},
+    {"time tag", 0.01, "time_tag", NULL, 0.1, 0.0},
+    {"reflectance in VIS alone", 0.08, "diffuse_level", "aluminium_anodised", 1.05, 0.0},
+    {"emittance", 0.10, "emittance", "cell_silicon", 1.02, 0.0},
+    {"power inside", 0.10, "internal_power", "bus", 20.0, 0.0},
+    {"attitude", 0.5, "attitude_offset", NULL, 1.0, 0.0},
+    {"spin period", 0.5, "spin_period", NULL, 1.001, 0.0},
+    {"the pass a day later", 0.25, NULL, NULL, 0.0, DAY},
+};
+#define COSTS (sizeof costs / sizeof *costs)
+
+static double own_run(const struct bench *bench, const struct um_model *model)
+{
+  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_result *result = NULL;
+  double begin = bench_cpu();
+  bench_must(bench, um_model_precompute(bench->context, model, &precomputed));
+  bench_must(bench, um_model_run(bench->context, model, precomputed, &result));
+  double seconds = bench_cpu() - begin;
+  um_model_result_destroy(bench->context, &result);
+  um_model_precomputed_destroy(bench->context, &precomputed);
+  return seconds;
+}
+
+static double change(const struct bench *bench, struct um_variant_evaluator *evaluator,
+                     const struct um_model *model, const struct cost *c, int run)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  const double more = 1.0 + 1e-3 * run; /* nothing of the run before serves */
+  const struct um_document_change key[] = {
+      {.key = "time.start_utc", .number = time->start + c->later * more},
+      {.key = "time.stop_utc", .number = time->stop + c->later * more}};
+  struct um_model_addition addition = {.target = c->target};
+  struct um_model_changes changes = {.nkey = 0};
+  struct um_variant v;
+  struct um_model_result *result = NULL;
+  if (c->effect != NULL) {
+    addition.effect = um_effects_find(c->effect);
+    for (size_t p = 0; p < addition.effect->nparameter; p++)
+      addition.value[p] = addition.effect->parameters[p].null_value;
+    addition.value[0] = c->value * more;
+    changes.addition = &addition;
+    changes.naddition = 1;
+  } else {
+    changes.key = key;
+    changes.nkey = 2;
+  }
+  double begin = bench_cpu();
+  bench_must(bench, um_variant_open(bench->context, evaluator, &changes, &how, &v));
+  bench_must(bench, um_variant_observe(bench->context, evaluator, &v, &result));
+  double seconds = bench_cpu() - begin;
+  um_model_result_destroy(bench->context, &result);
+  um_variant_close(bench->context, &v);
+  return seconds;
+}
+
+int main(int argc, char **argv)
+{
+  struct bench bench;
+  struct bench_series run = {{0}, 0}, cost[COSTS] = {{{0}, 0}};
+  const struct um_variant_settings settings = {
+      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .lead = true};
+  struct um_model *model = NULL;
+  struct um_variant_evaluator *evaluator = NULL;
+  struct um_variant base;
+  bench_begin(&bench, argc, argv, "a change of ENVISAT's pass over a run of its own");
+  bench_must(&bench, um_model_create(bench.context, SCENARIO, NULL, &model));
+  bench_must(&bench, um_variant_evaluator_create(bench.context, model, &settings, &evaluator));
+  bench_must(&bench, um_variant_base(bench.context, evaluator, &base));
+  for (int i = 0; i < RUNS; i++) {
+    bench_add(&run, own_run(&bench, model));
+    for (size_t k = 0; k < COSTS; k++)
+      bench_add(&cost[k], change(&bench, evaluator, model, &costs[k], i));
+  }
+  for (size_t k = 0; k < COSTS; k++)
+    bench_time(&bench, costs[k].name, "s", &cost[k], &run, costs[k].goal);
+  um_variant_evaluator_destroy(bench.context, &evaluator);
+  um_model_destroy(bench.context, &model);
+  return bench_end(&bench);
+}
