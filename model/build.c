@@ -9,13 +9,13 @@
 #include "model/build_environment_impl.h"
 #include "model/build_orbit_impl.h"
 #include "model/build_parts_impl.h"
+#include "model/build_sky_light_impl.h"
 #include "model/build_thermal_impl.h"
 #include "model/effects_impl.h"
 #include "model/fail_impl.h"
 #include "model/limits_impl.h"
 #include "model/origin_impl.h"
 #include "model/scenario_read.h"
-#include "model/sky_light.h"
 
 /* What hangs on the sky: parts, heat. */
 static enum um_status build_body(struct um_context *context, struct um_model *model)
