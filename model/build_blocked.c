@@ -11,8 +11,8 @@
 #include <math.h>
 
 #include "geometry/inside.h"
-#include "model/precompute_exchange_impl.h"
 #include "model/timeline.h"
+#include "model/view_factors_impl.h"
 #include "model/words_impl.h"
 
 /* Angles of the joints at the start of the scenario. */

@@ -9,6 +9,7 @@
 #include "geometry/inside.h"
 #include "model/fail_impl.h"
 #include "model/mirrors.h"
+#include "model/view_factors_impl.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
 static enum um_status angles_make(struct um_context *context, const struct um_model *model,
@@ -100,27 +101,6 @@ static void say(struct um_context *context, const struct um_model *model,
   say_leaks(context, model, table);
 }
 
-/* By the keys of the scenario; view factors of earlier runs stand in the context's cache. */
-static struct um_geometry_view_factor_options options_of(const struct um_context *context,
-                                                         const struct um_model *model)
-{
-  struct um_geometry_view_factor_options options;
-  um_geometry_view_factor_defaults(&options);
-  options.rays = (size_t)model->scenario->thermal->view_factor_rays;
-  options.cache = um_core_context_cache(context);
-  return options;
-}
-
-enum um_status um_model_view_factors(struct um_context *context, const struct um_model *model,
-                                     const double *angles, size_t ntime,
-                                     struct um_geometry_view_factor_table **out)
-{
-  struct um_geometry_view_factor_options options = options_of(context, model);
-  return um_geometry_view_factor_table_create(context, model->geometry, angles, ntime,
-                                              (size_t)model->scenario->thermal->exchange_patches,
-                                              &options, out);
-}
-
 bool um_model_room(const struct um_model *model, uint32_t part, size_t *limit)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
@@ -153,7 +133,7 @@ static enum um_status make_table(struct um_context *context, const struct um_mod
                                  struct um_geometry_view_factor_table **out)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  struct um_geometry_view_factor_options options = options_of(context, model);
+  struct um_geometry_view_factor_options options = um_model_view_factor_options(context, model);
   char *import = NULL;
   enum um_status status = UM_OK;
   if (thermal->view_factors != NULL)

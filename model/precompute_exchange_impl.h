@@ -6,10 +6,6 @@
 #include "model/model.h"
 #include "model/precomputed.h"
 
-/* At joint angles [ntime][njoint], by the keys of the scenario. The caller destroys. */
-enum um_status um_model_view_factors(struct um_context *context, const struct um_model *model,
-                                     const double *angles, size_t ntime,
-                                     struct um_geometry_view_factor_table **out);
 /* Has the part inner surfaces that see each other? limit: patches of them, 0: no clusters. */
 bool um_model_room(const struct um_model *model, uint32_t part, size_t *limit);
 /* precomputed->view_factors: joints as they stand at samples[n], the times of the loads. */
