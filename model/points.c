@@ -1,85 +1,15 @@
-/* Observations without a track (orbit.points): every measurement says where the satellite is. What
- * asks for a velocity or for heat that is followed along an orbit is refused; the light of one
- * instant, with Sun, shadow, attitude and the Earth below, is all that such a scenario has. */
+/* Observations without a track (orbit.points): every measurement says where the satellite is. */
 #include "model/points.h"
 #include "model/points_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
 #include "core/words.h"
 #include "model/line_of_sight_impl.h"
 #include "model/precompute.h"
 #include "model/precompute_impl.h"
 #include "model/words_impl.h"
-
-#define ACCEPTED_LAWS                                                                              \
-  "fixed, sun, target, yaw_steering, table, magnetic, spin with axis_gcrs or q_gcrs"
-
-static enum um_status check_attitude(struct um_context *context, const struct um_schema_list *laws)
-{
-  const struct um_scenario_attitude *law = laws->items;
-  for (size_t i = 0; i < laws->count; i++) {
-    if (law[i].lvlh != NULL)
-      return um_model_fail(context, &law[i].at, "lvlh",
-                           "wants a velocity, which orbit.points does not know; "
-                           "accepted: " ACCEPTED_LAWS);
-    if (law[i].spin != NULL && law[i].spin->axis_lvlh.count > 0)
-      return um_model_fail(context, &law[i].spin->at, "axis_lvlh",
-                           "wants a velocity, which orbit.points does not know; "
-                           "accepted: " ACCEPTED_LAWS);
-  }
-  return UM_OK;
-}
-
-static enum um_status add_station(struct um_context *context, struct um_model *model,
-                                  const struct um_scenario_station *from)
-{
-  const char *own = model->scenario->observer->station->name;
-  const struct um_scenario_station *other = model->scenario->orbit->points->stations.items;
-  if (from->name == NULL)
-    return um_model_fail(context, &from->at, NULL, "has no name; accepted: the one that rows use");
-  bool taken = own != NULL && strcmp(from->name, own) == 0;
-  for (; other != from; other++) taken = taken || strcmp(from->name, other->name) == 0;
-  if (taken)
-    return um_model_fail(context, &from->at, "name", "'%s' is taken; accepted: names used once",
-                         from->name);
-  struct um_orbit_observer *to = &model->station[model->nstation++];
-  *to = model->observer;
-  to->latitude = from->latitude_deg * UM_DEG;
-  to->longitude = from->longitude_deg * UM_DEG;
-  to->height = from->height_m;
-  return UM_OK;
-}
-
-enum um_status um_model_build_points(struct um_context *context, struct um_model *model)
-{
-  const struct um_scenario *scenario = model->scenario;
-  const struct um_scenario_points *points = scenario->orbit->points;
-  if (points == NULL) return UM_OK;
-  model->points = true;
-  if (!model->has_observer || model->observer.kind != UM_OBSERVER_STATION)
-    return um_model_fail(context, &scenario->orbit->at, "points",
-                         "wants the station that azimuths and elevations are of; accepted: "
-                         "observer.station");
-  if (scenario->thermal->start != UM_START_ISOTHERMAL)
-    return um_model_fail(context, &scenario->thermal->at, "start",
-                         "periodic wants an orbit, orbit.points has none; accepted: isothermal "
-                         "(temperatures stay at start_temperature_K)");
-  UM_TRY(check_attitude(context, &scenario->attitude));
-  const struct um_scenario_station *station = points->stations.items;
-  UM_TRY(um_core_allocate(context, points->stations.count + 1, sizeof *model->station,
-                          &model->station));
-  model->station[model->nstation++] = model->observer;
-  for (size_t i = 0; i < points->stations.count; i++)
-    UM_TRY(add_station(context, model, &station[i]));
-  um_core_log(context, UM_LOG_INFO,
-              "orbit: observations stand alone; heat is not followed, temperatures stay at "
-              "thermal.start_temperature_K, %g K",
-              scenario->thermal->start_temperature_K);
-  return UM_OK;
-}
 
 enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
                                      const char *name, size_t *out)
@@ -104,9 +34,6 @@ enum um_status um_model_station_find(struct um_context *context, const struct um
                       "observer's (observer.station, orbit.points.stations)",
                       name, um_core_words_hint(&guess, hint), names, names[0] == '\0' ? "" : ", ");
 }
-
-/* --- geometry precomputation
- * ----------------------------------------------------------------------------------- */
 
 static enum um_status check_points(struct um_context *context, const struct um_model *model,
                                    const struct um_model_point *points, size_t n)

@@ -1,12 +1,9 @@
-/* Building a scenario of points. Private to model/. */
+/* Observations without a track. Private to model/. */
 #ifndef UMBRA_MODEL_POINTS_IMPL_H
 #define UMBRA_MODEL_POINTS_IMPL_H
 
 #include "model/model.h"
 #include "model/precompute.h"
-
-/* stations of orbit.points, and what such a scenario cannot have. */
-enum um_status um_model_build_points(struct um_context *context, struct um_model *model);
 
 /* Observations of points alone: no loads, no lines of sight. Errors of um_model_precompute_points;
  * the caller destroys. */
