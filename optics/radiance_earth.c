@@ -5,9 +5,15 @@
 
 #include "core/constants.h"
 #include "optics/radiance_impl.h"
-#include "optics/stage_impl.h"
 
 #define ALL_OF_IT (1.0 - 1e-9) /* view factor of a surface that sees nothing but the Earth */
+
+struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample)
+{
+  double r = um_vec3_norm(sample->r);
+  if (!(r > 0.0)) return um_vec3(0.0, 0.0, 0.0);
+  return um_quat_apply(sample->q, um_vec3_scale(sample->r, -1.0 / r));
+}
 
 void um_optics_instant_earth(const struct um_environment *environment,
                              const struct um_environment_sample *sample,

@@ -108,6 +108,8 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
                           const struct um_optics_scene *scene, size_t surface,
                           const struct um_optics_work *work, struct um_optics_sight *sight);
 
+/* Unit vector to the geocentre in the body frame; zero where there is no position. */
+struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample);
 /* Where the Earth stands at an instant, and how bright it is, for lobes that look at it. Where it
  * varies it has the albedo of what lights a plate that faces it, found where earthshine is on. */
 void um_optics_instant_earth(const struct um_environment *environment,

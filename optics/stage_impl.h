@@ -22,7 +22,4 @@ enum um_status um_optics_stage_prepare(struct um_context *context,
                                        int exchange_samples, struct um_optics_stage *stage);
 void um_optics_stage_clear(struct um_context *context, struct um_optics_stage *stage);
 
-/* Unit vector to the geocentre in the body frame; zero where there is no position. */
-struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample);
-
 #endif

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include "core/constants.h"
+#include "optics/radiance_impl.h"
 #include "optics/stage_impl.h"
 
 static enum um_status check_number(struct um_context *context, int nsample)
@@ -85,13 +86,6 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
     view->part[s] = mesh->surface[s].part;
   }
   return UM_OK;
-}
-
-struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample)
-{
-  double r = um_vec3_norm(sample->r);
-  if (!(r > 0.0)) return um_vec3(0.0, 0.0, 0.0);
-  return um_quat_apply(sample->q, um_vec3_scale(sample->r, -1.0 / r));
 }
 
 /* How surfaces stand to a lamp, into a row. */
