@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/constants.h"
+#include "core/context.h"
 #include "core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "core/context.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =
