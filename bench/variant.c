@@ -28,7 +28,7 @@ static const struct cost costs[] = {
     {"emittance", 0.10, "emittance", "cell_silicon", 1.02, 0.0},
     {"power inside", 0.10, "internal_power", "bus", 20.0, 0.0},
     {"attitude", 0.5, "attitude_offset", NULL, 1.0, 0.0},
-    {"spin period", 0.5, "spin_period", NULL, 1.001, 0.0},
+    {"spin period", 0.5, "spin_period", NULL, 0.001, 0.0},
     {"the pass a day later", 0.25, NULL, NULL, 0.0, DAY},
 };
 #define COSTS (sizeof costs / sizeof *costs)

@@ -3,6 +3,7 @@
 
 #include "library/model_impl.h"
 #include "library/result_impl.h"
+#include "library/run_impl.h"
 #include "model/precompute.h"
 #include "model/run.h"
 #include "orbit/time.h"
@@ -180,12 +181,11 @@ static enum um_status make_places(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
-static enum um_status fill(struct um_context *context, const struct run *run,
-                           struct umbra_result *to)
+enum um_status um_library_run_arrays(struct um_context *context, const struct um_model *model,
+                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_result *r, struct umbra_result *to)
 {
-  const struct um_model *model = run->model->model;
-  const struct um_model_result *r = run->result;
-  UM_TRY(make_times(context, run->precomputed, model->has_observer, to));
+  UM_TRY(make_times(context, precomputed, model->has_observer, to));
   if (model->has_observer) {
     UM_TRY(make_light(context, r, to));
     UM_TRY(show_light(context, r, to));
@@ -208,7 +208,8 @@ enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model
   UM_CHECK(um_model_run(context, model->model, run->precomputed, &run->result));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   run = NULL;
-  UM_CHECK(fill(context, result->work, result));
+  const struct run *of = result->work;
+  UM_CHECK(um_library_run_arrays(context, model->model, of->precomputed, of->result, result));
   *out = result;
 done:
   if (run != NULL) run_release(context, run);

@@ -110,8 +110,8 @@ static enum um_status check_value(struct um_context *context, const struct um_ef
   return um_effects_refuse_parameter(context, effect, name);
 }
 
-static enum um_status check_change(struct um_context *context,
-                                   const struct umbra_effect_change *change)
+enum um_status um_library_check_effect_change(struct um_context *context,
+                                              const struct umbra_effect_change *change)
 {
   UM_TRY(
       um_library_check_size(context, "struct umbra_effect_change", change->size, sizeof *change));
@@ -131,7 +131,7 @@ enum um_status um_library_take_change(struct um_context *context,
                                       const struct umbra_effect_change *change,
                                       struct um_library_source *source)
 {
-  UM_TRY(check_change(context, change));
+  UM_TRY(um_library_check_effect_change(context, change));
   const struct um_model_change typed = {.effect = change->effect,
                                         .target = change->target,
                                         .off = change->off != 0,

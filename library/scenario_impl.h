@@ -10,6 +10,9 @@ struct umbra_scenario {
   struct um_library_source source;
 };
 
+/* Is it a change that its effect can take? UM_ERR_INPUT. */
+enum um_status um_library_check_effect_change(struct um_context *context,
+                                              const struct umbra_effect_change *change);
 /* Check a caller's change against the effect, and add it. UM_ERR_INPUT. */
 enum um_status um_library_take_change(struct um_context *context,
                                       const struct umbra_effect_change *change,

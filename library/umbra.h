@@ -190,6 +190,51 @@ enum umbra_status umbra_result_write(struct umbra *umbra, const struct umbra_res
                                      const char *folder, const struct umbra_write *write);
 void umbra_result_close(struct umbra_result **result);
 
+/* --- variants --------------------------------------------------------------------------------- */
+
+/* A model, changed again and again: what a change leaves the same, number for number, is not
+ * computed again. Keeps its model. */
+struct umbra_variants;
+
+struct umbra_variants_settings {
+  size_t size;
+  int exact;            /* not 0: heat of each as umbra_run has it; else to temperature_K */
+  double temperature_K; /* of the state that repeats; 0: 0.02 */
+  size_t memory;        /* that kept geometries may take [bytes]; 0: 1 GiB */
+};
+#define UMBRA_VARIANTS_SETTINGS                                                                    \
+  {                                                                                                \
+    sizeof(struct umbra_variants_settings), 0, 0.0, 0                                              \
+  }
+
+/* Nothing is computed before a variant asks for it. settings: NULL for the defaults.
+ * UMBRA_ERR_INPUT: a setting out of range; UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_variants_open(struct umbra *umbra, struct umbra_model *model,
+                                      const struct umbra_variants_settings *settings,
+                                      struct umbra_variants **out);
+void umbra_variants_close(struct umbra_variants **variants);
+
+/* One change: a key with a number (with YAML text where `text` is not NULL), or an effect. */
+struct umbra_change {
+  size_t size;
+  const char *key; /* as of umbra_scenario_set; NULL: `effect` */
+  double number;
+  const char *text;
+  const struct umbra_effect_change *effect;
+};
+#define UMBRA_CHANGE                                                                               \
+  {                                                                                                \
+    sizeof(struct umbra_change), NULL, 0.0, NULL, NULL                                             \
+  }
+
+/* Light and temperatures of the model with changes [nchange], borrowed for the call; the result has
+ * the arrays of umbra_run. It does not depend on what was run before. It is not written: for that
+ * the changes are made to a scenario, which is run. UMBRA_ERR_INPUT: what umbra_scenario_set and
+ * umbra_scenario_effect refuse; and errors of umbra_run. */
+enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *variants,
+                                    const struct umbra_change *change, size_t nchange,
+                                    struct umbra_result **out);
+
 /* --- measurements ----------------------------------------------------------------------------- */
 
 struct umbra_measurements;

@@ -447,6 +447,101 @@ static void test_data_folder(void **state)
   umbra_scenario_close(&scenario);
 }
 
+static double last(const struct umbra_result *result, const char *name)
+{
+  const struct umbra_array *a = umbra_result_array(result, name);
+  assert_non_null(a);
+  return a->data[a->shape[0] * a->shape[1] - 1];
+}
+
+static struct umbra_result *variant(struct umbra_variants *variants,
+                                    const struct umbra_change *change, size_t n)
+{
+  struct umbra_result *result;
+  ok(umbra_variant_run(umbra, variants, change, n, &result));
+  return result;
+}
+
+/* A variant has the bits of a scenario with its changes where that is asked for, and is near
+ * otherwise; the model stays; objects are closed in any order. */
+static void test_variants(void **state)
+{
+  (void)state;
+  static const char *const name[] = {"emittance_factor"};
+  static const double value[] = {0.7};
+  struct umbra_effect_change emittance = UMBRA_EFFECT_CHANGE;
+  struct umbra_variants_settings exact = UMBRA_VARIANTS_SETTINGS;
+  struct umbra_change change[2] = {UMBRA_CHANGE, UMBRA_CHANGE};
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_variants *cold, *warm;
+  emittance.effect = "emittance";
+  emittance.target = "grey_white";
+  emittance.parameter = name;
+  emittance.value = value;
+  emittance.nparameter = 1;
+  change[0].effect = &emittance;
+  change[1].key = "environment.albedo";
+  change[1].number = 0.2;
+  exact.exact = 1;
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_model_build(umbra, scenario, &model));
+  ok(umbra_variants_open(umbra, model, &exact, &cold));
+  ok(umbra_variants_open(umbra, model, NULL, &warm));
+  struct umbra_result *nominal = variant(cold, NULL, 0), *a = variant(cold, change, 2),
+                      *b = variant(warm, change, 2), *again = variant(cold, NULL, 0);
+  umbra_variants_close(&cold);
+  umbra_variants_close(&warm);
+  ok(umbra_scenario_set_number(umbra, scenario, change[1].key, change[1].number));
+  ok(umbra_scenario_effect(umbra, scenario, &emittance));
+  struct umbra_result *own = run(scenario);
+  const char *const of[] = {"intensity", "temperature"};
+  for (size_t i = 0; i < 2; i++) {
+    assert_true(last(a, of[i]) == last(own, of[i]));
+    assert_true(last(nominal, of[i]) == last(again, of[i]));
+    assert_true(last(nominal, of[i]) != last(own, of[i]));
+  }
+  assert_close(last(b, "temperature"), last(own, "temperature"), 0.1);
+  refused(umbra_result_write(umbra, a, "variant", NULL), UMBRA_ERR_INPUT,
+          "a variant is not written");
+  umbra_model_close(&model);
+  umbra_result_close(&nominal);
+  umbra_result_close(&a);
+  umbra_result_close(&b);
+  umbra_result_close(&again);
+  umbra_result_close(&own);
+  umbra_scenario_close(&scenario);
+}
+
+static void test_variants_refused(void **state)
+{
+  (void)state;
+  struct umbra_variants_settings settings = UMBRA_VARIANTS_SETTINGS;
+  struct umbra_change change = UMBRA_CHANGE;
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_variants *variants;
+  struct umbra_result *result;
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_model_build(umbra, scenario, &model));
+  settings.temperature_K = -1.0;
+  refused(umbra_variants_open(umbra, model, &settings, &variants), UMBRA_ERR_INPUT, "0 to 10 K");
+  ok(umbra_variants_open(umbra, model, NULL, &variants));
+  refused(umbra_variant_run(umbra, variants, &change, 1, &result), UMBRA_ERR_INPUT,
+          "a key or an effect");
+  change.key = "parts.bus.no_such_key";
+  refused(umbra_variant_run(umbra, variants, &change, 1, &result), UMBRA_ERR_INPUT, "no_such_key");
+  assert_null(result);
+  change.key = "environment.albedo";
+  change.number = 2.0;
+  refused(umbra_variant_run(umbra, variants, &change, 1, &result), UMBRA_ERR_INPUT, "out of range");
+  umbra_variants_close(&variants);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -459,6 +554,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_errors_of_effects, enter, leave),
       cmocka_unit_test_setup_teardown(test_callbacks, enter, leave),
       cmocka_unit_test_setup_teardown(test_ownership, enter, leave),
+      cmocka_unit_test_setup_teardown(test_variants, enter, leave),
+      cmocka_unit_test_setup_teardown(test_variants_refused, enter, leave),
       cmocka_unit_test_setup_teardown(test_cache_folder, enter, leave),
       cmocka_unit_test_setup_teardown(test_threads, enter, leave),
       cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),

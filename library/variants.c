@@ -1,0 +1,226 @@
+/* A model, changed: the evaluator of variant/ behind the public header. */
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "core/words.h"
+#include "library/model_impl.h"
+#include "library/run_impl.h"
+#include "library/scenario_impl.h"
+#include "model/effect_files.h"
+#include "variant/evaluator.h"
+
+#define TEMPERATURE 0.02 /* of the state that repeats, unless it is said [K] */
+#define FACTOR      6.0  /* on tolerances of the integration, with that */
+
+struct umbra_variants {
+  struct umbra *session;
+  struct umbra_model *model; /* shared */
+  atomic_int users;          /* the caller's handle, and results of it */
+  struct um_variant_evaluator *evaluator;
+  struct um_variant_heat heat;
+};
+
+static void variants_drop(struct umbra_variants **variants)
+{
+  if (variants == NULL || *variants == NULL) return;
+  struct umbra_variants *v = *variants;
+  *variants = NULL;
+  if (atomic_fetch_sub(&v->users, 1) != 1) return;
+  struct umbra *session = v->session;
+  um_variant_evaluator_destroy(session->context, &v->evaluator);
+  um_library_model_drop(&v->model);
+  um_core_free(session->context, v);
+  um_library_session_drop(&session);
+}
+
+void umbra_variants_close(struct umbra_variants **variants) { variants_drop(variants); }
+
+static enum um_status take_settings(struct um_context *context,
+                                    const struct umbra_variants_settings *given,
+                                    struct um_variant_settings *settings,
+                                    struct um_variant_heat *heat)
+{
+  struct umbra_variants_settings s = UMBRA_VARIANTS_SETTINGS;
+  if (given != NULL) {
+    UM_TRY(um_library_check_size(context, "struct umbra_variants_settings", given->size, sizeof s));
+    s = *given;
+  }
+  if (!(s.temperature_K >= 0.0 && s.temperature_K <= 10.0))
+    return um_core_fail(context, UM_ERR_INPUT, "temperature_K %g; accepted: 0 to 10 K",
+                        s.temperature_K);
+  *settings = (struct um_variant_settings){
+      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .lead = true, .bytes = s.memory};
+  heat->start = s.exact != 0 ? UM_VARIANT_COLD : UM_VARIANT_WARM;
+  heat->tolerance.factor = FACTOR;
+  heat->tolerance.periodic = s.temperature_K > 0.0 ? s.temperature_K : TEMPERATURE;
+  return UM_OK;
+}
+
+enum umbra_status umbra_variants_open(struct umbra *umbra, struct umbra_model *model,
+                                      const struct umbra_variants_settings *settings,
+                                      struct umbra_variants **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  struct um_variant_settings taken;
+  struct umbra_variants *v = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *v, &v));
+  atomic_init(&v->users, 1);
+  v->session = um_library_session_share(umbra);
+  v->model = um_library_model_share(model);
+  UM_CHECK(take_settings(context, settings, &taken, &v->heat));
+  UM_CHECK(um_variant_evaluator_create(context, model->model, &taken, &v->evaluator));
+  *out = v;
+  v = NULL;
+done:
+  variants_drop(&v);
+  return um_library_status(status);
+}
+
+/* --- changes --------------------------------------------------------------------------------- */
+
+/* Changes as the evaluator takes them; keys are the caller's. */
+struct changes {
+  struct um_document_change *key;
+  struct um_model_addition *addition; /* targets owned: the variant has them */
+  char **off;                         /* [nwithout of all] owned "effect:target" */
+  struct um_model_changes all;
+};
+
+static void changes_clear(struct um_context *context, struct changes *c)
+{
+  for (size_t i = 0; i < c->all.nwithout; i++) um_core_free(context, c->off[i]);
+  for (size_t i = 0; i < c->all.naddition; i++)
+    um_core_free(context, (void *)(uintptr_t)c->addition[i].target);
+  um_core_free(context, c->off);
+  um_core_free(context, c->key);
+  um_core_free(context, c->addition);
+}
+
+/* What the model has of the effect's parameters, or their defaults, then what is said. */
+static void addition_of(const struct um_model *model, const struct umbra_effect_change *from,
+                        struct um_model_addition *to)
+{
+  to->effect = um_model_effects_find(model, from->effect);
+  to->target = from->target;
+  for (size_t p = 0; p < to->effect->nparameter; p++)
+    to->value[p] = to->effect->parameters[p].default_value;
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    if (e->effect == to->effect && um_core_words_same(e->target, to->target))
+      memcpy(to->value, e->value, to->effect->nparameter * sizeof *to->value);
+  }
+  for (size_t k = 0; k < from->nparameter; k++)
+    for (size_t p = 0; p < to->effect->nparameter; p++)
+      if (strcmp(to->effect->parameters[p].name, from->parameter[k]) == 0)
+        to->value[p] = from->value[k];
+}
+
+static enum um_status take_effect(struct um_context *context, const struct um_model *model,
+                                  const struct umbra_effect_change *from, struct changes *to)
+{
+  UM_TRY(um_library_check_effect_change(context, from));
+  if (from->off == 0) {
+    char *target = NULL;
+    if (from->target != NULL) UM_TRY(um_core_strdup(context, from->target, &target));
+    struct um_model_addition *a = &to->addition[to->all.naddition++];
+    addition_of(model, from, a);
+    a->target = target;
+    return UM_OK;
+  }
+  UM_TRY(um_core_asprintf(context, &to->off[to->all.nwithout], "%s%s%s", from->effect,
+                          from->target != NULL ? ":" : "",
+                          from->target != NULL ? from->target : ""));
+  to->all.nwithout++;
+  return UM_OK;
+}
+
+static enum um_status take_changes(struct um_context *context, const struct um_model *model,
+                                   const struct umbra_change *change, size_t n, struct changes *to)
+{
+  UM_TRY(um_core_allocate(context, n, sizeof *to->key, &to->key));
+  UM_TRY(um_core_allocate(context, n, sizeof *to->addition, &to->addition));
+  UM_TRY(um_core_allocate(context, n, sizeof *to->off, &to->off));
+  to->all.key = to->key;
+  to->all.addition = to->addition;
+  to->all.without = (const char *const *)to->off;
+  for (size_t i = 0; i < n; i++) {
+    const struct umbra_change *c = &change[i];
+    UM_TRY(um_library_check_size(context, "struct umbra_change", c->size, sizeof *c));
+    if ((c->key == NULL) == (c->effect == NULL))
+      return um_core_fail(context, UM_ERR_INPUT, "change %zu; accepted: a key or an effect", i + 1);
+    if (c->effect != NULL)
+      UM_TRY(take_effect(context, model, c->effect, to));
+    else if (c->text == NULL && !isfinite(c->number))
+      return um_core_fail(context, UM_ERR_INPUT, "%s: %g; accepted: a finite number", c->key,
+                          c->number);
+    else
+      to->key[to->all.nkey++] =
+          (struct um_document_change){c->key, c->text == NULL ? c->number : (double)NAN, c->text};
+  }
+  return UM_OK;
+}
+
+/* --- runs ------------------------------------------------------------------------------------ */
+
+struct run {
+  struct umbra_variants *variants; /* shared */
+  struct changes changes;
+  struct um_variant variant; /* open */
+  struct um_model_result *result;
+};
+
+static void run_release(struct um_context *context, void *work)
+{
+  struct run *run = work;
+  um_model_result_destroy(context, &run->result);
+  um_variant_close(context, &run->variant);
+  changes_clear(context, &run->changes);
+  variants_drop(&run->variants);
+  um_core_free(context, run);
+}
+
+static enum um_status run_write(struct um_context *context, const struct umbra_result *result,
+                                const struct umbra_write *write, struct um_core_folder *folder)
+{
+  (void)result, (void)write, (void)folder;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "a variant is not written; accepted: a run of the scenario with its changes");
+}
+
+static const struct um_model *run_model(const void *work)
+{
+  return ((const struct run *)work)->variant.model;
+}
+
+static const struct um_library_kind kind = {run_write, run_release, run_model};
+
+enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *variants,
+                                    const struct umbra_change *change, size_t nchange,
+                                    struct umbra_result **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  struct umbra_result *result = NULL;
+  struct run *run = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
+  atomic_fetch_add(&variants->users, 1);
+  run->variants = variants;
+  struct um_variant *v = &run->variant;
+  UM_CHECK(take_changes(context, variants->model->model, change, nchange, &run->changes));
+  UM_CHECK(um_variant_open(context, variants->evaluator, &run->changes.all, &variants->heat, v));
+  UM_CHECK(um_variant_observe(context, variants->evaluator, v, &run->result));
+  UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
+  const struct run *of = result->work;
+  run = NULL;
+  UM_CHECK(um_library_run_arrays(context, of->variant.model, of->variant.precomputed, of->result,
+                                 result));
+  *out = result;
+done:
+  if (run != NULL) run_release(context, run);
+  if (status != UM_OK) umbra_result_close(&result);
+  return um_library_status(status == UM_ERR_REFUSED ? UM_ERR_INPUT : status);
+}
