@@ -14,6 +14,7 @@
 #include "environment/earth_moments_impl.h"
 
 #include "core/constants.h"
+#include "core/wide.h"
 #include "environment/quadrature_impl.h"
 
 void um_environment_angular_project(const double *value, size_t n, double a[UM_ANGULAR_MOMENTS])
@@ -52,43 +53,108 @@ static struct plate plate_of(const struct um_environment_earth_view *view, struc
   return plate;
 }
 
-/* max(cos SZA, 0) of the ground in a direction of the plate's frame. */
-static double lit_at(const struct plate *plate, struct um_vec3 d)
+/* One number of each of four azimuths. */
+typedef double four __attribute__((vector_size(4 * sizeof(double))));
+
+/* Cosine and sine of 0 to pi to 2 ulp of 1, by Taylor's series about pi/2. */
+static inline __attribute__((always_inline)) void turn(const four *psi, four *cosine, four *sine)
 {
-  double down = plate->s * d.x + plate->c * d.z, h = plate->h;
-  double tau = h * down - sqrt(fmax(0.0, 1.0 - h * h * (1.0 - down * down)));
-  double sza =
-      tau * um_vec3_dot(d, plate->sun) - h * (plate->s * plate->sun.x + plate->c * plate->sun.z);
-  return fmax(0.0, sza);
+  static const double odd[10] = {-1.0 / 51090942171709440000.0,
+                                 1.0 / 121645100408832000.0,
+                                 -1.0 / 355687428096000.0,
+                                 1.0 / 1307674368000.0,
+                                 -1.0 / 6227020800.0,
+                                 1.0 / 39916800.0,
+                                 -1.0 / 362880.0,
+                                 1.0 / 5040.0,
+                                 -1.0 / 120.0,
+                                 1.0 / 6.0};
+  static const double even[11] = {-1.0 / 1124000727777607680000.0,
+                                  1.0 / 2432902008176640000.0,
+                                  -1.0 / 6402373705728000.0,
+                                  1.0 / 20922789888000.0,
+                                  -1.0 / 87178291200.0,
+                                  1.0 / 479001600.0,
+                                  -1.0 / 3628800.0,
+                                  1.0 / 40320.0,
+                                  -1.0 / 720.0,
+                                  1.0 / 24.0,
+                                  -1.0 / 2.0};
+  four x = *psi - 0.5 * UM_PI, x2 = x * x, c = {0.0}, s = {0.0};
+  for (int i = 0; i < 10; i++) c = c * x2 + odd[i];
+  for (int i = 0; i < 11; i++) s = s * x2 + even[i];
+  *cosine = c * x2 * x - x;
+  *sine = s * x2 + 1.0;
 }
 
-/* Integral of max(cos SZA, 0) over |psi| < arc; psi = arc (3 x - x^3)/2 where the ring ends, by
- * Gauss-Legendre's rule on n equal parts of x. lit: in how many of the 8 n directions it is day. */
-static double lit_ring_by(const struct plate *plate, double cosine, double sine, double arc, int n,
-                          int *lit)
+/* cos SZA of the ground in directions d of the plate's frame at azimuths psi and -psi, tau being
+ * the same for both. */
+static inline __attribute__((always_inline)) void day_at(const struct plate *plate, double cosine,
+                                                         double sine, const four *psi, four *at,
+                                                         four *opposite)
 {
-  bool whole = arc >= UM_PI;
-  double sum = 0.0;
-  *lit = 0;
-  for (int j = 0; j < 8 * n; j++) {
+  double h = plate->h, beneath = h * (plate->s * plate->sun.x + plate->c * plate->sun.z);
+  four x, y;
+  turn(psi, &x, &y);
+  x *= sine;
+  y *= sine;
+  four down = plate->s * x + plate->c * cosine, far = 1.0 - h * h * (1.0 - down * down);
+  for (int l = 0; l < 4; l++) far[l] = far[l] > 0.0 ? sqrt(far[l]) : 0.0;
+  four tau = h * down - far, side = tau * y * plate->sun.y;
+  four middle = tau * (x * plate->sun.x + cosine * plate->sun.z) - beneath;
+  *at = middle + side;
+  *opposite = middle - side;
+}
+
+#define PARTS 8 /* of x, at most */
+
+/* Azimuths psi > 0 and weights of Gauss-Legendre's rule on n equal parts of x = -1..1, over the arc
+ * of the ring; psi = (3 x - x^3)/2 where the ring ends, and evenly where it is whole. */
+struct nodes {
+  int n; /* of four azimuths: the other half of the parts is -psi */
+  four psi[PARTS], weight[PARTS];
+};
+
+static void nodes_make(bool whole, int n, struct nodes *out)
+{
+  out->n = n;
+  for (int k = 0; k < 4 * n; k++) {
+    int j = 4 * n + k, at = k / 4, l = k % 4;
     const struct um_environment_gauss *gauss = &um_environment_gauss_8[j % 8];
-    int part = j / 8;
-    double x = whole ? (2.0 * j + 1.0) / (8 * n) - 1.0 : 2.0 * (part + gauss->x) / n - 1.0;
-    double psi = whole ? arc * x : 0.5 * arc * x * (3.0 - x * x);
-    double at = lit_at(plate, um_vec3(sine * cos(psi), sine * sin(psi), cosine));
-    *lit += at > 0.0;
-    sum += at * (whole ? 0.25 * arc / n : 3.0 * arc * (1.0 - x * x) * gauss->w / n);
+    double x = whole ? (2.0 * j + 1.0) / (8 * n) - 1.0 : 2.0 * (j / 8 + gauss->x) / n - 1.0;
+    out->psi[at][l] = whole ? x : 0.5 * x * (3.0 - x * x);
+    out->weight[at][l] = whole ? 0.25 / n : 3.0 * (1.0 - x * x) * gauss->w / n;
   }
-  return sum;
+}
+
+/* Integral of max(cos SZA, 0) over |psi| < arc. lit: in how many of the 8 n directions it is day.
+ */
+UM_WIDE_VECTORS static double lit_ring_by(const struct plate *plate, double cosine, double sine,
+                                          double arc, const struct nodes *nodes, int *lit)
+{
+  four sum = {0.0};
+  *lit = 0;
+  for (int k = 0; k < nodes->n; k++) {
+    four at, opposite, psi = nodes->psi[k] * arc;
+    day_at(plate, cosine, sine, &psi, &at, &opposite);
+    for (int l = 0; l < 4; l++) {
+      *lit += (at[l] > 0.0) + (opposite[l] > 0.0);
+      at[l] = (at[l] > 0.0 ? at[l] : 0.0) + (opposite[l] > 0.0 ? opposite[l] : 0.0);
+    }
+    sum += nodes->weight[k] * at;
+  }
+  return arc * (sum[0] + sum[1] + (sum[2] + sum[3]));
 }
 
 /* A ring that is whole needs twice as many, one that the terminator crosses, a kink, eight times.
  */
-static double lit_ring(const struct plate *plate, double cosine, double sine, double arc)
+static double lit_ring(const struct plate *plate, double cosine, double sine, double arc,
+                       const struct nodes nodes[2])
 {
-  int lit, parts = arc >= UM_PI ? 2 : 1;
-  double sum = lit_ring_by(plate, cosine, sine, arc, parts, &lit);
-  return lit == 0 || lit == 8 * parts ? sum : lit_ring_by(plate, cosine, sine, arc, 8, &lit);
+  int lit;
+  double sum = lit_ring_by(plate, cosine, sine, arc, &nodes[0], &lit);
+  return lit == 0 || lit == 8 * nodes[0].n ? sum
+                                           : lit_ring_by(plate, cosine, sine, arc, &nodes[1], &lit);
 }
 
 /* Sums over rings from u = from to to. [0]: of 1, then of the polynomials. */
@@ -99,6 +165,9 @@ struct sums {
 static void add_rings(const struct plate *plate, const struct um_environment_gauss *rule, int n,
                       double from, double to, bool whole, bool lit, struct sums *sums)
 {
+  struct nodes nodes[2];
+  nodes_make(whole, whole ? 2 : 1, &nodes[0]);
+  nodes_make(whole, PARTS, &nodes[1]);
   for (int i = 0; i < n; i++) {
     double x = rule[i].x, map = whole ? x : x * x * (3.0 - 2.0 * x);
     double u = from + (to - from) * map, cosine = u * u, sine = sqrt(1.0 - cosine * cosine);
@@ -108,7 +177,7 @@ static void add_rings(const struct plate *plate, const struct um_environment_gau
     double arc = whole ? UM_PI : acos(fmax(-1.0, fmin(1.0, edge)));
     double p[UM_ANGULAR_MOMENTS + 1] = {1.0};
     um_environment_angular_polynomials(cosine, p + 1);
-    double bright = lit ? lit_ring(plate, cosine, sine, arc) : 0.0;
+    double bright = lit ? lit_ring(plate, cosine, sine, arc, nodes) : 0.0;
     for (int k = 0; k <= UM_ANGULAR_MOMENTS; k++) {
       sums->emitted[k] += weight * 2.0 * arc * p[k];
       sums->lit[k] += weight * bright * p[k];

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/wide.h"
 #include "thermal/exchange_impl.h"
 #include "thermal/exchange_maker_impl.h"
 #include "thermal/network_impl.h"
@@ -149,14 +150,6 @@ static bool take_row(const struct um_thermal_exchange_maker *m, const struct mir
   }
   return true;
 }
-
-/* The same operations in the same order, hence the same bits, on registers as wide as the machine
- * has them. ThreadSanitizer cannot have them: the loader chooses before it has begun. */
-#if defined __x86_64__ && defined __GLIBC__ && !defined __SANITIZE_THREAD__
-#define UM_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define UM_WIDE_VECTORS
-#endif
 
 /* Rows of the loads that go through B together: it is read once for them, and their sums, each in
  * the order of the patches, are side by side in the processor. */

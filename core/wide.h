@@ -1,0 +1,12 @@
+/* Loops on registers as wide as the machine has them: the same operations in the same order, hence
+ * the same bits. */
+#ifndef UMBRA_CORE_WIDE_H
+#define UMBRA_CORE_WIDE_H
+
+#if defined __x86_64__ && defined __GLIBC__
+#define UM_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define UM_WIDE_VECTORS
+#endif
+
+#endif
