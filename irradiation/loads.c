@@ -17,8 +17,7 @@
 #include "irradiation/loads_impl.h"
 
 #define DARK_MARGIN 120.0 /* [s] */
-#define SKY_SAMPLES 4
-#define BATCH       32 /* times whose scenes are alive together */
+#define BATCH       32    /* times whose scenes are alive together */
 
 struct tracer {
   struct um_context *context;
@@ -32,69 +31,36 @@ struct tracer {
   int nsample;
   size_t njoint;
   bool moves;
-  bool earth;          /* there is something of it to be traced */
-  uint32_t *normal_of; /* [nsurface] class of surfaces of one part that share a normal */
-  uint32_t *example;   /* [nnormal] a surface of each class */
-  uint32_t *order;     /* [nsurface] surfaces, class by class */
-  size_t nnormal;
-  bool *bright;                  /* [ntime] solar rays are wanted */
+  bool earth;                                   /* there is something of it to be traced */
+  const struct um_irradiation_sky *sky;         /* where nothing moves, with earth */
+  struct um_irradiation_sky *own_sky;           /* it, if it was not given */
+  const struct um_irradiation_normals *normals; /* with earth; those of the sky, or */
+  struct um_irradiation_normals own_normals;    /* by the pose of the first sample */
+  bool *bright;                                 /* [ntime] solar rays are wanted */
   struct um_thermal_scene fixed; /* when nothing moves; else the pose of the first sample */
   double *angles;                /* [njoint] scratch */
   double *fraction;              /* [BATCH][nsurface] scratch */
-  struct um_vec3 *normal;        /* [BATCH][nnormal] scratch */
-  struct um_environment_earth_flux *flux;       /* [BATCH][nnormal] scratch */
-  struct um_environment_earth_moments *moments; /* [BATCH][nnormal] scratch; NULL: not asked for */
+  struct um_vec3 *normal;        /* [BATCH][normals->n] scratch */
+  struct um_environment_earth_flux *flux;       /* the same */
+  struct um_environment_earth_moments *moments; /* the same; NULL: not asked for */
 };
+
 static void scene_destroy(struct tracer *t, struct um_thermal_scene *s)
 {
-  um_core_free(t->context, s->row);
-  um_core_free(t->context, s->freedom);
   um_geometry_visibility_destroy(&s->visibility);
   um_geometry_pose_destroy(t->context, &s->pose);
 }
 
-static enum um_status scene_create(struct tracer *t, const double *angles, bool sky,
+static enum um_status scene_create(struct tracer *t, const double *angles,
                                    struct um_thermal_scene *s)
 {
   UM_TRY(um_geometry_pose_create(t->context, t->geometry, angles, &s->pose));
-  UM_TRY(um_geometry_visibility_create(t->context, t->mesh, s->pose, &s->visibility));
-  return sky ? um_irradiation_scene_tabulate(t->context, t->mesh, SKY_SAMPLES, s) : UM_OK;
+  return um_geometry_visibility_create(t->context, t->mesh, s->pose, &s->visibility);
 }
 
 static struct um_vec3 sun_body(const struct um_environment_sample *sample)
 {
   return um_quat_apply(sample->q, sample->sun);
-}
-
-/* Surfaces of one rigid part with the same normal share their unobstructed Earth loads. */
-static enum um_status classify_normals(struct tracer *t, const struct um_geometry_pose *pose)
-{
-  size_t nslot = 16;
-  while (nslot < 2 * t->mesh->nsurface) nslot *= 2;
-  uint32_t *slot = NULL; /* open-addressing table of classes */
-  UM_TRY(um_core_allocate(t->context, nslot, sizeof *slot, &slot));
-  for (size_t i = 0; i < nslot; i++) slot[i] = UINT32_MAX;
-  for (size_t s = 0; s < t->mesh->nsurface; s++) {
-    struct um_vec3 n = um_geometry_surface_normal(t->mesh, pose, s);
-    int64_t key[3] = {llround(n.x * 1e12), llround(n.y * 1e12), llround(n.z * 1e12)};
-    uint32_t part = t->mesh->surface[s].part;
-    uint64_t hash = part;
-    for (int c = 0; c < 3; c++) hash = (hash ^ (uint64_t)key[c]) * 0x9e3779b97f4a7c15u;
-    for (size_t i = (hash >> 20) & (nslot - 1);; i = (i + 1) & (nslot - 1)) {
-      if (slot[i] == UINT32_MAX) {
-        slot[i] = (uint32_t)t->nnormal;
-        t->example[t->nnormal++] = (uint32_t)s;
-      }
-      uint32_t e = t->example[slot[i]];
-      struct um_vec3 m = um_geometry_surface_normal(t->mesh, pose, e);
-      t->normal_of[s] = slot[i];
-      if (t->mesh->surface[e].part == part && llround(m.x * 1e12) == key[0] &&
-          llround(m.y * 1e12) == key[1] && llround(m.z * 1e12) == key[2])
-        break;
-    }
-  }
-  um_core_free(t->context, slot);
-  return UM_OK;
 }
 
 /* Rays are wanted in sunlight, within DARK_MARGIN of it or of an eclipse edge, and at the samples
@@ -116,36 +82,34 @@ static void find_bright(struct tracer *t)
   }
 }
 
-/* After classify_normals. */
-static enum um_status order_by_normal(struct tracer *t)
+/* What the Earth's loads are traced with. */
+static enum um_status earth_prepare(struct tracer *t)
 {
-  size_t nsurface = t->mesh->nsurface, *next = NULL;
-  UM_TRY(um_core_allocate(t->context, t->nnormal + 1, sizeof *next, &next));
-  for (size_t s = 0; s < nsurface; s++) next[t->normal_of[s] + 1]++;
-  for (size_t i = 0; i < t->nnormal; i++) next[i + 1] += next[i];
-  for (size_t s = 0; s < nsurface; s++) t->order[next[t->normal_of[s]]++] = (uint32_t)s;
-  um_core_free(t->context, next);
-  return UM_OK;
+  if (!t->earth) return UM_OK;
+  if (!t->moves && t->sky == NULL) {
+    UM_TRY(um_irradiation_sky_create(t->context, t->geometry, &t->own_sky));
+    t->sky = t->own_sky;
+  }
+  if (t->moves)
+    UM_TRY(um_irradiation_normals_find(t->context, t->mesh, t->fixed.pose, &t->own_normals));
+  t->normals = t->moves ? &t->own_normals : &t->sky->normals;
+  size_t n = BATCH * t->normals->n;
+  UM_TRY(um_core_allocate(t->context, n, sizeof *t->normal, &t->normal));
+  if (t->loads->planet_moments != NULL)
+    UM_TRY(um_core_allocate(t->context, n, sizeof *t->moments, &t->moments));
+  return um_core_allocate(t->context, n, sizeof *t->flux, &t->flux);
 }
 
 static enum um_status tracer_prepare(struct tracer *t)
 {
-  size_t nsurface = t->mesh->nsurface;
-  UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->normal_of, &t->normal_of));
-  UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->example, &t->example));
-  UM_TRY(um_core_allocate(t->context, nsurface, sizeof *t->order, &t->order));
   UM_TRY(um_core_allocate(t->context, t->loads->ntime, sizeof *t->bright, &t->bright));
   UM_TRY(um_core_allocate(t->context, t->njoint, sizeof *t->angles, &t->angles));
-  UM_TRY(um_core_allocate(t->context, BATCH * nsurface, sizeof *t->fraction, &t->fraction));
+  UM_TRY(
+      um_core_allocate(t->context, BATCH * t->mesh->nsurface, sizeof *t->fraction, &t->fraction));
   find_bright(t);
   um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->angles);
-  UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, t->earth && !t->moves, &t->fixed));
-  UM_TRY(classify_normals(t, t->fixed.pose));
-  UM_TRY(order_by_normal(t));
-  UM_TRY(um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->normal, &t->normal));
-  if (t->loads->planet_moments != NULL)
-    UM_TRY(um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->moments, &t->moments));
-  return um_core_allocate(t->context, BATCH * t->nnormal, sizeof *t->flux, &t->flux);
+  UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, &t->fixed));
+  return earth_prepare(t);
 }
 
 static void trace_sun(const struct tracer *t, const struct um_environment_sample *sample,
@@ -163,49 +127,94 @@ static void trace_sun(const struct tracer *t, const struct um_environment_sample
   }
 }
 
+/* Earth loads of a surface from those of its class, at slot and class `at`. */
+static void earth_set(const struct tracer *t, size_t at, size_t s,
+                      const struct um_thermal_shares *share, const struct um_irradiation_row *out)
+{
+  const struct um_environment_earth_flux *f = &t->flux[at];
+  out->albedo[s] = (float)(f->albedo * share->albedo);
+  out->planet[s] = (float)(f->planet * share->planet);
+  out->view_factor[s] = (float)(f->view_factor * share->view_factor);
+  if (out->brightness != NULL) out->brightness[s] = (float)f->brightness;
+  if (t->moments == NULL) return;
+  const struct um_environment_earth_moments *whole = &t->moments[at];
+  size_t m = s * UM_ANGULAR_MOMENTS;
+  um_irradiation_moments_set(whole->albedo, f->albedo, share->albedo, share->moved_albedo,
+                             &out->albedo_moments[m]);
+  um_irradiation_moments_set(whole->planet, f->planet, share->planet, share->moved_planet,
+                             &out->planet_moments[m]);
+}
+
+/* Surfaces of a class that are not open, side by side. */
+struct group {
+  size_t n, surface[UM_IRRADIATION_LANES];
+  size_t done; /* groups of the class before it */
+};
+
+static void group_trace(const struct tracer *t, const struct um_thermal_scene *scene, size_t at,
+                        const struct um_thermal_cap *cap, const struct um_thermal_half *half,
+                        struct group *group, const struct um_irradiation_row *out)
+{
+  struct um_thermal_free free_of;
+  struct um_thermal_shares share[UM_IRRADIATION_LANES];
+  size_t class = at % t->normals->n;
+  if (group->n == 0) return;
+  if (t->sky != NULL) {
+    um_irradiation_look_at_sky(t->sky, t->sky->group[class] + group->done, half, &free_of);
+  } else {
+    memset(&free_of, 0, sizeof free_of);
+    for (size_t l = 0; l < group->n; l++)
+      um_irradiation_look_by_rays(t->mesh, scene, group->surface[l], t->normal[at], cap, l,
+                                  &free_of);
+  }
+  um_irradiation_cap_shares(half, &free_of, share);
+  for (size_t l = 0; l < group->n; l++) earth_set(t, at, group->surface[l], &share[l], out);
+  group->done++;
+  group->n = 0;
+}
+
+/* All surfaces of a class. */
+static void class_trace(const struct tracer *t, const struct um_thermal_scene *scene, size_t at,
+                        const struct um_thermal_cap *cap, const struct um_irradiation_row *out)
+{
+  static const struct um_thermal_shares whole = {.albedo = 1.0, .planet = 1.0, .view_factor = 1.0};
+  struct um_thermal_half half;
+  struct group group = {0};
+  size_t class = at % t->normals->n;
+  for (size_t k = t->normals->begin[class]; k < t->normals->begin[class + 1]; k++) {
+    size_t s = t->normals->order[k];
+    if (!(t->flux[at].view_factor > 0.0) || um_geometry_visibility_is_open(scene->visibility, s)) {
+      earth_set(t, at, s, &whole, out);
+      continue;
+    }
+    if (group.n == 0 && group.done == 0)
+      um_irradiation_cap_halve(cap, t->normal[at], t->sky != NULL, t->moments != NULL, &half);
+    group.surface[group.n++] = s;
+    if (group.n == UM_IRRADIATION_LANES) group_trace(t, scene, at, cap, &half, &group, out);
+  }
+  group_trace(t, scene, at, cap, &half, &group, out);
+}
+
 static void trace_earth(const struct tracer *t, const struct um_environment_sample *sample,
                         const struct um_thermal_scene *scene, size_t slot,
                         const struct um_irradiation_row *out)
 {
   struct um_vec3 r = um_quat_apply(sample->q, sample->r), sun = sun_body(sample);
-  struct um_vec3 *normal = &t->normal[slot * t->nnormal];
-  struct um_environment_earth_flux *flux = &t->flux[slot * t->nnormal];
-  for (size_t i = 0; i < t->nnormal; i++)
-    normal[i] = um_geometry_surface_normal(t->mesh, scene->pose, t->example[i]);
+  size_t n = t->normals->n, first = slot * n;
   struct um_environment_globe globe = {.t_tai = sample->t_tai,
                                        .pole = um_quat_apply(sample->q, sample->pole),
                                        .greenwich = um_quat_apply(sample->q, sample->greenwich)};
-  bool by_angle = t->moments != NULL;
-  struct um_environment_earth_moments *moments = by_angle ? &t->moments[slot * t->nnormal] : NULL;
-  um_environment_earth_flux_by_angle(t->environment, &globe, r, sun, sample->sun_distance, normal,
-                                     t->nnormal, flux, moments);
+  for (size_t i = 0; i < n; i++)
+    t->normal[first + i] = um_geometry_surface_normal(t->mesh, scene->pose, t->normals->example[i]);
+  um_environment_earth_flux_by_angle(t->environment, &globe, r, sun, sample->sun_distance,
+                                     &t->normal[first], n, &t->flux[first],
+                                     t->moments != NULL ? &t->moments[first] : NULL);
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, &globe, r, sun, sample->sun_distance, cap.point);
   cap.varies = um_environment_earth_varies(t->environment);
-  if (scene->row != NULL) um_irradiation_cap_spread(&cap);
-  struct um_thermal_half half;
-  size_t halved = SIZE_MAX; /* normal of `half` */
-  for (size_t i = 0; i < t->mesh->nsurface && !um_core_stopped(t->context); i++) {
-    size_t s = t->order[i], of = t->normal_of[s];
-    const struct um_environment_earth_flux *f = &flux[of];
-    struct um_thermal_shares share = {1.0, 1.0, 1.0, {0.0}, {0.0}};
-    if (f->view_factor > 0.0 && !um_geometry_visibility_is_open(scene->visibility, s)) {
-      if (of != halved)
-        um_irradiation_cap_halve(&cap, normal[of], scene->row != NULL, by_angle, &half);
-      halved = of;
-      um_irradiation_cap_shares(t->mesh, scene, s, normal[of], &cap, &half, &share);
-    }
-    out->albedo[s] = (float)(f->albedo * share.albedo);
-    out->planet[s] = (float)(f->planet * share.planet);
-    out->view_factor[s] = (float)(f->view_factor * share.view_factor);
-    if (out->brightness != NULL) out->brightness[s] = (float)f->brightness;
-    if (!by_angle) continue;
-    size_t m = s * UM_ANGULAR_MOMENTS;
-    um_irradiation_moments_set(moments[of].albedo, f->albedo, share.albedo, share.moved_albedo,
-                               &out->albedo_moments[m]);
-    um_irradiation_moments_set(moments[of].planet, f->planet, share.planet, share.moved_planet,
-                               &out->planet_moments[m]);
-  }
+  if (t->sky != NULL && um_irradiation_sky_bytes(t->sky) > 0) um_irradiation_cap_spread(&cap);
+  for (size_t i = 0; i < n && !um_core_stopped(t->context); i++)
+    class_trace(t, scene, first + i, &cap, out);
 }
 
 /* All loads of a sample into a row. bright: those of the Sun too. */
@@ -256,7 +265,7 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
   enum um_status status = t->turn != NULL ? attitudes_ask(t, from, n) : UM_OK;
   for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
     um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
-    status = scene_create(t, t->angles, false, &own[i]);
+    status = scene_create(t, t->angles, &own[i]);
   }
   if (status == UM_OK) {
     long count = (long)n;
@@ -279,9 +288,8 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 static void tracer_free(struct tracer *t)
 {
   scene_destroy(t, &t->fixed);
-  um_core_free(t->context, t->normal_of);
-  um_core_free(t->context, t->example);
-  um_core_free(t->context, t->order);
+  um_irradiation_normals_clear(t->context, &t->own_normals);
+  um_irradiation_sky_destroy(t->context, &t->own_sky);
   um_core_free(t->context, t->bright);
   um_core_free(t->context, t->angles);
   um_core_free(t->context, t->fraction);
@@ -324,6 +332,12 @@ static bool earth_shines(const struct um_environment *e)
          e->brightness_temperature > 0.0;
 }
 
+bool um_irradiation_wants_sky(const struct um_geometry *geometry,
+                              const struct um_environment *environment)
+{
+  return earth_shines(environment) && !um_geometry_joint_moves(geometry);
+}
+
 /* What a table holds beside that of um_irradiation_loads_create. */
 static enum um_status columns_add(const struct tracer *t, struct um_irradiation_loads *loads)
 {
@@ -356,22 +370,24 @@ static enum um_status turn_prepare(struct tracer *t)
   return columns_add(t, t->one);
 }
 
-static enum um_status trace(struct um_context *context, const struct um_geometry *geometry,
-                            const struct um_environment *environment,
-                            const struct um_environment_sample *samples, size_t ntime,
-                            const double *edges, size_t nedge, int nsample,
-                            const struct um_irradiation_turn *turn,
-                            struct um_irradiation_loads **out)
+enum um_status um_irradiation_loads_make(struct um_context *context,
+                                         const struct um_geometry *geometry,
+                                         const struct um_environment *environment,
+                                         const struct um_environment_sample *samples, size_t ntime,
+                                         const double *edges, size_t nedge,
+                                         const struct um_irradiation_loads_options *options,
+                                         struct um_irradiation_loads **out)
 {
   *out = NULL;
-  UM_TRY(check_samples(context, samples, ntime, nsample));
+  UM_TRY(check_samples(context, samples, ntime, options->nsample));
   struct tracer t = {.context = context,
                      .geometry = geometry,
                      .mesh = um_geometry_mesh(geometry),
                      .environment = environment,
                      .samples = samples,
-                     .turn = turn,
-                     .nsample = nsample,
+                     .turn = options->turn,
+                     .sky = options->sky,
+                     .nsample = options->nsample,
                      .njoint = um_geometry_joint_count(geometry),
                      .moves = um_geometry_joint_moves(geometry),
                      .earth = earth_shines(environment)};
@@ -409,16 +425,7 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const double *edges, size_t nedge, int nsample,
                                           struct um_irradiation_loads **out)
 {
-  return trace(context, geometry, environment, samples, ntime, edges, nedge, nsample, NULL, out);
-}
-
-enum um_status um_irradiation_loads_turn(struct um_context *context,
-                                         const struct um_geometry *geometry,
-                                         const struct um_environment *environment,
-                                         const struct um_environment_sample *samples, size_t ntime,
-                                         const double *edges, size_t nedge, int nsample,
-                                         const struct um_irradiation_turn *turn,
-                                         struct um_irradiation_loads **out)
-{
-  return trace(context, geometry, environment, samples, ntime, edges, nedge, nsample, turn, out);
+  const struct um_irradiation_loads_options options = {.nsample = nsample};
+  return um_irradiation_loads_make(context, geometry, environment, samples, ntime, edges, nedge,
+                                   &options, out);
 }

@@ -6,6 +6,7 @@
 #include "environment/environment.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
+#include "irradiation/sky.h"
 
 #define UM_IRRADIATION_COSINES 9
 
@@ -56,8 +57,14 @@ struct um_irradiation_turn {
   enum um_status (*attitude)(void *self, size_t row, double before, struct um_quat *q);
   void *self;
 };
-/* Loads of the same meaning, each the mean over the turn that ends at its sample, position, Sun and
- * Earth as they are there,
+struct um_irradiation_loads_options {
+  int nsample;
+  /* of a geometry that equals the table's: the same bits as without; NULL: it is made */
+  const struct um_irradiation_sky *sky;
+  const struct um_irradiation_turn *turn; /* NULL: attitudes are those of the samples */
+};
+/* Loads of the same meaning; with a turn each is the mean over the turn that ends at its sample,
+ * position, Sun and Earth as they are there,
  *
  *   mean_k = 1/P integral q(u) du,   u in [0, P] since the turn began,
  *
@@ -67,15 +74,18 @@ struct um_irradiation_turn {
  *
  *   ripple_k = integral (u / P - 1/2) q(u) du   [s] times the unit of the load.
  *
- * No joint may move. Errors of um_irradiation_loads_trace and of `attitude`. Test:
+ * With a turn no joint may move. Errors of um_irradiation_loads_trace and of `attitude`. Test:
  * irradiation/turn. */
-enum um_status um_irradiation_loads_turn(struct um_context *context,
+enum um_status um_irradiation_loads_make(struct um_context *context,
                                          const struct um_geometry *geometry,
                                          const struct um_environment *environment,
                                          const struct um_environment_sample *samples, size_t ntime,
-                                         const double *edges, size_t nedge, int nsample,
-                                         const struct um_irradiation_turn *turn,
+                                         const double *edges, size_t nedge,
+                                         const struct um_irradiation_loads_options *options,
                                          struct um_irradiation_loads **out);
+/* Would a table of both look at a sky? Not where joints move, nor where the Earth is dark. */
+bool um_irradiation_wants_sky(const struct um_geometry *geometry,
+                              const struct um_environment *environment);
 /* Uniform loads given by the caller (tests, imported fluxes): arrays as in the struct, zeroed. */
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,

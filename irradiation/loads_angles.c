@@ -32,21 +32,12 @@ void um_irradiation_half_by_angle(const struct um_thermal_cap *cap, struct um_ve
   }
 }
 
-void um_irradiation_shares_by_angle(const struct um_thermal_half *half, const double *free_of,
+void um_irradiation_shares_by_angle(const struct um_thermal_half *half,
+                                    const double albedo[UM_ANGULAR_MOMENTS],
+                                    const double planet[UM_ANGULAR_MOMENTS],
                                     struct um_thermal_shares *shares)
 {
-  double albedo[MOMENTS] = {0.0}, planet[MOMENTS] = {0.0};
   double emitted = half->varies ? half->longwave : half->planet;
-  for (size_t k = 0; k < half->n; k++) {
-    const double *p = half->polynomial[k];
-    double free = free_of[k] * half->weight[k];
-    double of_planet = free * (half->varies ? half->emitted[k] : 1.0);
-    double of_albedo = free * half->radiance[k];
-    for (int m = 0; m < MOMENTS; m++) {
-      planet[m] += of_planet * p[m];
-      albedo[m] += of_albedo * p[m];
-    }
-  }
   for (int m = 0; m < MOMENTS; m++) {
     double kept = shares->planet * half->moment_planet[m];
     shares->moved_planet[m] = emitted > 0.0 ? (planet[m] - kept) / emitted : 0.0;

@@ -4,45 +4,12 @@
  *
  * free comes from the sky of a rigid body, or from rays where joints move. */
 #include "core/sampling.h"
+#include "core/wide.h"
 #include "geometry/cube.h"
 #include "irradiation/loads_impl.h"
 
 #define CAP_RAYS 2 /* per direction of the cap where joints move */
-
-enum um_status um_irradiation_scene_tabulate(struct um_context *context,
-                                             const struct um_geometry_mesh *mesh, int nsample,
-                                             struct um_thermal_scene *scene)
-{
-  struct um_geometry_sky *sky = NULL;
-  struct um_vec3 *direction = NULL;
-  size_t covered = 0;
-  for (size_t s = 0; s < mesh->nsurface; s++)
-    covered += !um_geometry_visibility_is_open(scene->visibility, s);
-  if (covered == 0) return UM_OK;
-  enum um_status status;
-  UM_CHECK(um_geometry_sky_create(context, scene->visibility, nsample, &sky));
-  UM_CHECK(um_core_allocate(context, UM_THERMAL_CUBE_CELLS, sizeof *direction, &direction));
-  UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *scene->row, &scene->row));
-  UM_CHECK(um_core_allocate(context, covered, UM_THERMAL_CUBE_CELLS, &scene->freedom));
-  for (size_t cell = 0; cell < UM_THERMAL_CUBE_CELLS; cell++)
-    direction[cell] = um_geometry_cube_direction(UM_THERMAL_CUBE_SIDE, cell, 0.5, 0.5);
-  covered = 0;
-  for (size_t s = 0; s < mesh->nsurface; s++)
-    scene->row[s] = um_geometry_visibility_is_open(scene->visibility, s)
-                        ? SIZE_MAX
-                        : UM_THERMAL_CUBE_CELLS * covered++;
-  long nsurface = (long)mesh->nsurface;
-#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
-  for (long s = 0; s < nsurface; s++)
-    for (size_t cell = 0; cell < UM_THERMAL_CUBE_CELLS && scene->row[s] != SIZE_MAX; cell++) {
-      double f = um_geometry_sky_free(sky, (size_t)s, direction[cell]);
-      scene->freedom[scene->row[s] + cell] = (uint8_t)lround(255.0 * f);
-    }
-done:
-  um_core_free(context, direction);
-  um_geometry_sky_destroy(&sky);
-  return status;
-}
+#define LANES    UM_IRRADIATION_LANES
 
 void um_irradiation_cap_spread(struct um_thermal_cap *cap)
 {
@@ -53,7 +20,7 @@ void um_irradiation_cap_spread(struct um_thermal_cap *cap)
     for (int j = 0; j < 4; j++) {
       cap->four[i][j] = um_vec3_unit(
           um_vec3_axpy(um_vec3_axpy(d, j & 1 ? a : -a, across), j & 2 ? a : -a, along));
-      cap->cell[i][j] = um_geometry_cube_cell(UM_THERMAL_CUBE_SIDE, cap->four[i][j]);
+      cap->cell[i][j] = um_geometry_cube_cell(UM_IRRADIATION_CUBE_SIDE, cap->four[i][j]);
     }
   }
 }
@@ -83,23 +50,33 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
   if (by_angle) um_irradiation_half_by_angle(cap, normal, out);
 }
 
-/* How free the directions of the half are from a surface, by the sky of a rigid body. */
-static void look_at_sky(const struct um_thermal_scene *scene, size_t surface,
-                        const struct um_thermal_half *half, double *free_of)
+/* Sums of the four bytes of words, two by two: 16 bits hold 4 times 255. */
+#define BYTES UINT32_C(0x00ff00ff)
+
+UM_WIDE_VECTORS void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t group,
+                                                const struct um_thermal_half *half,
+                                                struct um_thermal_free *out)
 {
-  const uint8_t *freedom = scene->freedom + scene->row[surface];
+  const uint32_t *freedom = sky->freedom + group * UM_IRRADIATION_CUBE_CELLS;
   for (size_t k = 0; k < half->n; k++) {
-    int sum = 0;
-    for (size_t j = 0; j < half->ncell[k]; j++) sum += freedom[half->cell[k][j]];
-    free_of[k] = half->ncell[k] > 0 ? sum / (255.0 * (double)half->ncell[k]) : 0.0;
+    uint32_t even = 0, odd = 0;
+    for (size_t j = 0; j < half->ncell[k]; j++) {
+      const uint32_t *at = freedom + half->cell[k][j];
+      __builtin_prefetch(at + UM_IRRADIATION_CUBE_CELLS);
+      uint32_t four = *at;
+      even += four & BYTES;
+      odd += four >> 8 & BYTES;
+    }
+    const uint32_t sum[LANES] = {even & 0xffff, odd & 0xffff, even >> 16, odd >> 16};
+    double all = 255.0 * (double)half->ncell[k];
+    for (size_t l = 0; l < LANES; l++) out->of[k][l] = all > 0.0 ? sum[l] / all : 0.0;
   }
 }
 
-/* The same by rays, each from a point of the facet of its own. The directions are those of the
- * half, in its order. */
-static void look_by_rays(const struct um_geometry_mesh *mesh, const struct um_thermal_scene *scene,
-                         size_t surface, struct um_vec3 normal, const struct um_thermal_cap *cap,
-                         double *free_of)
+void um_irradiation_look_by_rays(const struct um_geometry_mesh *mesh,
+                                 const struct um_thermal_scene *scene, size_t surface,
+                                 struct um_vec3 normal, const struct um_thermal_cap *cap,
+                                 size_t lane, struct um_thermal_free *out)
 {
   struct um_geometry_ray ray[CAP_RAYS * UM_EARTH_CAP_POINTS];
   uint8_t occluded[CAP_RAYS * UM_EARTH_CAP_POINTS];
@@ -120,32 +97,60 @@ static void look_by_rays(const struct um_geometry_mesh *mesh, const struct um_th
   }
   if (n == 0) return;
   um_geometry_visibility_occluded(scene->visibility, ray, n, occluded);
-  for (size_t k = 0; k < n / CAP_RAYS; k++) {
-    free_of[k] = 0.0;
+  for (size_t k = 0; k < n / CAP_RAYS; k++)
     for (size_t j = 0; j < CAP_RAYS; j++)
-      free_of[k] += (1.0 - occluded[k * CAP_RAYS + j]) / CAP_RAYS;
-  }
+      out->of[k][lane] += (1.0 - occluded[k * CAP_RAYS + j]) / CAP_RAYS;
 }
 
-/* Free shares of the cap before a surface. Where all of it emits alike, what is emitted has the
- * share of the solid angle. */
-void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
-                               const struct um_thermal_scene *scene, size_t surface,
-                               struct um_vec3 normal, const struct um_thermal_cap *cap,
-                               const struct um_thermal_half *half, struct um_thermal_shares *out)
+/* One number of each surface. */
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(sizeof(double))));
+
+/* Sums over the directions of the half of what is free, times a value, and by angle. */
+struct sums {
+  lanes sum, moment[UM_ANGULAR_MOMENTS];
+};
+
+/* value: [n of the half]; NULL: 1. */
+UM_WIDE_VECTORS static void add_up(const struct um_thermal_half *half,
+                                   const struct um_thermal_free *free_of, const double *value,
+                                   bool by_angle, struct sums *out)
 {
-  double open[3] = {0.0, 0.0, 0.0}, free_of[UM_EARTH_CAP_POINTS];
-  if (scene->row != NULL)
-    look_at_sky(scene, surface, half, free_of);
-  else
-    look_by_rays(mesh, scene, surface, normal, cap, free_of);
+  lanes sum = {0.0}, m0 = {0.0}, m1 = {0.0}, m2 = {0.0}, m3 = {0.0}, m4 = {0.0};
   for (size_t k = 0; k < half->n; k++) {
-    open[0] += free_of[k] * half->weight[k] * half->radiance[k];
-    open[1] += free_of[k] * half->weight[k];
-    open[2] += free_of[k] * half->weight[k] * half->emitted[k];
+    lanes part = *(const lanes *)free_of->of[k] * half->weight[k];
+    if (value != NULL) part *= value[k];
+    sum += part;
+    if (!by_angle) continue;
+    m0 += part * half->polynomial[k][0];
+    m1 += part * half->polynomial[k][1];
+    m2 += part * half->polynomial[k][2];
+    m3 += part * half->polynomial[k][3];
+    m4 += part * half->polynomial[k][4];
   }
-  out->view_factor = half->planet > 0.0 ? open[1] / half->planet : 1.0;
-  out->albedo = half->albedo > 0.0 ? open[0] / half->albedo : out->view_factor;
-  out->planet = half->varies && half->longwave > 0.0 ? open[2] / half->longwave : out->view_factor;
-  if (half->by_angle) um_irradiation_shares_by_angle(half, free_of, out);
+  *out = (struct sums){sum, {m0, m1, m2, m3, m4}};
+}
+
+/* Where all of the Earth emits alike, what is emitted has the share of the solid angle. */
+void um_irradiation_cap_shares(const struct um_thermal_half *half,
+                               const struct um_thermal_free *free_of,
+                               struct um_thermal_shares out[LANES])
+{
+  struct sums open, reflected = {{0.0}, {{0.0}}}, emitted = reflected;
+  add_up(half, free_of, NULL, half->by_angle && !half->varies, &open);
+  if (half->albedo > 0.0) add_up(half, free_of, half->radiance, half->by_angle, &reflected);
+  if (half->varies) add_up(half, free_of, half->emitted, half->by_angle, &emitted);
+  for (size_t l = 0; l < LANES; l++) {
+    struct um_thermal_shares *o = &out[l];
+    double albedo[UM_ANGULAR_MOMENTS], planet[UM_ANGULAR_MOMENTS];
+    o->view_factor = half->planet > 0.0 ? open.sum[l] / half->planet : 1.0;
+    o->albedo = half->albedo > 0.0 ? reflected.sum[l] / half->albedo : o->view_factor;
+    o->planet =
+        half->varies && half->longwave > 0.0 ? emitted.sum[l] / half->longwave : o->view_factor;
+    if (!half->by_angle) continue;
+    for (size_t m = 0; m < UM_ANGULAR_MOMENTS; m++) {
+      albedo[m] = reflected.moment[m][l];
+      planet[m] = half->varies ? emitted.moment[m][l] : open.moment[m][l];
+    }
+    um_irradiation_shares_by_angle(half, albedo, planet, o);
+  }
 }

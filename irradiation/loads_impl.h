@@ -3,6 +3,7 @@
 #define UMBRA_IRRADIATION_LOADS_IMPL_H
 
 #include "irradiation/loads.h"
+#include "irradiation/sky_impl.h"
 
 /* One time of a table. */
 struct um_irradiation_row {
@@ -19,16 +20,11 @@ void um_irradiation_turn_add(const struct um_irradiation_loads *loads, size_t k,
 void um_irradiation_turn_node(const struct um_irradiation_turn *turn, size_t k, size_t j, double *u,
                               double *weight);
 
-/* A pose with its scene and, on a rigid body with anything covered, how free every direction is:
- * cells of a cube around each covered surface. */
+/* A pose with its scene. */
 struct um_thermal_scene {
   struct um_geometry_pose *pose;
   struct um_geometry_visibility *visibility;
-  size_t *row;      /* [nsurface] first cell; SIZE_MAX where open. NULL: rays are to be asked */
-  uint8_t *freedom; /* [ncovered][UM_THERMAL_CUBE_CELLS] free fraction times 255 */
 };
-#define UM_THERMAL_CUBE_SIDE  32 /* 2.8 deg: the sky's own cells have 6.3 deg */
-#define UM_THERMAL_CUBE_CELLS (6 * UM_THERMAL_CUBE_SIDE * UM_THERMAL_CUBE_SIDE)
 
 /* The visible cap; every direction also as four within its cell, since cells of the sky and of the
  * cap are of one size and would beat. */
@@ -55,10 +51,6 @@ struct um_thermal_half {
   double moment_albedo[UM_ANGULAR_MOMENTS], moment_planet[UM_ANGULAR_MOMENTS]; /* sums over all */
 };
 
-/* Tabulate the body-frame sky of the scene (rows stay NULL when everything is open). */
-enum um_status um_irradiation_scene_tabulate(struct um_context *context,
-                                             const struct um_geometry_mesh *mesh, int nsample,
-                                             struct um_thermal_scene *scene);
 /* Fill `four` and `cell` from the points. */
 void um_irradiation_cap_spread(struct um_thermal_cap *cap);
 /* The half of a cap before a unit normal; four: those were filled; by_angle: with polynomials. */
@@ -67,23 +59,37 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
 /* Its polynomials, once all else is there. */
 void um_irradiation_half_by_angle(const struct um_thermal_cap *cap, struct um_vec3 normal,
                                   struct um_thermal_half *half);
-/* Free shares [1] of the cap before a surface of unit normal `normal`, of which `half` was made: of
- * what the Earth reflects, of what it emits, and of its solid angle times cosine; 1 where nothing
- * of it lies before the surface. */
+/* How free the directions of the half are before surfaces of one normal, side by side; 0 beside
+ * them. */
+struct um_thermal_free {
+  double of[UM_EARTH_CAP_POINTS][UM_IRRADIATION_LANES];
+};
+/* By the sky of a rigid body, of one of its groups. */
+void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t group,
+                                const struct um_thermal_half *half, struct um_thermal_free *out);
+/* Of one surface, of the unit normal of which a half was made, by rays each from a point of the
+ * facet of its own; out holds 0 there before. */
+void um_irradiation_look_by_rays(const struct um_geometry_mesh *mesh,
+                                 const struct um_thermal_scene *scene, size_t surface,
+                                 struct um_vec3 normal, const struct um_thermal_cap *cap,
+                                 size_t lane, struct um_thermal_free *out);
+
+/* Free shares [1] of the cap: of what the Earth reflects, of what it emits, and of its solid angle
+ * times cosine; 1 where nothing of it lies before the surface. */
 struct um_thermal_shares {
   double albedo, planet, view_factor;
   /* by_angle: how far the moments of what is free are from those shares of the whole half's, over
      E_0 of the whole half [1] */
   double moved_albedo[UM_ANGULAR_MOMENTS], moved_planet[UM_ANGULAR_MOMENTS];
 };
-void um_irradiation_cap_shares(const struct um_geometry_mesh *mesh,
-                               const struct um_thermal_scene *scene, size_t surface,
-                               struct um_vec3 normal, const struct um_thermal_cap *cap,
-                               const struct um_thermal_half *half, struct um_thermal_shares *out);
-
-/* loads_angles.c: moved_albedo and moved_planet of the shares, whose others are there; free_of [n
- * of the half]: how free its directions are [1]. */
-void um_irradiation_shares_by_angle(const struct um_thermal_half *half, const double *free_of,
+void um_irradiation_cap_shares(const struct um_thermal_half *half,
+                               const struct um_thermal_free *free_of,
+                               struct um_thermal_shares out[UM_IRRADIATION_LANES]);
+/* loads_angles.c: moved_albedo and moved_planet of shares whose others are there; moments of what
+ * is free, as `moment_albedo` and `moment_planet` of the half are of all. */
+void um_irradiation_shares_by_angle(const struct um_thermal_half *half,
+                                    const double albedo[UM_ANGULAR_MOMENTS],
+                                    const double planet[UM_ANGULAR_MOMENTS],
                                     struct um_thermal_shares *shares);
 /* Moments of a surface from those of an unobstructed plate: to[UM_ANGULAR_MOMENTS] [W/m^2]. */
 void um_irradiation_moments_set(const double whole[UM_ANGULAR_MOMENTS], double load, double share,

@@ -124,16 +124,14 @@ static enum um_status table_make(struct um_context *context, const struct um_mod
                                  const double *edge, size_t nedge, double turn, bool ripple,
                                  struct um_irradiation_loads **out)
 {
-  int nsample = model->scenario->thermal->samples;
   struct turner turner = {context, model, samples};
   struct um_environment environment = environment_for(model);
-  struct um_irradiation_turn over = {
+  const struct um_irradiation_turn over = {
       .n = TURN_SAMPLES, .period = turn, .ripple = ripple, .attitude = turned, .self = &turner};
-  if (turn > 0.0)
-    return um_irradiation_loads_turn(context, model->geometry, &environment, samples, n, edge,
-                                     nedge, nsample, &over, out);
-  return um_irradiation_loads_trace(context, model->geometry, &environment, samples, n, edge, nedge,
-                                    nsample, out);
+  const struct um_irradiation_loads_options options = {.nsample = model->scenario->thermal->samples,
+                                                       .turn = turn > 0.0 ? &over : NULL};
+  return um_irradiation_loads_make(context, model->geometry, &environment, samples, n, edge, nedge,
+                                   &options, out);
 }
 
 /* Tables at the observed instants, beside that of the means; the start is their first row. */

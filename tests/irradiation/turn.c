@@ -48,8 +48,9 @@ static struct um_irradiation_loads *trace(const struct help_satellite *s, bool r
                                                .pole = {0.0, 0.0, 1.0},
                                                .sunlit_fraction = 1.0,
                                                .q = {1.0, 0.0, 0.0, 0.0}};
-  OK(um_irradiation_loads_turn(help_context, s->geometry, &environment, sample, ROWS, NULL, 0, 1,
-                               &turn, &loads));
+  const struct um_irradiation_loads_options options = {.nsample = 1, .turn = &turn};
+  OK(um_irradiation_loads_make(help_context, s->geometry, &environment, sample, ROWS, NULL, 0,
+                               &options, &loads));
   return loads;
 }
 

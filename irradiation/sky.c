@@ -1,0 +1,125 @@
+/* The sky of every covered surface, in cells of a cube, from the finer question that geometry
+ * answers by rays. Surfaces of one normal lie side by side, since they look at the same cells. */
+#include "irradiation/sky.h"
+
+#include <math.h>
+
+#include "geometry/cube.h"
+#include "geometry/visibility.h"
+#include "irradiation/sky_impl.h"
+
+#define SAMPLES 4 /* rays in a cell of the finer sky */
+#define LANES   UM_IRRADIATION_LANES
+#define CELLS   UM_IRRADIATION_CUBE_CELLS
+
+/* Groups of every class; place [nsurface]: lane that a surface has, SIZE_MAX where it is open. */
+static enum um_status group(struct um_context *context,
+                            const struct um_geometry_visibility *visibility,
+                            struct um_irradiation_sky *sky, size_t *place)
+{
+  const struct um_irradiation_normals *normals = &sky->normals;
+  size_t ngroup = 0;
+  UM_TRY(um_core_allocate(context, normals->n + 1, sizeof *sky->group, &sky->group));
+  for (size_t i = 0; i < normals->n; i++) {
+    size_t covered = 0;
+    sky->group[i] = ngroup;
+    for (size_t k = normals->begin[i]; k < normals->begin[i + 1]; k++) {
+      size_t s = normals->order[k];
+      bool open = um_geometry_visibility_is_open(visibility, s);
+      place[s] = open ? SIZE_MAX : ngroup * LANES + covered++;
+    }
+    ngroup += (covered + LANES - 1) / LANES;
+  }
+  sky->group[normals->n] = ngroup;
+  /* who looks at a group fetches the next one: there is one behind the last */
+  return um_core_allocate(context, (ngroup + 1) * CELLS, sizeof *sky->freedom, &sky->freedom);
+}
+
+/* Freedom of every cell from that of the finer sky in its middle; surfaces of a group share words.
+ */
+static enum um_status fill(struct um_context *context, const struct um_geometry_sky *fine,
+                           const size_t *place, struct um_irradiation_sky *sky)
+{
+  const struct um_irradiation_normals *normals = &sky->normals;
+  struct um_vec3 *direction = NULL;
+  UM_TRY(um_core_allocate(context, CELLS, sizeof *direction, &direction));
+  for (size_t cell = 0; cell < CELLS; cell++)
+    direction[cell] = um_geometry_cube_direction(UM_IRRADIATION_CUBE_SIDE, cell, 0.5, 0.5);
+  long nclass = (long)normals->n;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
+  for (long i = 0; i < nclass; i++)
+    for (size_t k = normals->begin[i]; k < normals->begin[i + 1]; k++) {
+      size_t s = normals->order[k];
+      if (place[s] == SIZE_MAX) continue;
+      uint32_t *to = sky->freedom + place[s] / LANES * CELLS;
+      for (size_t cell = 0; cell < CELLS; cell++) {
+        double free = um_geometry_sky_free(fine, s, direction[cell]);
+        to[cell] |= (uint32_t)lround(255.0 * free) << 8 * (place[s] % LANES);
+      }
+    }
+  um_core_free(context, direction);
+  return UM_OK;
+}
+
+static enum um_status look(struct um_context *context, const struct um_geometry_mesh *mesh,
+                           const struct um_geometry_pose *pose, struct um_irradiation_sky *sky)
+{
+  enum um_status status;
+  struct um_geometry_visibility *visibility = NULL;
+  struct um_geometry_sky *fine = NULL;
+  size_t *place = NULL;
+  UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *place, &place));
+  UM_CHECK(um_geometry_visibility_create(context, mesh, pose, &visibility));
+  UM_CHECK(um_irradiation_normals_find(context, mesh, pose, &sky->normals));
+  UM_CHECK(group(context, visibility, sky, place));
+  if (sky->group[sky->normals.n] == 0) goto done; /* all is open */
+  UM_CHECK(um_geometry_sky_create(context, visibility, SAMPLES, &fine));
+  UM_CHECK(fill(context, fine, place, sky));
+done:
+  um_geometry_sky_destroy(&fine);
+  um_geometry_visibility_destroy(&visibility);
+  um_core_free(context, place);
+  return status;
+}
+
+enum um_status um_irradiation_sky_create(struct um_context *context,
+                                         const struct um_geometry *geometry,
+                                         struct um_irradiation_sky **out)
+{
+  enum um_status status;
+  struct um_irradiation_sky *sky = NULL;
+  struct um_geometry_pose *pose = NULL;
+  size_t njoint = um_geometry_joint_count(geometry);
+  double *angles = NULL;
+  *out = NULL;
+  if (um_geometry_joint_moves(geometry))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "one sky of a body whose joints move; accepted: joints that stand still");
+  UM_CHECK(um_core_allocate(context, 1, sizeof *sky, &sky));
+  UM_CHECK(um_core_allocate(context, njoint, sizeof *angles, &angles));
+  um_geometry_joint_angles(geometry, um_vec3(0, 0, 1), angles); /* wherever the Sun is */
+  UM_CHECK(um_geometry_pose_create(context, geometry, njoint == 0 ? NULL : angles, &pose));
+  UM_CHECK(look(context, um_geometry_mesh(geometry), pose, sky));
+  *out = sky;
+  sky = NULL;
+done:
+  um_geometry_pose_destroy(context, &pose);
+  um_core_free(context, angles);
+  um_irradiation_sky_destroy(context, &sky);
+  return status;
+}
+
+void um_irradiation_sky_destroy(struct um_context *context, struct um_irradiation_sky **sky)
+{
+  if (sky == NULL || *sky == NULL) return;
+  um_irradiation_normals_clear(context, &(*sky)->normals);
+  um_core_free(context, (*sky)->group);
+  um_core_free(context, (*sky)->freedom);
+  um_core_free(context, *sky);
+  *sky = NULL;
+}
+
+size_t um_irradiation_sky_bytes(const struct um_irradiation_sky *sky)
+{
+  return sky == NULL ? 0 : sky->group[sky->normals.n] * CELLS * sizeof *sky->freedom;
+}
