@@ -3,6 +3,8 @@
  * creases included. */
 #include "model/mirrors.h"
 
+#include "model/thermal_equal_impl.h"
+
 static struct um_materials_mirror mirror_of(const struct um_model *model, uint32_t material)
 {
   if (material == UM_GEOMETRY_NONE || !model->environment.specular_exchange_on)
@@ -49,6 +51,21 @@ enum um_status um_model_mirrors_create(struct um_context *context, const struct 
 done:
   um_core_free(context, of_side);
   if (status != UM_OK) um_geometry_mirrors_destroy(context, out);
+  return status;
+}
+
+enum um_status um_model_mirror_classes_serve(struct um_context *context,
+                                             const struct um_model *made,
+                                             const struct um_model *model, bool *out)
+{
+  enum um_status status;
+  struct um_geometry_mirrors *a = NULL, *b = NULL;
+  UM_CHECK(um_model_mirrors_create(context, made, &a));
+  UM_CHECK(um_model_mirrors_create(context, model, &b));
+  *out = um_model_mirror_classes_equal(a, b);
+done:
+  um_geometry_mirrors_destroy(context, &a);
+  um_geometry_mirrors_destroy(context, &b);
   return status;
 }
 

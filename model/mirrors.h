@@ -11,6 +11,11 @@
 enum um_status um_model_mirrors_create(struct um_context *context, const struct um_model *model,
                                        struct um_geometry_mirrors **out);
 
+/* *out: have surfaces of both models, of equal geometry, the same classes? */
+enum um_status um_model_mirror_classes_serve(struct um_context *context,
+                                             const struct um_model *made,
+                                             const struct um_model *model, bool *out);
+
 /* What classes mirror of what they reflect, by the records that the model has now. */
 struct um_model_lobes {
   double *share; /* [2][nclass] */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/words.h"
+#include "model/body_tables.h"
 #include "model/line_of_sight_impl.h"
 #include "model/precompute.h"
 #include "model/precompute_impl.h"
@@ -87,9 +88,15 @@ static enum um_status trace_loads(struct um_context *context, const struct um_mo
   }
   struct um_environment environment = model->environment;
   environment.absorptance_by_angle = false; /* heat is not followed */
-  enum um_status status = um_irradiation_loads_trace(
-      context, model->geometry, &environment, numbered, precomputed->nobs, NULL, 0,
-      model->scenario->thermal->samples, &precomputed->loads);
+  enum um_status status = UM_OK;
+  if (precomputed->body == NULL)
+    status = um_model_body_tables_create(context, model, &precomputed->body);
+  struct um_irradiation_loads_options options = {.nsample = model->scenario->thermal->samples};
+  if (status == UM_OK) {
+    options.sky = precomputed->body->sky;
+    status = um_irradiation_loads_make(context, model->geometry, &environment, numbered,
+                                       precomputed->nobs, NULL, 0, &options, &precomputed->loads);
+  }
   precomputed->seen = precomputed->loads;
   um_core_free(context, numbered);
   return status;
@@ -114,21 +121,32 @@ done:
   return status;
 }
 
-enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
-                                          const struct um_model_point *points, size_t npoint,
-                                          struct um_model_sampling sampling,
-                                          struct um_model_precomputed **out)
+enum um_status um_model_precompute_points_with(struct um_context *context,
+                                               const struct um_model *model,
+                                               const struct um_model_instants *instants,
+                                               struct um_model_body_tables *body,
+                                               struct um_model_precomputed **out)
 {
   enum um_status status;
-  const struct um_model_instants instants = {.point = points, .count = npoint};
   struct um_model_precomputed *precomputed = NULL;
   *out = NULL;
-  UM_CHECK(um_model_points_plan(context, model, &instants, &precomputed));
+  UM_CHECK(um_model_points_plan(context, model, instants, &precomputed));
+  precomputed->body = um_model_body_tables_share(body);
   UM_CHECK(trace_loads(context, model, precomputed));
-  UM_CHECK(um_model_precompute_view(context, model, sampling, precomputed));
+  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, precomputed));
 done:
   status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
   *out = precomputed;
   return status;
+}
+
+enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
+                                          const struct um_model_point *points, size_t npoint,
+                                          struct um_model_sampling sampling,
+                                          struct um_model_precomputed **out)
+{
+  const struct um_model_instants instants = {
+      .point = points, .count = npoint, .sampling = sampling};
+  return um_model_precompute_points_with(context, model, &instants, NULL, out);
 }

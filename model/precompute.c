@@ -14,6 +14,7 @@
 
 #include "core/constants.h"
 #include "core/sort.h"
+#include "model/body_tables.h"
 #include "model/bounds_impl.h"
 #include "model/effects_impl.h"
 #include "model/line_of_sight_impl.h"
@@ -281,20 +282,6 @@ static enum um_status check_times(struct um_context *context, const double *time
   return UM_OK;
 }
 
-enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
-                                   struct um_model_precomputed **out)
-{
-  double *times = NULL;
-  size_t n = 0;
-  *out = NULL;
-  UM_TRY(um_model_check_track(context, model));
-  UM_TRY(um_model_scenario_times(context, model, &times, &n));
-  enum um_status status =
-      um_model_precompute_at(context, model, times, NULL, n, (struct um_model_sampling){0}, out);
-  um_core_free(context, times);
-  return status;
-}
-
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
                                         const double *times, const double *exposures, size_t ntime,
                                         struct um_model_precompute_plan *out)
@@ -343,18 +330,20 @@ enum um_status um_model_precompute_view(struct um_context *context, const struct
                               (uint64_t)optics->seed, &precomputed->view);
 }
 
-enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
-                                      const double *times, const double *exposures, size_t ntime,
-                                      struct um_model_sampling sampling,
-                                      struct um_model_precomputed **out)
+enum um_status um_model_precompute_with(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_body_tables *body,
+                                        struct um_model_precomputed **out)
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
   *out = NULL;
-  UM_CHECK(um_model_precompute_plan(context, model, times, exposures, ntime, &plan));
+  UM_CHECK(um_model_precompute_plan(context, model, instants->time, instants->exposure,
+                                    instants->count, &plan));
+  plan.precomputed->body = um_model_body_tables_share(body);
   UM_CHECK(um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge,
                                      plan.precomputed));
-  UM_CHECK(um_model_precompute_view(context, model, sampling, plan.precomputed));
+  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, plan.precomputed));
   *out = plan.precomputed;
   plan.precomputed = NULL;
 done:
@@ -398,7 +387,7 @@ void um_model_precomputed_destroy(struct um_context *context,
   if (t->seen != t->loads) um_irradiation_loads_destroy(context, &t->seen);
   um_irradiation_loads_destroy(context, &t->ripple);
   um_irradiation_loads_destroy(context, &t->loads);
-  um_geometry_view_factor_table_destroy(context, &t->view_factors);
+  um_model_body_tables_release(context, &t->body);
   um_irradiation_mirrored_destroy(context, &t->mirrored);
   um_optics_photon_maps_destroy(context, &t->photons);
   um_optics_view_destroy(context, &t->view);

@@ -36,7 +36,15 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_precomputed **out);
-/* Memory that it takes, but for some per cent [bytes]. */
+/* The same as um_model_precompute_over, number for number, with what `like`, traced of `made`, has
+ * of the body alone (body_tables.h), where that serves the model: times, orbit, attitude and light
+ * may be others. `like` may be destroyed before or after. */
+enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
+                                        const struct um_model_precomputed *like,
+                                        const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_precomputed **out);
+/* Memory that it takes, but for some per cent, tables of the body included [bytes]. */
 size_t um_model_precomputed_bytes(const struct um_model_precomputed *precomputed);
 /* Look again: lines of sight of the geometry precomputation with another number of points per
  * facet, everything else of it as it was; its `sampling` says what runs on it look with. Paths

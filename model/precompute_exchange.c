@@ -6,7 +6,9 @@
 
 #include "core/constants.h"
 #include "core/file.h"
+#include "core/words.h"
 #include "geometry/inside.h"
+#include "model/body_tables.h"
 #include "model/fail_impl.h"
 #include "model/mirrors.h"
 #include "model/view_factors_impl.h"
@@ -114,6 +116,24 @@ bool um_model_room(const struct um_model *model, uint32_t part, size_t *limit)
   return true;
 }
 
+static bool rooms_equal(const struct um_model *a, const struct um_model *b)
+{
+  if (a->scenario->parts.count != b->scenario->parts.count) return false;
+  for (uint32_t p = 0; p < a->scenario->parts.count; p++) {
+    size_t x = 0, y = 0;
+    if (um_model_room(a, p, &x) != um_model_room(b, p, &y) || x != y) return false;
+  }
+  return true;
+}
+
+bool um_model_exchange_options_equal(const struct um_model *a, const struct um_model *b)
+{
+  const struct um_scenario_thermal *x = a->scenario->thermal, *y = b->scenario->thermal;
+  return x->view_factor_rays == y->view_factor_rays && x->exchange_patches == y->exchange_patches &&
+         um_core_words_same(x->view_factors, y->view_factors) &&
+         um_core_words_same(a->scenario->at.file, b->scenario->at.file) && rooms_equal(a, b);
+}
+
 /* Parts whose network has inner surfaces. */
 static enum um_status add_rooms(struct um_context *context, const struct um_model *model,
                                 const struct um_geometry_view_factor_options *options,
@@ -158,12 +178,16 @@ enum um_status um_model_precompute_view_factors(struct um_context *context,
                                                 const struct um_environment_sample *samples,
                                                 size_t n, struct um_model_precomputed *precomputed)
 {
-  enum um_status status;
+  enum um_status status = UM_OK;
   size_t ntime = um_geometry_joint_moves(model->geometry) ? n : 1;
+  struct um_geometry_view_factor_table **table = &precomputed->body->view_factors;
   double *angles = NULL;
-  UM_CHECK(angles_make(context, model, samples, ntime, &angles));
-  UM_CHECK(make_table(context, model, angles, ntime, &precomputed->view_factors));
-  say(context, model, precomputed->view_factors);
+  if (*table == NULL) {
+    UM_CHECK(angles_make(context, model, samples, ntime, &angles));
+    UM_CHECK(make_table(context, model, angles, ntime, table));
+    say(context, model, *table);
+  }
+  precomputed->view_factors = *table;
 done:
   um_core_free(context, angles);
   return status;

@@ -3,6 +3,7 @@
 #define UMBRA_MODEL_PRECOMPUTE_IMPL_H
 
 #include "model/model.h"
+#include "model/precompute.h"
 #include "model/precomputed.h"
 
 /* The time at which an observation of that tag was really made. */
@@ -28,5 +29,12 @@ void um_model_precompute_plan_clear(struct um_context *context,
 enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,
                                         struct um_model_sampling sampling,
                                         struct um_model_precomputed *precomputed);
+
+/* As um_model_precompute_at, with tables that serve the model (body_tables.h); NULL: they are
+ * traced. */
+enum um_status um_model_precompute_with(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_body_tables *body,
+                                        struct um_model_precomputed **out);
 
 #endif

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "environment/atmosphere.h"
+#include "model/body_tables.h"
 #include "model/effects_impl.h"
 #include "model/fail_impl.h"
 #include "model/precompute_exchange_impl.h"
@@ -118,8 +119,9 @@ static struct um_environment environment_for(const struct um_model *model)
   return environment;
 }
 
-/* A table at samples; turn [s], 0: of the attitudes as they are. */
+/* A table at samples of the sky; turn [s], 0: of the attitudes as they are. */
 static enum um_status table_make(struct um_context *context, const struct um_model *model,
+                                 const struct um_irradiation_sky *sky,
                                  const struct um_environment_sample *samples, size_t n,
                                  const double *edge, size_t nedge, double turn, bool ripple,
                                  struct um_irradiation_loads **out)
@@ -128,8 +130,8 @@ static enum um_status table_make(struct um_context *context, const struct um_mod
   struct um_environment environment = environment_for(model);
   const struct um_irradiation_turn over = {
       .n = TURN_SAMPLES, .period = turn, .ripple = ripple, .attitude = turned, .self = &turner};
-  const struct um_irradiation_loads_options options = {.nsample = model->scenario->thermal->samples,
-                                                       .turn = turn > 0.0 ? &over : NULL};
+  const struct um_irradiation_loads_options options = {
+      .nsample = model->scenario->thermal->samples, .sky = sky, .turn = turn > 0.0 ? &over : NULL};
   return um_irradiation_loads_make(context, model->geometry, &environment, samples, n, edge, nedge,
                                    &options, out);
 }
@@ -148,9 +150,9 @@ static enum um_status trace_seen(struct um_context *context, const struct um_mod
     if (n == 0 || precomputed->sample[i].t_tai > times[n - 1])
       times[n++] = precomputed->sample[i].t_tai;
   UM_CHECK(um_model_load_samples(context, model, times, n, &samples));
-  UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent, 0.0, false,
-                      &precomputed->seen));
-  UM_CHECK(table_make(context, model, samples, n, edge, precomputed->nevent,
+  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, n, edge, precomputed->nevent,
+                      0.0, false, &precomputed->seen));
+  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, n, edge, precomputed->nevent,
                       precomputed->turn_period, true, &precomputed->ripple));
 done:
   um_core_free(context, times);
@@ -198,8 +200,10 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
   struct um_environment_sample *samples = NULL;
   UM_CHECK(um_model_load_samples(context, model, times, ntime, &samples));
   warn_of_gas(context, model, samples, ntime);
-  UM_CHECK(table_make(context, model, samples, ntime, edge, precomputed->nevent,
-                      precomputed->turn_period, false, &precomputed->loads));
+  if (precomputed->body == NULL)
+    UM_CHECK(um_model_body_tables_create(context, model, &precomputed->body));
+  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, ntime, edge,
+                      precomputed->nevent, precomputed->turn_period, false, &precomputed->loads));
   if (precomputed->turn_period > 0.0)
     UM_CHECK(trace_seen(context, model, edge, precomputed));
   else

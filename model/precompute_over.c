@@ -1,27 +1,74 @@
 /* Geometry precomputations by the instants that are asked for, and what they take. */
 #include "geometry/mirror_paths.h"
-#include "model/points.h"
+#include "model/body_tables.h"
+#include "model/bounds_impl.h"
+#include "model/points_impl.h"
 #include "model/precompute.h"
+#include "model/precompute_impl.h"
+#include "model/precomputed_serves.h"
+
+enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
+                                      const double *times, const double *exposures, size_t ntime,
+                                      struct um_model_sampling sampling,
+                                      struct um_model_precomputed **out)
+{
+  const struct um_model_instants instants = {
+      .time = times, .exposure = exposures, .count = ntime, .sampling = sampling};
+  return um_model_precompute_with(context, model, &instants, NULL, out);
+}
+
+/* Over the scenario's own window. */
+static enum um_status window_trace(struct um_context *context, const struct um_model *model,
+                                   struct um_model_sampling sampling,
+                                   struct um_model_body_tables *body,
+                                   struct um_model_precomputed **out)
+{
+  struct um_model_instants window = {.sampling = sampling};
+  double *times = NULL;
+  *out = NULL;
+  UM_TRY(um_model_check_track(context, model));
+  UM_TRY(um_model_scenario_times(context, model, &times, &window.count));
+  window.time = times;
+  enum um_status status = um_model_precompute_with(context, model, &window, body, out);
+  um_core_free(context, times);
+  return status;
+}
+
+enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
+                                   struct um_model_precomputed **out)
+{
+  return window_trace(context, model, (struct um_model_sampling){0}, NULL, out);
+}
+
+static enum um_status trace(struct um_context *context, const struct um_model *model,
+                            const struct um_model_instants *instants,
+                            struct um_model_body_tables *body, struct um_model_precomputed **out)
+{
+  if (instants == NULL)
+    return window_trace(context, model, (struct um_model_sampling){0}, body, out);
+  if (instants->point != NULL)
+    return um_model_precompute_points_with(context, model, instants, body, out);
+  if (instants->time == NULL) return window_trace(context, model, instants->sampling, body, out);
+  return um_model_precompute_with(context, model, instants, body, out);
+}
 
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_precomputed **out)
 {
-  double *times = NULL;
-  size_t n = 0;
-  if (instants == NULL) return um_model_precompute(context, model, out);
-  if (instants->point != NULL)
-    return um_model_precompute_points(context, model, instants->point, instants->count,
-                                      instants->sampling, out);
-  if (instants->time != NULL)
-    return um_model_precompute_at(context, model, instants->time, instants->exposure,
-                                  instants->count, instants->sampling, out);
+  return trace(context, model, instants, NULL, out);
+}
+
+enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
+                                        const struct um_model_precomputed *like,
+                                        const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_precomputed **out)
+{
+  bool serves;
   *out = NULL;
-  UM_TRY(um_model_scenario_times(context, model, &times, &n));
-  enum um_status status =
-      um_model_precompute_at(context, model, times, NULL, n, instants->sampling, out);
-  um_core_free(context, times);
-  return status;
+  UM_TRY(um_model_body_serves(context, made, model, &serves));
+  return trace(context, model, instants, serves ? like->body : NULL, out);
 }
 
 /* Tables of a row and surface. */
@@ -60,6 +107,7 @@ size_t um_model_precomputed_bytes(const struct um_model_precomputed *p)
                               p->mirrored->ntime * UM_GEOMETRY_SKY_CELLS * 2 * sizeof(float);
   size_t seen = p->seen != p->loads ? loads_bytes(p->seen) : 0;
   return p->nobs * p->nsub * (sizeof *p->sample + sizeof *p->look) + loads_bytes(p->loads) + seen +
-         loads_bytes(p->ripple) + factors_bytes(p->view_factors) + mirrored + view_bytes(p->view) +
+         loads_bytes(p->ripple) + um_irradiation_sky_bytes(p->body->sky) +
+         factors_bytes(p->view_factors) + mirrored + view_bytes(p->view) +
          (p->loads != NULL ? p->loads->ntime * sizeof *p->load_sample : 0);
 }

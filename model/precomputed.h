@@ -17,6 +17,8 @@ struct um_model_sampling {
   int paths;   /* between surfaces, optics.interreflection_samples */
 };
 
+struct um_model_body_tables;
+
 /* Everything geometric about one timeline, traced once; physics runs on it many times. */
 struct um_model_precomputed {
   size_t nobs;                          /* observations */
@@ -38,8 +40,10 @@ struct um_model_precomputed {
   double turn_period;                        /* over which `loads` are means [s]; 0: over none */
   struct um_irradiation_loads *ripple; /* rows of `seen`: um_irradiation_loads_turn; NULL where
                                           `loads` are no means */
-  struct um_geometry_view_factor_table *view_factors; /* at the times of the loads, or 1 where
-                                                         nothing moves; NULL: no heat to follow */
+  struct um_model_body_tables *body;   /* shared with others: body_tables.h */
+  struct um_geometry_view_factor_table *view_factors; /* of `body`: at the times of the loads, or 1
+                                                         where nothing moves; NULL: no heat to
+                                                         follow */
   struct um_irradiation_mirrored *mirrored; /* at the times of the loads; NULL: no mirror */
   struct um_optics_view *view;              /* [nobs * nsub]; NULL without an observer */
   struct um_model_sampling sampling;        /* samples: of `view`; paths: of the runs on it */

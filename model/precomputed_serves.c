@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "model/mirrors.h"
@@ -168,11 +167,9 @@ static enum um_status same_scene(struct um_context *context,
 /* Numbers of rays, seeds and files of what is traced. */
 static bool options_equal(const struct um_model *a, const struct um_model *b)
 {
-  const struct um_scenario_thermal *x = a->scenario->thermal, *y = b->scenario->thermal;
-  return a->scenario->optics->seed == b->scenario->optics->seed && x->samples == y->samples &&
-         x->view_factor_rays == y->view_factor_rays && x->exchange_patches == y->exchange_patches &&
-         um_core_words_same(x->view_factors, y->view_factors) &&
-         um_core_words_same(a->scenario->at.file, b->scenario->at.file);
+  return a->scenario->optics->seed == b->scenario->optics->seed &&
+         a->scenario->thermal->samples == b->scenario->thermal->samples &&
+         um_model_exchange_options_equal(a, b);
 }
 
 /* Looked at as finely as the model would be over the instants. */
@@ -188,28 +185,20 @@ static bool sampling_serves(const struct um_model_precomputed *precomputed,
          precomputed->sampling.paths == asked.paths;
 }
 
-static bool rooms_equal(const struct um_model *a, const struct um_model *b)
+/* A sky for both, or for neither. */
+static bool skies_equal(const struct um_model *a, const struct um_model *b)
 {
-  if (a->scenario->parts.count != b->scenario->parts.count) return false;
-  for (uint32_t p = 0; p < a->scenario->parts.count; p++) {
-    size_t x = 0, y = 0;
-    if (um_model_room(a, p, &x) != um_model_room(b, p, &y) || x != y) return false;
-  }
-  return true;
+  return um_irradiation_wants_sky(a->geometry, &a->environment) ==
+         um_irradiation_wants_sky(b->geometry, &b->environment);
 }
 
-static enum um_status same_mirrors(struct um_context *context, const struct um_model *made,
-                                   const struct um_model *model, bool *out)
+enum um_status um_model_body_serves(struct um_context *context, const struct um_model *made,
+                                    const struct um_model *model, bool *out)
 {
-  enum um_status status;
-  struct um_geometry_mirrors *a = NULL, *b = NULL;
-  UM_CHECK(um_model_mirrors_create(context, made, &a));
-  UM_CHECK(um_model_mirrors_create(context, model, &b));
-  *out = um_model_mirror_classes_equal(a, b);
-done:
-  um_geometry_mirrors_destroy(context, &a);
-  um_geometry_mirrors_destroy(context, &b);
-  return status;
+  *out = um_geometry_equal(made->geometry, model->geometry) && made->points == model->points &&
+         !um_geometry_joint_moves(model->geometry) && skies_equal(made, model) &&
+         um_model_exchange_options_equal(made, model);
+  return *out ? um_model_mirror_classes_serve(context, made, model, out) : UM_OK;
 }
 
 enum um_status um_model_precomputed_serves(struct um_context *context, const struct um_model *made,
@@ -218,11 +207,10 @@ enum um_status um_model_precomputed_serves(struct um_context *context, const str
                                            const struct um_model *model, bool *out)
 {
   *out = made->points == model->points && made->has_observer == model->has_observer &&
-         um_geometry_equal(made->geometry, model->geometry) && rooms_equal(made, model) &&
-         options_equal(made, model) && sampling_serves(precomputed, instants, model) &&
-         um_model_light_serves(made, model);
+         um_geometry_equal(made->geometry, model->geometry) && options_equal(made, model) &&
+         sampling_serves(precomputed, instants, model) && um_model_light_serves(made, model);
   if (*out && model->points) return same_points(context, precomputed, instants, model, out);
-  if (*out) UM_TRY(same_mirrors(context, made, model, out));
+  if (*out) UM_TRY(um_model_mirror_classes_serve(context, made, model, out));
   if (*out) UM_TRY(same_times(context, precomputed, instants, model, out));
   if (*out) UM_TRY(same_scene(context, precomputed, model, out));
   return UM_OK;

@@ -22,4 +22,11 @@ enum um_status um_model_precomputed_serves(struct um_context *context, const str
                                            const struct um_model_instants *instants,
                                            const struct um_model *model, bool *out);
 
+/* *out: are tables of the body (body_tables.h) traced of `made` those of `model`, number for
+ * number? By comparing what both are built of: surfaces, mirrors, rooms, numbers of rays and files.
+ * Not where joints move, since those are tables of times. Errors of um_geometry_mirrors_create.
+ * Test: unit_model_precompute_like, by tracing anew. */
+enum um_status um_model_body_serves(struct um_context *context, const struct um_model *made,
+                                    const struct um_model *model, bool *out);
+
 #endif

@@ -1,13 +1,11 @@
 /* Which models a geometry precomputation serves: for every key below the answer is that of tracing
  * anew and comparing all that was traced, number for number. */
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "model/build.h"
 #include "model/precompute.h"
 #include "model/precomputed_serves.h"
-#include "model/thermal_equal_impl.h"
+#include "tests/model/traced_help.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 
@@ -97,49 +95,6 @@ static const struct {
 static void need(enum um_status status)
 {
   if (status != UM_OK) fail_msg("%s", um_core_message(context));
-}
-
-static bool same(const void *a, const void *b, size_t count, size_t size)
-{
-  if (a == NULL || b == NULL) return a == b;
-  return memcmp(a, b, count * size) == 0;
-}
-
-static bool lit_equal(const struct um_optics_lit *a, const struct um_optics_lit *b, size_t nsurface)
-{
-  size_t n = a->nrow * nsurface;
-  return a->nrow == b->nrow && same(a->share, b->share, n, sizeof(float)) &&
-         same(a->cosine, b->cosine, n, sizeof(float)) &&
-         same(a->cos_half, b->cos_half, n, sizeof(double));
-}
-
-static bool views_equal(const struct um_optics_view *a, const struct um_optics_view *b)
-{
-  size_t n = a->ntime * a->nsurface;
-  return a->ntime == b->ntime && a->nsurface == b->nsurface && a->seed == b->seed &&
-         same(a->nsample, b->nsample, a->ntime, sizeof(int)) &&
-         same(a->seen, b->seen, n, sizeof(float)) &&
-         same(a->cos_observer, b->cos_observer, n, sizeof(float)) &&
-         same(a->cos_nadir, b->cos_nadir, n, sizeof(float)) &&
-         same(a->area, b->area, a->nsurface, sizeof(double)) &&
-         same(a->material, b->material, a->nsurface, sizeof(uint32_t)) &&
-         lit_equal(&a->sun, &b->sun, a->nsurface) && lit_equal(&a->moon, &b->moon, a->nsurface);
-}
-
-/* All that a run looks at, by brute force. */
-static bool traced_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
-{
-  if (a->nobs != b->nobs || a->nsub != b->nsub) return false;
-  size_t n = a->nobs * a->nsub, rows = a->loads->ntime * a->loads->nsurface;
-  return same(a->t_obs, b->t_obs, a->nobs, sizeof(double)) &&
-         same(a->sample, b->sample, n, sizeof *a->sample) &&
-         same(a->look, b->look, n, sizeof *a->look) &&
-         same(a->hidden, b->hidden, a->nobs, sizeof(bool)) && um_model_times_equal(a, b) &&
-         a->t_periodic_end == b->t_periodic_end && um_model_loads_equal(a->loads, b->loads) &&
-         same(a->loads->view_factor, b->loads->view_factor, rows, sizeof(float)) &&
-         same(a->loads->brightness, b->loads->brightness, rows, sizeof(float)) &&
-         um_model_view_factors_equal(a->view_factors, b->view_factors) &&
-         views_equal(a->view, b->view);
 }
 
 static void test_serves_as_traced(void **state)
