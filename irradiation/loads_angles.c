@@ -7,28 +7,36 @@
  * so that those of a surface with nothing before it are the plate's, and with all hidden 0. */
 #include <math.h>
 
+#include "core/wide.h"
 #include "irradiation/loads_impl.h"
 
 #define MOMENTS UM_ANGULAR_MOMENTS
 
-void um_irradiation_half_by_angle(const struct um_thermal_cap *cap, struct um_vec3 normal,
-                                  struct um_thermal_half *half)
+UM_WIDE_VECTORS static void polynomials(struct um_thermal_half *half)
 {
-  size_t k = 0;
+  for (size_t k = 0; k < half->n; k++) {
+    double p[MOMENTS], cosine = half->cosine[k];
+    um_environment_angular_polynomials(cosine < 1.0 ? cosine : 1.0, p);
+    for (int m = 0; m < MOMENTS; m++) half->polynomial[m][k] = p[m];
+  }
+}
+
+/* Reflected and emitted, side by side. */
+typedef double two __attribute__((vector_size(2 * sizeof(double))));
+
+void um_irradiation_half_by_angle(struct um_thermal_half *half)
+{
+  two sum[MOMENTS] = {{0.0}};
   half->by_angle = true;
-  for (int m = 0; m < MOMENTS; m++) half->moment_albedo[m] = half->moment_planet[m] = 0.0;
-  for (size_t i = 0; i < cap->n; i++) {
-    double cosine = um_vec3_dot(normal, cap->point[i].direction);
-    if (!(cosine > 0.0)) continue;
-    double *p = half->polynomial[k];
+  polynomials(half);
+  for (size_t k = 0; k < half->n; k++) {
     double planet = half->weight[k] * (half->varies ? half->emitted[k] : 1.0);
-    double albedo = half->weight[k] * half->radiance[k];
-    um_environment_angular_polynomials(fmin(cosine, 1.0), p);
-    for (int m = 0; m < MOMENTS; m++) {
-      half->moment_albedo[m] += albedo * p[m];
-      half->moment_planet[m] += planet * p[m];
-    }
-    k++;
+    const two of = {half->weight[k] * half->radiance[k], planet};
+    for (int m = 0; m < MOMENTS; m++) sum[m] += of * half->polynomial[m][k];
+  }
+  for (int m = 0; m < MOMENTS; m++) {
+    half->moment_albedo[m] = sum[m][0];
+    half->moment_planet[m] = sum[m][1];
   }
 }
 

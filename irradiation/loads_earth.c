@@ -36,6 +36,7 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
     double cosine = um_vec3_dot(normal, cap->point[i].direction);
     if (!(cosine > 0.0)) continue;
     size_t k = out->n++;
+    out->cosine[k] = cosine;
     out->weight[k] = cosine * cap->point[i].solid_angle;
     out->radiance[k] = cap->point[i].albedo_radiance;
     out->albedo += out->weight[k] * out->radiance[k];
@@ -47,7 +48,7 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
       if (um_vec3_dot(cap->four[i][j], normal) > 0.0)
         out->cell[k][out->ncell[k]++] = (uint16_t)cap->cell[i][j];
   }
-  if (by_angle) um_irradiation_half_by_angle(cap, normal, out);
+  if (by_angle) um_irradiation_half_by_angle(out);
 }
 
 /* Sums of the four bytes of words, two by two: 16 bits hold 4 times 255. */
@@ -121,11 +122,11 @@ UM_WIDE_VECTORS static void add_up(const struct um_thermal_half *half,
     if (value != NULL) part *= value[k];
     sum += part;
     if (!by_angle) continue;
-    m0 += part * half->polynomial[k][0];
-    m1 += part * half->polynomial[k][1];
-    m2 += part * half->polynomial[k][2];
-    m3 += part * half->polynomial[k][3];
-    m4 += part * half->polynomial[k][4];
+    m0 += part * half->polynomial[0][k];
+    m1 += part * half->polynomial[1][k];
+    m2 += part * half->polynomial[2][k];
+    m3 += part * half->polynomial[3][k];
+    m4 += part * half->polynomial[4][k];
   }
   *out = (struct sums){sum, {m0, m1, m2, m3, m4}};
 }

@@ -38,7 +38,8 @@ struct um_thermal_cap {
 
 /* What of the cap stands before surfaces of one normal. */
 struct um_thermal_half {
-  size_t n;                             /* directions before it */
+  size_t n; /* directions before it */
+  double cosine[UM_EARTH_CAP_POINTS];
   double weight[UM_EARTH_CAP_POINTS];   /* cosine times solid angle [sr] */
   double radiance[UM_EARTH_CAP_POINTS]; /* reflected [W/m^2/sr] */
   double emitted[UM_EARTH_CAP_POINTS];  /* the same [W/m^2/sr], where the cap varies */
@@ -47,7 +48,7 @@ struct um_thermal_half {
   double albedo, planet; /* sums of weight times radiance, and of weight, over all */
   double longwave;       /* sum of weight times emitted, where the cap varies */
   bool varies, by_angle; /* by_angle: what follows is there */
-  double polynomial[UM_EARTH_CAP_POINTS][UM_ANGULAR_MOMENTS]; /* P_1 to P_5 there [1] */
+  double polynomial[UM_ANGULAR_MOMENTS][UM_EARTH_CAP_POINTS]; /* P_1 to P_5 there [1] */
   double moment_albedo[UM_ANGULAR_MOMENTS], moment_planet[UM_ANGULAR_MOMENTS]; /* sums over all */
 };
 
@@ -57,8 +58,7 @@ void um_irradiation_cap_spread(struct um_thermal_cap *cap);
 void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
                               bool by_angle, struct um_thermal_half *out);
 /* Its polynomials, once all else is there. */
-void um_irradiation_half_by_angle(const struct um_thermal_cap *cap, struct um_vec3 normal,
-                                  struct um_thermal_half *half);
+void um_irradiation_half_by_angle(struct um_thermal_half *half);
 /* How free the directions of the half are before surfaces of one normal, side by side; 0 beside
  * them. */
 struct um_thermal_free {
