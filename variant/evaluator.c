@@ -67,12 +67,22 @@ static enum um_status base_geometry(struct um_context *context, struct um_varian
   return UM_OK;
 }
 
+/* Over instants, with what the scenario's own geometry, if it is traced, has of the body alone. */
+static enum um_status trace_over(struct um_context *context, const struct um_variant_evaluator *e,
+                                 const struct um_model *model,
+                                 const struct um_model_instants *instants,
+                                 struct um_model_precomputed **out)
+{
+  if (e->precomputed == NULL) return um_model_precompute_over(context, model, instants, out);
+  return um_model_precompute_like(context, e->model, e->precomputed, model, instants, out);
+}
+
 static enum um_status trace(struct um_context *context, struct um_variant_evaluator *e,
                             const struct um_model_addition *key, size_t nkey, struct um_variant *v)
 {
   struct um_model_precomputed *traced = NULL;
   v->fresh_geometry = true;
-  UM_TRY(um_model_precompute_over(context, v->model, e->settings.instants, &traced));
+  UM_TRY(trace_over(context, e, v->model, e->settings.instants, &traced));
   enum um_status status =
       um_variant_cache_add(context, &e->cache, key, nkey, &v->own_model, &traced, &v->kept);
   um_model_precomputed_destroy(context, &traced);
@@ -321,7 +331,7 @@ enum um_status um_variant_open_over(struct um_context *context,
   enum um_status status;
   um_core_quiet_begin(context);
   UM_CHECK(make_model(context, evaluator, changes, out));
-  UM_CHECK(um_model_precompute_over(context, out->model, instants, &out->own_precomputed));
+  UM_CHECK(trace_over(context, evaluator, out->model, instants, &out->own_precomputed));
   out->precomputed = out->own_precomputed;
   out->fresh_geometry = true;
   if (heat != NULL) UM_CHECK(um_variant_heat_again(context, evaluator, heat, out));

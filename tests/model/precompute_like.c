@@ -123,13 +123,23 @@ static void test_like_outlives(void **state)
   um_model_destroy(context, &model[2]);
 }
 
-int main(void)
+static int set_up(void **state)
 {
   FILE *file = fopen(FILE_NAME, "w");
-  if (file == NULL) return 1;
+  if (file == NULL) return -1;
   fputs(scenario, file);
   fclose(file);
+  return context_set_up(state);
+}
+
+static int tear_down(void **state)
+{
+  return remove(FILE_NAME) == 0 ? context_tear_down(state) : -1;
+}
+
+int main(void)
+{
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_like_is_as_traced),
                                      cmocka_unit_test(test_like_outlives)};
-  return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
+  return cmocka_run_group_tests(tests, set_up, tear_down);
 }
