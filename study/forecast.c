@@ -10,6 +10,7 @@
 #include "core/sort.h"
 #include "model/bands.h"
 #include "model/build.h"
+#include "study/accepts.h"
 #include "study/forecast_impl.h"
 #include "study/identity.h"
 

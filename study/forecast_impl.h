@@ -62,11 +62,9 @@ enum um_status um_study_forecast_find(struct um_context *context,
 enum um_status um_study_forecast_check_orbit(struct um_context *context,
                                              const struct um_model *orbit);
 
-/* --- accepts.c --- */
+/* --- forecast_accepts.c --- */
 /* um_batch_accepts of a pass; user: the work. The same rules as um_study_accepts, and times lie
  * within the curves'. */
 bool um_study_forecast_accepts(void *user, const double *coordinate, const double *value);
-/* Do effects of the model change readings? Then light may be below 0. */
-bool um_study_light_has_sign(const struct um_model *model);
 
 #endif
