@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "core/context.h"
-#include "core/json.h"
-#include "model/model.h"
+#include "base/core/context.h"
+#include "base/core/json.h"
+#include "model/build/model.h"
 
 /* UM_APP_VERSION, as "1.2.3": the project's, from CMakeLists.txt by the build. */
 

@@ -6,13 +6,13 @@
 #include "app/app.h"
 #include "app/map_options.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/spin.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
-#include "core/file.h"
-#include "core/number.h"
-#include "model/build.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "base/core/number.h"
+#include "evidence/inversion/spin.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/time_text.h"
+#include "model/build/build.h"
 
 #define COARSE_STEP  3.0 /* of the map [deg] */
 #define PHASES       4   /* of the map, where none are stated */

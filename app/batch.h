@@ -3,7 +3,7 @@
 #define UMBRA_APP_BATCH_H
 
 #include "app/app.h"
-#include "batch/task.h"
+#include "base/batch/task.h"
 
 /* Fill the part of a task that --workers, --share and --resume say. Progress is told in a pipe,
  * too, from then on. UM_ERR_INPUT. */

@@ -4,12 +4,12 @@
 #include "app/app.h"
 #include "app/target.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/photometry.h"
-#include "compare/write.h"
-#include "core/number.h"
-#include "model/bands.h"
-#include "model/build.h"
+#include "base/core/number.h"
+#include "evidence/inversion/photometry.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
 
 static void print_calibration(const struct um_instrument_calibration *c)
 {

@@ -4,7 +4,7 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "core/file.h"
+#include "base/core/file.h"
 #include "output/cases.h"
 #include "variant/cases.h"
 

@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/timeline.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/build/timeline.h"
 #include "orbit/time.h"
 
 static double altitude_km(const struct um_model *model, const struct um_environment_sample *s)

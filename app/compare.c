@@ -3,10 +3,10 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/plot.h"
-#include "compare/report.h"
-#include "compare/whole.h"
+#include "evidence/comparison/plot.h"
+#include "evidence/comparison/report.h"
+#include "evidence/inversion/whole.h"
+#include "evidence/measurements/measurements.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/listing.h"
+#include "base/core/listing.h"
 #include "effects/effects.h"
-#include "model/scenario_schema.h"
-#include "model/sensor_preset.h"
+#include "model/build/sensor_preset.h"
+#include "model/scenario/scenario_schema.h"
 
 /* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
 static const char *offer(enum um_app_offers offers)

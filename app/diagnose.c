@@ -1,5 +1,5 @@
 /* umbra diagnose: which effect a scenario lacks. */
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 #include "app/diagnosis.h"
 
 static enum um_status diagnose(struct um_context *context, const struct um_app_options *options,

@@ -2,10 +2,10 @@
 #include "app/diagnosis.h"
 
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "diagnosis/report/plot.h"
-#include "diagnosis/report/write.h"
-#include "diagnosis/report/write_json.h"
+#include "evidence/diagnosis/report/plot.h"
+#include "evidence/diagnosis/report/write.h"
+#include "evidence/diagnosis/report/write_json.h"
+#include "evidence/measurements/measurements.h"
 
 enum um_status um_app_diagnosis_begin(struct um_context *context,
                                       const struct um_app_options *options,

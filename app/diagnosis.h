@@ -3,9 +3,9 @@
 #define UMBRA_APP_DIAGNOSIS_H
 
 #include "app/app.h"
-#include "core/file.h"
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/request.h"
+#include "base/core/file.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/request.h"
 
 struct um_app_diagnosis {
   struct um_model_options changes; /* of the scenario; the forward borrows it */

@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "app/diagnosis.h"
-#include "compare/metrics.h"
-#include "compare/refine.h"
-#include "diagnosis/report/channels.h"
-#include "diagnosis/value_text.h"
-#include "sensitivity/stated.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/value_text.h"
+#include "evidence/inversion/refine.h"
+#include "evidence/sensitivity/stated.h"
 
 #define WIDTH 96     /* of the summary [characters] */
 #define WORSE 5      /* fitted alternatives that are listed */

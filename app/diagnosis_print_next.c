@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "app/diagnosis.h"
-#include "compare/time_text.h"
-#include "diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/measurements/time_text.h"
 #include "orbit/time.h"
 
 /* What would tell, the same words for alternatives that the same tells. */

@@ -3,11 +3,11 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "core/file.h"
-#include "model/build.h"
-#include "model/mirrors.h"
-#include "model/precompute.h"
-#include "model/precomputed.h"
+#include "base/core/file.h"
+#include "model/build/build.h"
+#include "model/geometry/mirrors.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precomputed.h"
 #include "output/exchange.h"
 
 static void print(const struct um_app_options *options,

@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/listing.h"
+#include "base/core/listing.h"
 #include "environment/environment.h"
-#include "instrument/filter.h"
-#include "instrument/photometry.h"
+#include "optics/instrument/filter.h"
+#include "optics/instrument/photometry.h"
 
 #define BINS 400
 

@@ -1,6 +1,6 @@
 /* umbra fit: parameters of chosen effects. */
 #include "app/diagnosis.h"
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 
 static enum um_status fit(struct um_context *context, const struct um_app_options *options,
                           struct um_app_diagnosis *work)

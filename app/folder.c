@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/digest.h"
+#include "base/core/digest.h"
 
 #define SLUG_LENGTH 60 /* of CHANGES without the hash; names of folders end at 255 bytes */
 

@@ -7,12 +7,12 @@
 #include "app/app.h"
 #include "app/batch.h"
 #include "app/terminal.h"
-#include "batch/batch.h"
-#include "core/constants.h"
-#include "core/file.h"
-#include "core/words.h"
+#include "base/batch/batch.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
+#include "forecast/forecast_write.h"
 #include "orbit/time.h"
-#include "study/forecast_write.h"
 #include "study/identity.h"
 
 #define DAYS_MOST 400.0
@@ -30,7 +30,7 @@ static bool number(const char *text, double *out, const char **behind)
 /* "NAME,LATITUDE,LONGITUDE,HEIGHT", numbers from behind: a name may hold commas. *name is the
  * caller's to free. */
 static enum um_status parse_station(struct um_context *context, const char *text,
-                                    struct um_study_station *out)
+                                    struct um_forecast_station *out)
 {
   double value[3] = {NAN, NAN, NAN};
   const char *behind, *at = text + strlen(text);
@@ -68,7 +68,7 @@ static enum um_status parse_range(struct um_context *context, const char *option
 }
 
 static enum um_status parse(struct um_context *context, const struct um_app_options *options,
-                            struct um_study_station *station, struct um_study_forecast_ask *ask)
+                            struct um_forecast_station *station, struct um_forecast_ask *ask)
 {
   ask->path = options->positional[0];
   ask->from = NAN;
@@ -94,13 +94,13 @@ static void print_time(double t, const char *otherwise)
 }
 
 /* What the shadow does to a pass. */
-static const char *shadow_words(const struct um_study_forecast_pass *pass)
+static const char *shadow_words(const struct um_forecast_pass *pass)
 {
   if (isfinite(pass->entry) || isfinite(pass->exit)) return "-";
   return pass->sunlit_at_rise ? "sunlit" : "in it";
 }
 
-static void print_pass(const struct um_study_forecast *f, const struct um_study_forecast_pass *pass)
+static void print_pass(const struct um_forecast *f, const struct um_forecast_pass *pass)
 {
   char date[32];
   um_orbit_time_format(pass->pass.rise, date);
@@ -112,13 +112,13 @@ static void print_pass(const struct um_study_forecast *f, const struct um_study_
          pass->pass.culmination_azimuth / UM_DEG, pass->pass.culmination_range * 1e-3);
   print_time(pass->entry, shadow_words(pass));
   print_time(pass->exit, "-");
-  printf(" %5.0f %-12s", pass->sun_elevation / UM_DEG, um_study_sky(pass->sun_elevation));
+  printf(" %5.0f %-12s", pass->sun_elevation / UM_DEG, um_forecast_sky(pass->sun_elevation));
   if (pass->reason != NULL) {
     printf(" not computed: %s\n", pass->reason);
     return;
   }
   for (size_t b = 0; b < f->nband; b++) {
-    const struct um_study_forecast_band *band = &pass->band[b];
+    const struct um_forecast_band *band = &pass->band[b];
     if (f->thermal[b])
       printf(" %9.2e", band->largest);
     else if (isfinite(band->brightest))
@@ -134,7 +134,7 @@ static void print_pass(const struct um_study_forecast *f, const struct um_study_
   printf("\n");
 }
 
-static void print_head(const struct um_study_forecast *f)
+static void print_head(const struct um_forecast *f)
 {
   printf("%-10s %-8s %-8s %-8s %4s %4s %5s %-8s %-8s %5s %-12s", "date", "rise", "highest", "set",
          "elev", "az", "km", "in shade", "till", "Sun", "sky");
@@ -149,18 +149,18 @@ static void print_head(const struct um_study_forecast *f)
 }
 
 /* " (V: Vega, vis: AB)"; empty: no band has magnitudes here. */
-static void name_systems(const struct um_study_forecast *f, char out[SYSTEMS])
+static void name_systems(const struct um_forecast *f, char out[SYSTEMS])
 {
   size_t used = 0;
   out[0] = '\0';
   for (size_t b = 0; b < f->nband && used < SYSTEMS; b++)
     if (!f->thermal[b])
       used += (size_t)snprintf(out + used, SYSTEMS - used, "%s%.40s: %s", used == 0 ? " (" : ", ",
-                               f->band[b], um_study_forecast_system(f, b));
+                               f->band[b], um_forecast_system(f, b));
   if (used > 0 && used < SYSTEMS) snprintf(out + used, SYSTEMS - used, ")");
 }
 
-static void print(const struct um_study_forecast *f, const char *folder)
+static void print(const struct um_forecast *f, const char *folder)
 {
   char systems[SYSTEMS];
   name_systems(f, systems);
@@ -181,7 +181,7 @@ static void print(const struct um_study_forecast *f, const char *folder)
   printf("results in %s\n", folder);
 }
 
-static void json(const struct um_study_forecast *f, const char *folder)
+static void json(const struct um_forecast *f, const char *folder)
 {
   size_t failed = 0;
   for (size_t i = 0; i < f->npass; i++) failed += f->pass[i].reason != NULL ? 1 : 0;
@@ -193,14 +193,14 @@ static void json(const struct um_study_forecast *f, const char *folder)
   for (size_t b = 0; b < f->nband; b++) {
     if (b > 0) printf(", ");
     um_core_json_string(stdout, f->band[b]);
-    printf(": \"%s\"", um_study_forecast_system(f, b));
+    printf(": \"%s\"", um_forecast_system(f, b));
   }
   printf("}}\n");
 }
 
 static enum um_status write_file(struct um_context *context, struct um_core_folder *folder,
-                                 const char *name, const struct um_study_forecast *f,
-                                 void (*write)(const struct um_study_forecast *f, FILE *file))
+                                 const char *name, const struct um_forecast *f,
+                                 void (*write)(const struct um_forecast *f, FILE *file))
 {
   FILE *file = NULL;
   UM_TRY(um_core_folder_open(context, folder, name, &file));
@@ -210,18 +210,17 @@ static enum um_status write_file(struct um_context *context, struct um_core_fold
 
 /* The folder is begun before the computing: what stands in its way is said at once. */
 static enum um_status compute_and_write(struct um_context *context,
-                                        const struct um_app_options *options,
-                                        struct um_study_forecast *f, struct um_batch *batch,
-                                        const char *out)
+                                        const struct um_app_options *options, struct um_forecast *f,
+                                        struct um_batch *batch, const char *out)
 {
   enum um_status status;
   struct um_core_folder *folder = NULL;
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_study_forecast_run(context, f, batch));
-  UM_CHECK(write_file(context, folder, "passes.csv", f, um_study_forecast_csv));
-  UM_CHECK(write_file(context, folder, "curves.csv", f, um_study_forecast_curves));
-  UM_CHECK(write_file(context, folder, "passes.ics", f, um_study_forecast_ics));
-  if (!options->no_plots) UM_CHECK(um_study_forecast_plot(context, f, um_core_folder_path(folder)));
+  UM_CHECK(um_forecast_run(context, f, batch));
+  UM_CHECK(write_file(context, folder, "passes.csv", f, um_forecast_csv));
+  UM_CHECK(write_file(context, folder, "curves.csv", f, um_forecast_curves));
+  UM_CHECK(write_file(context, folder, "passes.ics", f, um_forecast_ics));
+  if (!options->no_plots) UM_CHECK(um_forecast_plot(context, f, um_core_folder_path(folder)));
   UM_CHECK(um_core_folder_commit(context, &folder));
 done:
   um_core_folder_abort(&folder);
@@ -230,10 +229,10 @@ done:
 
 /* The leading process: passes, files, words. */
 static enum um_status lead(struct um_context *context, const struct um_app_options *options,
-                           struct um_study_forecast *f, struct um_batch *batch, const char *out)
+                           struct um_forecast *f, struct um_batch *batch, const char *out)
 {
   if (options->share != NULL) {
-    UM_TRY(um_study_forecast_run(context, f, batch));
+    UM_TRY(um_forecast_run(context, f, batch));
     um_app_terminal_clear();
     printf("%zu of %zu passes are on record; --resume without --share writes the results\n",
            um_batch_recorded(batch), f->npass);
@@ -251,9 +250,9 @@ static enum um_status lead(struct um_context *context, const struct um_app_optio
 int um_app_forecast(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
-  struct um_study_station *station = NULL;
-  struct um_study_forecast *forecast = NULL;
-  struct um_study_forecast_ask ask = {.nstation = 0};
+  struct um_forecast_station *station = NULL;
+  struct um_forecast *forecast = NULL;
+  struct um_forecast_ask ask = {.nstation = 0};
   struct um_model_options changes = um_app_model_options(options);
   struct um_batch_task task = {.nshare = 0};
   struct um_batch *batch = NULL;
@@ -265,13 +264,13 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   UM_CHECK(um_core_allocate(context, options->nstation, sizeof *station, &station));
   UM_CHECK(parse(context, options, station, &ask));
   UM_CHECK(um_app_batch_options(context, options, &task));
-  UM_CHECK(um_study_forecast_create(context, &ask, &task, &forecast));
+  UM_CHECK(um_forecast_create(context, &ask, &task, &forecast));
   UM_CHECK(um_core_asprintf(context, &name, "%s-forecast", forecast->name));
   UM_CHECK(um_app_out_folder(context, options, name, &out));
   for (size_t n = strlen(out); n > 1 && out[n - 1] == '/'; n--) out[n - 1] = '\0';
   UM_CHECK(um_core_asprintf(context, &records, "%s.records", out));
   task.folder = records;
-  UM_CHECK(um_study_forecast_open(context, forecast, &task, &batch));
+  UM_CHECK(um_forecast_open(context, forecast, &task, &batch));
   if (um_batch_leads(batch))
     UM_CHECK(lead(context, options, forecast, batch, out));
   else
@@ -281,7 +280,7 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
 done:
   um_batch_close(context, &batch);
   if (whole) um_study_records_remove(context, records);
-  um_study_forecast_destroy(context, &forecast);
+  um_forecast_destroy(context, &forecast);
   for (size_t i = 0; station != NULL && i < options->nstation; i++)
     um_core_free(context, (void *)station[i].name);
   um_core_free(context, station);

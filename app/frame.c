@@ -1,5 +1,5 @@
 /* umbra frame: what a sensor's detector records at an instant, as FITS. */
-#include "model/frame.h"
+#include "model/products/frame.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,11 +9,11 @@
 #include "app/picture.h"
 #include "app/target.h"
 #include "environment/airmass.h"
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/star.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/products/star.h"
+#include "model/run/run.h"
 #include "output/fits.h"
 #include "output/frame_plot.h"
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/number.h"
+#include "base/core/constants.h"
+#include "base/core/number.h"
 
 #define FRAME_WIDTH   256 /* pixels of the picture that is put on the detector */
 #define FRAME_SAMPLES 8

@@ -3,7 +3,7 @@
 #define UMBRA_APP_FRAME_OPTIONS_H
 
 #include "app/app.h"
-#include "model/frame.h"
+#include "model/products/frame.h"
 
 /* --psf, --motion, --seed, --border, --width and --samples; stars are left to the caller.
  * UM_ERR_INPUT names the option. */

@@ -5,9 +5,9 @@
 #include "app/app.h"
 #include "app/target.h"
 #include "app/terminal.h"
-#include "compare/mmt.h"
-#include "compare/noise.h"
-#include "compare/write.h"
+#include "evidence/measurements/mmt.h"
+#include "evidence/measurements/noise.h"
+#include "evidence/measurements/write.h"
 
 int um_app_import(struct um_context *context, const struct um_app_options *options)
 {

@@ -5,11 +5,11 @@
 #include "app/app.h"
 #include "app/map_options.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/on_map.h"
-#include "core/constants.h"
-#include "core/number.h"
-#include "model/build.h"
+#include "base/core/constants.h"
+#include "base/core/number.h"
+#include "evidence/inversion/on_map.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
 #include "output/map.h"
 
 /* What one run of the command holds. */

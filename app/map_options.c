@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/number.h"
+#include "base/core/constants.h"
+#include "base/core/number.h"
 
 #define STEP_LEAST 0.1 /* [deg] */
 

@@ -3,7 +3,7 @@
 #define UMBRA_APP_MAP_OPTIONS_H
 
 #include "app/app.h"
-#include "model/reflectivity_map.h"
+#include "model/products/reflectivity_map.h"
 
 #define UM_APP_MAP_PHASES 64 /* at most */
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 #include "materials/lobe.h"
 #include "materials/measured.h"

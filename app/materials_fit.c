@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/constants.h"
-#include "core/number.h"
+#include "base/core/constants.h"
+#include "base/core/number.h"
 #include "materials/brdf_fit.h"
 #include "materials/profile.h"
 

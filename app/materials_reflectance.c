@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/constants.h"
-#include "core/number.h"
+#include "base/core/constants.h"
+#include "base/core/number.h"
 #include "environment/environment.h"
 #include "materials/profile.h"
 #include "materials/ratio.h"

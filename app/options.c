@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor)
 {

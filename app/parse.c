@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/csv.h"
-#include "core/text.h"
-#include "core/words.h"
+#include "base/core/csv.h"
+#include "base/core/text.h"
+#include "base/core/words.h"
 
 #define OPTIONS_MAX 32 /* of one verb */
 #define FIRST_ID    256

@@ -3,10 +3,10 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/period_report.h"
-#include "compare/period_write.h"
-#include "core/file.h"
+#include "base/core/file.h"
+#include "evidence/inversion/period_report.h"
+#include "evidence/inversion/period_write.h"
+#include "evidence/measurements/measurements.h"
 #include "orbit/time.h"
 
 static void print_report(const struct um_compare_period_report *r, const char *folder)

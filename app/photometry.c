@@ -1,5 +1,5 @@
 /* umbra photometry: counts of an object, or of stars, on frames. */
-#include "compare/photometry.h"
+#include "evidence/inversion/photometry.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,10 +7,10 @@
 #include "app/app.h"
 #include "app/target.h"
 #include "app/terminal.h"
-#include "compare/write.h"
-#include "core/file.h"
-#include "core/number.h"
-#include "core/text.h"
+#include "base/core/file.h"
+#include "base/core/number.h"
+#include "base/core/text.h"
+#include "evidence/measurements/write.h"
 #include "orbit/time.h"
 
 /* Numbers with a comma between them, just so many. */

@@ -8,8 +8,8 @@
 #include <sys/statvfs.h>
 
 #include "app/target.h"
-#include "core/number.h"
-#include "model/precompute.h"
+#include "base/core/number.h"
+#include "model/geometry/precompute.h"
 #include "orbit/time.h"
 
 #define FILE_MOST     68719476736.0 /* of an OpenEXR file, 64 GiB */

@@ -3,7 +3,7 @@
 #define UMBRA_APP_PICTURE_H
 
 #include "app/app.h"
-#include "model/precomputed.h"
+#include "model/geometry/precomputed.h"
 #include "output/cube.h"
 #include "output/exr.h"
 

@@ -4,10 +4,10 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "compare/measurements.h"
-#include "compare/retrieve.h"
-#include "core/file.h"
-#include "model/build.h"
+#include "base/core/file.h"
+#include "evidence/inversion/retrieve.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
 #include "orbit/time.h"
 
 #define SHOWN 10 /* times, the rest stands in the table */

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "app/app.h"
-#include "core/constants.h"
-#include "core/order.h"
+#include "base/core/constants.h"
+#include "base/core/order.h"
 
 #define LARGE_ERROR 0.05 /* Monte-Carlo error of a total whose instants are counted [1] */
 
@@ -28,7 +28,7 @@ struct band_summary {
   double error;     /* Monte-Carlo error of their totals: largest, */
   double median;    /* .. median [1]; NaN without light */
   size_t large;     /* .. instants at which it is above LARGE_ERROR */
-  size_t umbra;     /* instants in it, core/constants.h */
+  size_t umbra;     /* instants in it, base/core/constants.h */
   double umbra_sun; /* largest Sun term of those [W/sr] */
   double umbra_low; /* their lowest total [W/sr] */
 };

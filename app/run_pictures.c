@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "app/picture.h"
-#include "core/constants.h"
-#include "model/picture.h"
+#include "base/core/constants.h"
+#include "model/products/picture.h"
 #include "orbit/time.h"
 #include "output/exr.h"
 

@@ -2,7 +2,7 @@
  * key.
  */
 #include "app/app.h"
-#include "model/scenario_schema.h"
+#include "model/scenario/scenario_schema.h"
 
 static enum um_status write_one(struct um_context *context, const char *path, bool json)
 {

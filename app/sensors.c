@@ -2,11 +2,11 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/file.h"
-#include "core/listing.h"
-#include "document/schema.h"
-#include "model/scenario.h"
-#include "model/sensor_preset.h"
+#include "base/core/file.h"
+#include "base/core/listing.h"
+#include "base/document/schema.h"
+#include "model/build/sensor_preset.h"
+#include "model/scenario/scenario.h"
 
 #define LONGEST 65536 /* of a preset's file [bytes] */
 

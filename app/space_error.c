@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 
 #define SETS_PER_PART 3
 

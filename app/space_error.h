@@ -2,8 +2,8 @@
 #ifndef UMBRA_APP_SPACE_ERROR_H
 #define UMBRA_APP_SPACE_ERROR_H
 
-#include "model/build.h"
-#include "model/result.h"
+#include "model/build/build.h"
+#include "model/run/result.h"
 
 struct um_app_space_error {
   size_t nsurface;          /* of the refined run */

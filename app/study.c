@@ -3,7 +3,7 @@
 
 #include "app/app.h"
 #include "app/batch.h"
-#include "core/file.h"
+#include "base/core/file.h"
 #include "study/identity.h"
 #include "study/measured.h"
 #include "study/plot.h"

@@ -1,5 +1,5 @@
 /* umbra synth: measurements made from a scenario, with noise. */
-#include "compare/synth.h"
+#include "evidence/inversion/synth.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,10 +8,10 @@
 #include "app/app.h"
 #include "app/target.h"
 #include "app/terminal.h"
-#include "compare/write.h"
-#include "core/csv.h"
-#include "model/build.h"
-#include "model/precompute.h"
+#include "base/core/csv.h"
+#include "evidence/measurements/write.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
 
 #define SEED_MAX 9007199254740992.0 /* 2^53: whole numbers that a double holds */
 

@@ -2,7 +2,7 @@
 #ifndef UMBRA_APP_TERMINAL_H
 #define UMBRA_APP_TERMINAL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Warnings and errors go to stderr always, information and a progress bar with the time left only
  * when stderr is a terminal. SIGINT and SIGTERM stop the work through the context's stop; where

@@ -1,5 +1,5 @@
 /* umbra validate: analytic and published cases, computed now, beside what is expected. */
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 #include "app/app.h"
 

@@ -1,5 +1,5 @@
 /* Angle of a joint: an offset added to the fixed angle, or to the angle that tracks the Sun. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 #include "geometry/geometry.h"
 

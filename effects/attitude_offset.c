@@ -1,6 +1,6 @@
 /* Attitude offset: the body is turned from what the law says by a constant rotation vector theta in
  * body axes, about theta/|theta| by |theta|. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {

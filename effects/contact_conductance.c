@@ -1,7 +1,7 @@
 /* Conductance of contacts, hinges and brackets: Q = f G (T_a - T_b). The temperatures of parts draw
  * together over minutes to hours, in sunlight and in the dark. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 /* The place itself, or one of the part: "bus" and "bus.+x" are both met by the target "bus". */
 static bool acts_on(const struct um_effect_use *use, const char *place)

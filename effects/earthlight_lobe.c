@@ -1,7 +1,7 @@
 /* The Earth in the lobe of a surface: L = int f_r(i, o) L_E(i) cos_i dw over the visible cap, for
- * what the Earth reflects and for what it emits (optics/earth_lobe.c). Without it light of the
- * Earth leaves every surface as if that were rough: the diffuse part alone in the visible, 1 - eps
- * times the view factor in the infrared. */
+ * what the Earth reflects and for what it emits (optics/radiance/earth_lobe.c). Without it light of
+ * the Earth leaves every surface as if that were rough: the diffuse part alone in the visible, 1 -
+ * eps times the view factor in the infrared. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 

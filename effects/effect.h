@@ -9,15 +9,15 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "environment/environment.h"
 #include "geometry/creases.h"
 #include "geometry/geometry.h"
-#include "instrument/sensor.h"
 #include "materials/materials.h"
+#include "optics/instrument/sensor.h"
 #include "orbit/attitude.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 #define UM_EFFECT_ABI_VERSION 5
 

@@ -1,6 +1,6 @@
 /* Thermal emittance of a material, total and spectral above 2.5 um: eps' = f eps. A sunlit plate
  * stands at T ~ eps^(-1/4), a cooling one falls at a rate ~ eps. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 

@@ -6,7 +6,7 @@
  * a steady state does not feel it. The interior node keeps its capacity: it is another mass with
  * another time constant. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 static enum um_status scale_group(struct um_context *context, const struct um_effect_use *use,
                                   const char *part, const char *group,

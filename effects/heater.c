@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 /* What follows the part's name: "" the part, "group", "interior"; NULL: another part. */
 static const char *place_of(const struct um_effect_use *use, const char *part)

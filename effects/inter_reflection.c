@@ -1,6 +1,6 @@
 /* Light that leaves one surface and is reflected by another, any number of times, through lobes and
- * diffuse parts (optics/interreflection.c): sunlight, the Earth's light and the satellite's own
- * emission. Without it every surface is seen as if it stood alone, though shadowed. Heat that
+ * diffuse parts (optics/paths/interreflection.c): sunlight, the Earth's light and the satellite's
+ * own emission. Without it every surface is seen as if it stood alone, though shadowed. Heat that
  * surfaces exchange is mutual_radiation and solar_multiple_reflection. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"

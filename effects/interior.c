@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 enum um_status um_effects_interior_find(struct um_context *context, const struct um_effect_use *use,
                                         const char *part, struct um_thermal_part_spec *spec,

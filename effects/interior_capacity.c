@@ -9,7 +9,7 @@
 
 #include "effects/interior_impl.h"
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 static enum um_status add_capacity(struct um_context *context, const struct um_effect_use *use,
                                    const char *part, struct um_thermal_part_spec *spec)

@@ -9,7 +9,7 @@
 
 #include "effects/interior_impl.h"
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 #define ROUNDING 1e-12 /* of the power that is taken away: a sum that is nothing */
 

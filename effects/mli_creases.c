@@ -1,7 +1,7 @@
 /* Creases of MLI: a blanket hangs in flat patches that are tilted a little. The tilt's mean square
  * adds to that of the scenario, t^2 = t_0^2 + v, as light goes with it and not with the tilt: in
  * v = 0 the lobe widens by d(alpha^2) = 2 dv (geometry/creases.h). */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 #include "geometry/creases.h"
 

@@ -3,7 +3,7 @@
 #define UMBRA_EFFECTS_MLI_IMPL_H
 
 #include "effects/effect.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 /* *acts: the effect is to change this group's MLI (NULL: it has none). UM_ERR_INPUT where the
  * effect names a group without MLI. */

@@ -1,6 +1,6 @@
 /* Infrared between the surfaces of the satellite, J = eps sigma T^4 + (1 - eps) H, H what arrives
- * of the Earth and of all J (thermal/exchange.h). Without it, what is emitted toward the satellite
- * itself is taken to come back to where it left (model/build_blocked.c). */
+ * of the Earth and of all J (thermal/exchange/exchange.h). Without it, what is emitted toward the
+ * satellite itself is taken to come back to where it left (model/build/build_blocked.c). */
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 

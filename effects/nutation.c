@@ -1,7 +1,7 @@
 /* Nutation: the axis of a spinning body stands at an angle from the angular momentum and goes about
  * it. The two angles tip it at the reference time of the law; how fast it goes about follows from
  * the law's inertia_ratio. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 #include "orbit/attitude.h"
 

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
-#include "core/held_files.h"
-#include "core/words.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
 
 struct um_effects_registry {

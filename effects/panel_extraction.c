@@ -6,7 +6,7 @@
  * eta is what the scenario states and what is added; it never falls below 0, since cells give no
  * heat back. The visible does not know of it, which tells it from a lower absorptance. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 #define CELLS    0.5   /* solar absorptance below which a side is no solar cell */
 #define ROUNDING 1e-12 /* of a sum that is nothing */

@@ -1,5 +1,6 @@
 /* Pixels that are full: of a Gaussian image whose core asks for more than a pixel holds, the wings
- * alone go on growing (instrument/sensor.h). A switch for what sensors state as saturation_e. */
+ * alone go on growing (optics/instrument/sensor.h). A switch for what sensors state as
+ * saturation_e. */
 #include "effects/list_impl.h"
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,

@@ -1,7 +1,7 @@
 /* Sky that was not, or too much, subtracted: light of a thin layer that glows, longer in sight
  * toward the horizon,
  *   E' = E + b V,   V = (1 - (R sin z / (R + h))^2)^(-1/2)  (van Rhijn 1921),   h = 90 km. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 
 #define AIRGLOW 90e3 /* height of the layer [m] */

@@ -1,5 +1,5 @@
 /* Sunlight, from the Sun and by way of the Earth, that surfaces reflect to each other as heat,
- * H = E + F rho H with rho = 1 - alpha (thermal/exchange.h). Its optical twin is
+ * H = E + F rho H with rho = 1 - alpha (thermal/exchange/exchange.h). Its optical twin is
  * inter_reflection. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"

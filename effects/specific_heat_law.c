@@ -5,7 +5,7 @@
  * Solids hold less the colder they are (Debye): aluminium loses a tenth from 300 to 220 K, and a
  * cold panel follows its loads faster than one capacity has it. */
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 static bool holds(const struct um_thermal_group_spec *group)
 {

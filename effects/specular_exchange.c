@@ -1,6 +1,6 @@
 /* What smooth surfaces of the satellite reflect goes on along the mirrored ray to its other
- * surfaces, S' in place of S (geometry/mirror_paths.h, thermal/exchange.h), sunlight and the
- * Earth's light too. Without it they scatter all that they reflect. */
+ * surfaces, S' in place of S (geometry/mirror_paths.h, thermal/exchange/exchange.h), sunlight and
+ * the Earth's light too. Without it they scatter all that they reflect. */
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "effects/list_impl.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 /* A group whose wall has two layers: a back that radiates and a finite conductance to it. */
 static bool has_two_layers(const struct um_thermal_group_spec *spec)

@@ -2,7 +2,7 @@
  * was not subtracted,
  *   E' = E + Omega L,   L = int T(lambda) L(lambda) d lambda,
  * L(lambda) of environment/sky_light.c toward the satellite at that instant. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {

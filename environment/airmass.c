@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* Least error against rays through the US Standard Atmosphere; its density alone would give 0.986.
  */

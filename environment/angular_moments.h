@@ -9,7 +9,7 @@
  *
  * is absorbed sum_k a_k E_k, with a_0 that of light from all sides. Degree 5 keeps what materials
  * of Fresnel's law absorb of the Earth to 1e-4 of what falls on a plate that faces it, below 2000
- * km (test: irradiation/angles). */
+ * km (test: thermal/loads/angles). */
 #ifndef UMBRA_ENVIRONMENT_ANGULAR_MOMENTS_H
 #define UMBRA_ENVIRONMENT_ANGULAR_MOMENTS_H
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 struct layer {
   double base, density, scale; /* [km], [kg/m^3], [km] */

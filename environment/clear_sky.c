@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "environment/cirrus.h"
 #include "environment/limb_air.h"
 #include "environment/sky_table.h"

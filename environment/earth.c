@@ -22,7 +22,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/earth_moments_impl.h"
 #include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"

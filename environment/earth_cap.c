@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"
 

@@ -13,8 +13,8 @@
  * 2 x^3 in u, Gauss-Legendre's, and by (3 x - x^3)/2 in psi, which are flat at both ends. */
 #include "environment/earth_moments_impl.h"
 
-#include "core/constants.h"
-#include "core/wide.h"
+#include "base/core/constants.h"
+#include "base/core/wide.h"
 #include "environment/quadrature_impl.h"
 
 void um_environment_angular_project(const double *value, size_t n, double a[UM_ANGULAR_MOMENTS])

@@ -12,8 +12,8 @@
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/quadrature_impl.h"
 
 /* Temperature of a black body of this spectral radiance at UM_EARTH_WINDOW. */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 #include "environment/environment.h"
 
 /* Nadir, the sunward horizontal, what completes them; and what the rings need to know. */

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 void um_environment_defaults(struct um_environment *out)
 {

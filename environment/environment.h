@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "environment/angular_moments.h"
 #include "environment/clear_sky.h"
 #include "environment/ground.h"

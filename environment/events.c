@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/golden.h"
+#include "base/core/constants.h"
+#include "base/core/golden.h"
 #include "environment/environment.h"
 
 #define TIME_TOLERANCE 1e-6 /* [s] */

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 struct um_environment_map; /* environment/map.h */
 

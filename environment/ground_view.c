@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/knocke.h"
 #include "environment/map.h"
 

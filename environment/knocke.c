@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define DAY              86400.0  /* [s] */
 #define KNOCKE_EPOCH_DAY 6584.5   /* from 1981-12-22 0 h to 2000-01-01 12 h [d] */

@@ -3,7 +3,7 @@
 #ifndef UMBRA_ENVIRONMENT_LIMB_AIR_H
 #define UMBRA_ENVIRONMENT_LIMB_AIR_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_LIMB_NODES 201
 #define UM_LIMB_STEP  500.0 /* [m] between them */

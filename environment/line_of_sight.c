@@ -8,7 +8,7 @@
  *
  * The line is cut when that point lies between the two ends and inside the sphere, or when its far
  * end lies deeper inside than any ground: who stands on low ground is no obstacle to himself. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 #define LOWEST_GROUND 1e3 /* below the ellipsoid; the Dead Sea's shore is at -0.4 km [m] */

@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/file.h"
-#include "core/held_files.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
+#include "base/core/interpolation.h"
 #include "environment/knocke.h"
 
 #define PERIHELION 0.1    /* month in which the Earth is nearest to the Sun: 3 January */

@@ -8,7 +8,7 @@
 #ifndef UMBRA_ENVIRONMENT_MAP_H
 #define UMBRA_ENVIRONMENT_MAP_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "environment/ground.h"
 
 /* t_tai [s]: of a file with many years, the months nearest to this date are taken, where they are

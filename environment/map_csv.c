@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/order.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/order.h"
 #include "environment/map_impl.h"
 
 enum { MONTH, LATITUDE, LONGITUDE, AXES };

@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/child.h"
-#include "core/constants.h"
+#include "base/core/child.h"
+#include "base/core/constants.h"
 #include "environment/knocke.h"
 #include "environment/map_impl.h"
 

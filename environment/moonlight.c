@@ -16,7 +16,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define TERMS     10
 #define MIDDLE    0.55e-6               /* [m] */

@@ -21,7 +21,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 #include "environment/quadrature_impl.h"
 #include "environment/shadow_impl.h"

@@ -24,7 +24,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/shadow_impl.h"
 
 #define SHORTEST     0.25e-6 /* [m] */

@@ -21,7 +21,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/shadow_light.h"
 #include "environment/sky_light_impl.h"
 

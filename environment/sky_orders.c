@@ -11,7 +11,7 @@
  * Transfer in Scattering and Absorbing Atmospheres, ch. 3. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/quadrature_impl.h"
 #include "environment/sky_light_impl.h"
 

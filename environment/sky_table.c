@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/interpolation.h"
 #include "environment/airmass.h"
 
 #define LEAST 1e-12 /* transmission of which a logarithm is still taken [1] */

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_environment_sky_table;
 

@@ -16,7 +16,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define STEP       (UM_SLANT_TOP / (UM_SLANT_DENSITIES - 1))
 #define STEP_UP    1e3    /* [m] between tabulated heights */

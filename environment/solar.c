@@ -4,8 +4,8 @@
  *   E_lambda = S_1au f(lambda) / integral of f,  f = ASTM E490 or pi B_lambda(T) */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/environment.h"
 #include "environment/solar_e490_impl.h"
 

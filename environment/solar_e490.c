@@ -11,7 +11,7 @@
 
 #include <stddef.h>
 
-#include "core/interpolation.h"
+#include "base/core/interpolation.h"
 
 static const double wavelength_um[] =
     {/* [um] */

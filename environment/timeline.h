@@ -2,7 +2,7 @@
 #ifndef UMBRA_ENVIRONMENT_TIMELINE_H
 #define UMBRA_ENVIRONMENT_TIMELINE_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 struct um_environment_sample {
   double t_tai;             /* satellite time [s] */

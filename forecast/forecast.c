@@ -1,37 +1,37 @@
 /* Passes of stations over days, and their runs. */
-#include "study/forecast.h"
+#include "forecast/forecast.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/digest.h"
-#include "core/held_files.h"
-#include "core/sort.h"
-#include "model/bands.h"
-#include "model/build.h"
+#include "base/core/constants.h"
+#include "base/core/digest.h"
+#include "base/core/held_files.h"
+#include "base/core/sort.h"
+#include "forecast/forecast_impl.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
 #include "study/accepts.h"
-#include "study/forecast_impl.h"
 #include "study/identity.h"
 
 #define DAY 86400.0
 
 /* What a forecast keeps for its runs, behind the part that is public. */
 struct held {
-  struct um_study_forecast forecast;
-  struct um_study_forecast_work work;
-  struct um_study_forecast_ask ask;
-  struct um_model *model;                 /* the scenario as it stands */
-  struct um_model_instants instant;       /* one, of `from` */
-  size_t *place;                          /* [nplace] of the body's */
-  double *coordinate;                     /* [npass][UM_STUDY_FORECAST_COORDINATES] */
-  struct um_study_forecast_band *band;    /* [npass][nband] */
-  struct um_study_forecast_place *places; /* [npass][nplace] */
+  struct um_forecast forecast;
+  struct um_forecast_work work;
+  struct um_forecast_ask ask;
+  struct um_model *model;           /* the scenario as it stands */
+  struct um_model_instants instant; /* one, of `from` */
+  size_t *place;                    /* [nplace] of the body's */
+  double *coordinate;               /* [npass][UM_FORECAST_COORDINATES] */
+  struct um_forecast_band *band;    /* [npass][nband] */
+  struct um_forecast_place *places; /* [npass][nplace] */
   struct um_study_identity *identity;
   bool holds_files;
 };
 
-const char *um_study_sky(double sun_elevation)
+const char *um_forecast_sky(double sun_elevation)
 {
   static const struct {
     double above; /* [deg] */
@@ -42,14 +42,14 @@ const char *um_study_sky(double sun_elevation)
   return "night";
 }
 
-const char *um_study_forecast_system(const struct um_study_forecast *forecast, size_t band)
+const char *um_forecast_system(const struct um_forecast *forecast, size_t band)
 {
   return isnan(forecast->vega_ab[band]) ? "AB" : "Vega";
 }
 
 static int by_rise(const void *a, const void *b)
 {
-  const struct um_study_forecast_pass *p = a, *q = b;
+  const struct um_forecast_pass *p = a, *q = b;
   return (p->pass.rise > q->pass.rise) - (p->pass.rise < q->pass.rise);
 }
 
@@ -57,7 +57,7 @@ static int by_rise(const void *a, const void *b)
 static enum um_status name_outputs(struct um_context *context, struct held *h,
                                    const struct um_model *model)
 {
-  struct um_study_forecast *f = &h->forecast;
+  struct um_forecast *f = &h->forecast;
   const struct um_thermal_body *body = model->body;
   UM_TRY(um_core_allocate(context, model->nband, sizeof *f->band, &f->band));
   UM_TRY(um_core_allocate(context, model->nband, sizeof *f->thermal, &f->thermal));
@@ -82,16 +82,16 @@ static enum um_status name_outputs(struct um_context *context, struct held *h,
 static enum um_status name_stations(struct um_context *context, struct held *h,
                                     const struct um_model *model)
 {
-  struct um_study_forecast *f = &h->forecast;
+  struct um_forecast *f = &h->forecast;
   size_t n = h->ask.nstation;
   UM_TRY(um_core_allocate(context, n > 0 ? n : 1, sizeof *f->station, &f->station));
-  UM_TRY(um_study_forecast_check_orbit(context, model));
+  UM_TRY(um_forecast_check_orbit(context, model));
   const char *name = model->scenario->observer->station->name;
-  struct um_study_station own = {name == NULL ? "station" : name, model->observer.latitude,
-                                 model->observer.longitude, model->observer.height};
+  struct um_forecast_station own = {name == NULL ? "station" : name, model->observer.latitude,
+                                    model->observer.longitude, model->observer.height};
   for (size_t i = 0; i < (n > 0 ? n : 1); i++) {
     char *copy;
-    const struct um_study_station *from = n > 0 ? &h->ask.station[i] : &own;
+    const struct um_forecast_station *from = n > 0 ? &h->ask.station[i] : &own;
     UM_TRY(um_core_strdup(context, from->name, &copy));
     f->station[f->nstation] = *from;
     f->station[f->nstation++].name = copy;
@@ -107,16 +107,15 @@ static enum um_status identify(struct um_context *context, struct held *h,
   uint64_t stations = UM_CORE_DIGEST_BEGIN;
   UM_TRY(um_study_identity_create(context, h->ask.version, model, h->ask.options, &h->identity));
   for (size_t i = 0; i < h->forecast.nstation; i++) {
-    const struct um_study_station *s = &h->forecast.station[i];
+    const struct um_forecast_station *s = &h->forecast.station[i];
     const double place[3] = {s->latitude, s->longitude, s->height};
     stations = um_core_digest(stations, place, sizeof place);
   }
   return um_study_identity_add(context, h->identity, "the stations", stations);
 }
 
-enum um_status um_study_forecast_open(struct um_context *context,
-                                      const struct um_study_forecast *forecast,
-                                      const struct um_batch_task *task, struct um_batch **out)
+enum um_status um_forecast_open(struct um_context *context, const struct um_forecast *forecast,
+                                const struct um_batch_task *task, struct um_batch **out)
 {
   const struct held *h = (const struct held *)(const void *)forecast; /* its first member */
   return um_study_identity_open(context, h->identity, task, out);
@@ -124,7 +123,7 @@ enum um_status um_study_forecast_open(struct um_context *context,
 
 static enum um_status prepare(struct um_context *context, struct held *h)
 {
-  struct um_study_forecast *f = &h->forecast;
+  struct um_forecast *f = &h->forecast;
   const struct um_variant_settings settings = {.instants = &h->instant, .base = {1.0, 0.01}};
   UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
   h->holds_files = true;
@@ -138,51 +137,48 @@ static enum um_status prepare(struct um_context *context, struct held *h)
                              ? model->scenario->observer->minimum_elevation_deg * UM_DEG
                              : h->ask.minimum_elevation;
   UM_TRY(name_outputs(context, h, model));
-  UM_TRY(um_study_forecast_pin(context, model, &h->work));
+  UM_TRY(um_forecast_pin(context, model, &h->work));
   h->work.light_has_sign = um_study_light_has_sign(model);
   h->instant = (struct um_model_instants){.time = &f->from, .count = 1};
   UM_TRY(um_variant_evaluator_create(context, model, &settings, &h->work.evaluator));
   return identify(context, h, model);
 }
 
-enum um_status um_study_forecast_create(struct um_context *context,
-                                        const struct um_study_forecast_ask *ask,
-                                        struct um_batch_task *task, struct um_study_forecast **out)
+enum um_status um_forecast_create(struct um_context *context, const struct um_forecast_ask *ask,
+                                  struct um_batch_task *task, struct um_forecast **out)
 {
   enum um_status status;
   struct held *h;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
-  struct um_study_forecast *f = &h->forecast;
+  struct um_forecast *f = &h->forecast;
   h->ask = *ask;
   h->work.ask = &h->ask;
   UM_CHECK(prepare(context, h));
-  for (size_t s = 0; s < f->nstation; s++)
-    UM_CHECK(um_study_forecast_find(context, &h->work, f, s));
+  for (size_t s = 0; s < f->nstation; s++) UM_CHECK(um_forecast_find(context, &h->work, f, s));
   UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;
   h->work.place = h->place;
-  task->ncoordinate = UM_STUDY_FORECAST_COORDINATES;
-  task->nvalue = um_study_forecast_values(f->nband, f->nplace);
-  task->compute = um_study_forecast_compute;
-  task->accepts = um_study_forecast_accepts;
+  task->ncoordinate = UM_FORECAST_COORDINATES;
+  task->nvalue = um_forecast_values(f->nband, f->nplace);
+  task->compute = um_forecast_compute;
+  task->accepts = um_forecast_accepts;
   task->user = &h->work;
   *out = f;
   h = NULL;
 done:
   if (h != NULL) {
     f = &h->forecast;
-    um_study_forecast_destroy(context, &f);
+    um_forecast_destroy(context, &f);
   }
   return status;
 }
 
 /* From AB, which is on record, to the systems of the bands. */
-static void take_system(const struct um_study_forecast *f, struct um_study_forecast_band *band,
-                        double *curve)
+static void take_system(const struct um_forecast *f, struct um_forecast_band *band, double *curve)
 {
-  const size_t n = UM_STUDY_FORECAST_CURVE;
+  const size_t n = UM_FORECAST_CURVE;
   for (size_t b = 0; b < f->nband; b++) {
     if (isnan(f->vega_ab[b])) continue;
     band[b].brightest -= f->vega_ab[b];
@@ -194,10 +190,10 @@ static void take_system(const struct um_study_forecast *f, struct um_study_forec
 /* Give every pass its part of the values. */
 static void take_values(struct held *h, size_t nvalue)
 {
-  struct um_study_forecast *f = &h->forecast;
+  struct um_forecast *f = &h->forecast;
   for (size_t i = 0; i < f->npass; i++) {
     double *value = f->value + i * nvalue;
-    struct um_study_forecast_pass *pass = &f->pass[i];
+    struct um_forecast_pass *pass = &f->pass[i];
     pass->delay = *value++;
     memcpy(h->band + i * f->nband, value, f->nband * sizeof *h->band);
     value += f->nband * sizeof *h->band / sizeof *value;
@@ -206,30 +202,30 @@ static void take_values(struct held *h, size_t nvalue)
     pass->band = h->band + i * f->nband;
     pass->place = h->places + i * f->nplace;
     pass->curve_at = value;
-    pass->curve = value + UM_STUDY_FORECAST_CURVE;
-    take_system(f, h->band + i * f->nband, value + UM_STUDY_FORECAST_CURVE);
+    pass->curve = value + UM_FORECAST_CURVE;
+    take_system(f, h->band + i * f->nband, value + UM_FORECAST_CURVE);
   }
 }
 
-enum um_status um_study_forecast_run(struct um_context *context, struct um_study_forecast *forecast,
-                                     struct um_batch *batch)
+enum um_status um_forecast_run(struct um_context *context, struct um_forecast *forecast,
+                               struct um_batch *batch)
 {
   enum um_status status;
   struct held *h = (struct held *)(void *)forecast; /* its first member */
-  struct um_study_forecast *f = forecast;
-  size_t nvalue = um_study_forecast_values(f->nband, f->nplace);
+  struct um_forecast *f = forecast;
+  size_t nvalue = um_forecast_values(f->nband, f->nplace);
   char **reason = NULL;
   struct um_variant base;
-  UM_CHECK(um_core_allocate(context, f->npass, UM_STUDY_FORECAST_COORDINATES * sizeof(double),
+  UM_CHECK(um_core_allocate(context, f->npass, UM_FORECAST_COORDINATES * sizeof(double),
                             &h->coordinate));
   UM_CHECK(um_core_allocate(context, f->npass, nvalue * sizeof(double), &f->value));
   UM_CHECK(um_core_allocate(context, f->npass * f->nband, sizeof *h->band, &h->band));
   UM_CHECK(um_core_allocate(context, f->npass * f->nplace, sizeof *h->places, &h->places));
   UM_CHECK(um_core_allocate(context, f->npass, sizeof *reason, &reason));
   for (size_t i = 0; i < f->npass; i++) {
-    const struct um_study_forecast_pass *p = &f->pass[i];
+    const struct um_forecast_pass *p = &f->pass[i];
     const double at[] = {(double)p->station, p->start, p->stop, p->pass.culmination};
-    memcpy(h->coordinate + i * UM_STUDY_FORECAST_COORDINATES, at, sizeof at);
+    memcpy(h->coordinate + i * UM_FORECAST_COORDINATES, at, sizeof at);
   }
   if (f->npass > 0 && h->model->scenario->thermal->start == UM_START_PERIODIC)
     UM_CHECK(um_variant_base(context, h->work.evaluator, &base)); /* before workers need it */
@@ -242,11 +238,11 @@ done:
   return status;
 }
 
-void um_study_forecast_destroy(struct um_context *context, struct um_study_forecast **forecast)
+void um_forecast_destroy(struct um_context *context, struct um_forecast **forecast)
 {
   if (forecast == NULL || *forecast == NULL) return;
   struct held *h = (struct held *)(void *)*forecast;
-  struct um_study_forecast *f = *forecast;
+  struct um_forecast *f = *forecast;
   for (size_t i = 0; i < f->npass; i++) um_core_free(context, f->pass[i].reason);
   for (size_t i = 0; i < f->nband; i++) um_core_free(context, f->band[i]);
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);

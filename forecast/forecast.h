@@ -4,33 +4,33 @@
 #ifndef UMBRA_STUDY_FORECAST_H
 #define UMBRA_STUDY_FORECAST_H
 
-#include "batch/batch.h"
-#include "model/model.h"
+#include "base/batch/batch.h"
+#include "model/build/model.h"
 #include "orbit/observer.h"
 
-#define UM_STUDY_FORECAST_CURVE 60    /* instants of the curves that are kept of a pass */
-#define UM_STUDY_FORECAST_MOST  10000 /* passes */
+#define UM_FORECAST_CURVE 60    /* instants of the curves that are kept of a pass */
+#define UM_FORECAST_MOST  10000 /* passes */
 
-struct um_study_station {
+struct um_forecast_station {
   const char *name;                   /* borrowed */
   double latitude, longitude, height; /* [rad], [rad], [m] */
 };
 
 /* What is asked. Texts are borrowed. */
-struct um_study_forecast_ask {
+struct um_forecast_ask {
   const char *path; /* of the scenario */
   const struct um_model_options *options;
-  double from;                            /* t_tai [s]; NaN: the scenario's start */
-  double days;                            /* > 0 */
-  double minimum_elevation;               /* [rad]; NaN: the scenario's */
-  const struct um_study_station *station; /* [nstation] */
-  size_t nstation;                        /* 0: the scenario's station */
-  const char *version;                    /* of the program, NULL: none */
+  double from;                               /* t_tai [s]; NaN: the scenario's start */
+  double days;                               /* > 0 */
+  double minimum_elevation;                  /* [rad]; NaN: the scenario's */
+  const struct um_forecast_station *station; /* [nstation] */
+  size_t nstation;                           /* 0: the scenario's station */
+  const char *version;                       /* of the program, NULL: none */
 };
 
 /* Band of a pass. Magnitudes are of the band's system, exo-atmospheric, NaN where nothing is seen.
  */
-struct um_study_forecast_band {
+struct um_forecast_band {
   double brightest;              /* [mag] */
   double brightest_at;           /* t_tai [s]; NaN: never seen */
   double culmination;            /* [mag] at the instant nearest to culmination */
@@ -41,11 +41,11 @@ struct um_study_forecast_band {
   double error;                  /* of the brightest magnitude, by ray tracing [mag] */
 };
 /* Place of a pass [K]: mean over the pass of the mean over the place, and the extremes of that. */
-struct um_study_forecast_place {
+struct um_forecast_place {
   double mean, lowest, highest;
 };
 
-struct um_study_forecast_pass {
+struct um_forecast_pass {
   size_t station;
   struct um_orbit_pass pass;
   double start, stop; /* t_tai [s] of the run: whole seconds inside rise and set */
@@ -56,48 +56,46 @@ struct um_study_forecast_pass {
   double delay;         /* error of the times by the age of two-line elements, 1 sigma [s]; NaN:
                          * unknown */
   char *reason;         /* NULL: computed; else why not, and what follows is NaN */
-  const struct um_study_forecast_band *band;   /* [nband] */
-  const struct um_study_forecast_place *place; /* [nplace] */
-  const double *curve_at;                      /* [UM_STUDY_FORECAST_CURVE] t_tai [s] */
-  const double *curve; /* [nband][2][UM_STUDY_FORECAST_CURVE] magnitude [mag], irradiance [W/m^2] */
+  const struct um_forecast_band *band;   /* [nband] */
+  const struct um_forecast_place *place; /* [nplace] */
+  const double *curve_at;                /* [UM_FORECAST_CURVE] t_tai [s] */
+  const double *curve; /* [nband][2][UM_FORECAST_CURVE] magnitude [mag], irradiance [W/m^2] */
 };
 
-struct um_study_forecast {
+struct um_forecast {
   char *name;               /* the scenario's */
   double from, to;          /* t_tai [s] */
   double minimum_elevation; /* [rad] */
   size_t nstation, npass, nband, nplace;
-  struct um_study_station *station; /* [nstation]; names owned */
-  char **band, **place;             /* names */
-  bool *thermal;                    /* [nband] shines by its own heat there */
+  struct um_forecast_station *station; /* [nstation]; names owned */
+  char **band, **place;                /* names */
+  bool *thermal;                       /* [nband] shines by its own heat there */
   double *vega_ab; /* [nband] AB magnitude of magnitude 0 relative to Vega; NaN: the band's
                     * magnitudes are AB */
-  struct um_study_forecast_pass *pass; /* [npass] by rise */
-  double *value;                       /* what passes point into */
+  struct um_forecast_pass *pass; /* [npass] by rise */
+  double *value;                 /* what passes point into */
 };
 
 /* Words for the Sun's elevation: "day" above -0.833 deg (the upper limb with refraction), "civil",
  * "nautical", "astronomical" twilight down to -6, -12, -18 deg, "night". Borrowed. */
-const char *um_study_sky(double sun_elevation);
+const char *um_forecast_sky(double sun_elevation);
 
 /* System of a band's magnitudes: "Vega" or "AB". Borrowed. */
-const char *um_study_forecast_system(const struct um_study_forecast *forecast, size_t band);
+const char *um_forecast_system(const struct um_forecast *forecast, size_t band);
 
 /* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
  * the runs, whose `ncoordinate`, `nvalue`, `compute`, `accepts` and `user` are set. The forecast
  * outlives the task's batch; `ask` too, with what it points to. UM_ERR_INPUT: no station, no orbit,
- * more than UM_STUDY_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
-enum um_status um_study_forecast_create(struct um_context *context,
-                                        const struct um_study_forecast_ask *ask,
-                                        struct um_batch_task *task, struct um_study_forecast **out);
+ * more than UM_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
+enum um_status um_forecast_create(struct um_context *context, const struct um_forecast_ask *ask,
+                                  struct um_batch_task *task, struct um_forecast **out);
 /* Open the records of the task; errors of um_study_identity_open. */
-enum um_status um_study_forecast_open(struct um_context *context,
-                                      const struct um_study_forecast *forecast,
-                                      const struct um_batch_task *task, struct um_batch **out);
+enum um_status um_forecast_open(struct um_context *context, const struct um_forecast *forecast,
+                                const struct um_batch_task *task, struct um_batch **out);
 /* Compute the passes; a pass that cannot be computed has its reason. Errors of um_batch_run. */
-enum um_status um_study_forecast_run(struct um_context *context, struct um_study_forecast *forecast,
-                                     struct um_batch *batch);
+enum um_status um_forecast_run(struct um_context *context, struct um_forecast *forecast,
+                               struct um_batch *batch);
 /* Accepts NULL, sets NULL. */
-void um_study_forecast_destroy(struct um_context *context, struct um_study_forecast **forecast);
+void um_forecast_destroy(struct um_context *context, struct um_forecast **forecast);
 
 #endif

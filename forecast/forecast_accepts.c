@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "forecast/forecast_impl.h"
 #include "study/accepts.h"
-#include "study/forecast_impl.h"
 
-static bool is_band(const struct um_study_forecast_band *b, double from, double to, bool has_sign)
+static bool is_band(const struct um_forecast_band *b, double from, double to, bool has_sign)
 {
   bool seen = !isnan(b->brightest), lit = !isnan(b->largest);
   return (!seen || isfinite(b->brightest)) && seen == !isnan(b->brightest_at) &&
@@ -16,7 +16,7 @@ static bool is_band(const struct um_study_forecast_band *b, double from, double 
          b->intensity >= 0.0 && !(b->error < 0.0);
 }
 
-static bool is_place(const struct um_study_forecast_place *p)
+static bool is_place(const struct um_forecast_place *p)
 {
   const double rounding = 1e-9;
   return um_study_is_temperature(p->lowest) && um_study_is_temperature(p->highest) &&
@@ -26,7 +26,7 @@ static bool is_place(const struct um_study_forecast_place *p)
 
 static bool is_curve(const double *at, const double *curve, size_t nband, bool has_sign)
 {
-  const size_t n = UM_STUDY_FORECAST_CURVE;
+  const size_t n = UM_FORECAST_CURVE;
   for (size_t k = 0; k < n; k++) {
     if (!isfinite(at[k]) || (k > 0 && at[k] < at[k - 1])) return false;
     for (size_t b = 0; b < nband; b++)
@@ -37,17 +37,17 @@ static bool is_curve(const double *at, const double *curve, size_t nband, bool h
   return true;
 }
 
-bool um_study_forecast_accepts(void *user, const double *coordinate, const double *value)
+bool um_forecast_accepts(void *user, const double *coordinate, const double *value)
 {
-  const struct um_study_forecast_work *work = user;
-  struct um_study_forecast_band band;
-  struct um_study_forecast_place place;
+  const struct um_forecast_work *work = user;
+  struct um_forecast_band band;
+  struct um_forecast_place place;
   const double delay = *value++, *at = value;
   at += work->nband * sizeof band / sizeof *at + work->nplace * sizeof place / sizeof *at;
-  const double from = at[0], to = at[UM_STUDY_FORECAST_CURVE - 1];
+  const double from = at[0], to = at[UM_FORECAST_CURVE - 1];
   (void)coordinate;
   if (delay < 0.0 || isinf(delay)) return false;
-  if (!is_curve(at, at + UM_STUDY_FORECAST_CURVE, work->nband, work->light_has_sign)) return false;
+  if (!is_curve(at, at + UM_FORECAST_CURVE, work->nband, work->light_has_sign)) return false;
   for (size_t b = 0; b < work->nband; b++, value += sizeof band / sizeof *value) {
     memcpy(&band, value, sizeof band);
     if (!is_band(&band, from, to, work->light_has_sign)) return false;

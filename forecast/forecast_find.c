@@ -1,9 +1,9 @@
 /* Passes of a station, without what a run gives: when, where, and what the shadow does. */
 #include <math.h>
 
-#include "model/build.h"
-#include "model/timeline.h"
-#include "study/forecast_impl.h"
+#include "forecast/forecast_impl.h"
+#include "model/build/build.h"
+#include "model/build/timeline.h"
 
 #define HOUR 3600.0 /* between observations where none are made [s] */
 #define BEYOND                                                                                     \
@@ -11,7 +11,7 @@
 
 /* Shadow, Sun and times of a pass that need no run and no attitude. */
 static enum um_status describe(struct um_context *context, const struct um_model *orbit,
-                               struct um_study_forecast_pass *pass)
+                               struct um_forecast_pass *pass)
 {
   struct um_environment_event *event = NULL;
   struct um_orbit_look look;
@@ -43,30 +43,29 @@ static enum um_status describe(struct um_context *context, const struct um_model
 }
 
 /* Is it one of these days, and long enough to be run? */
-static bool belongs(const struct um_study_forecast *f, const struct um_orbit_pass *pass)
+static bool belongs(const struct um_forecast *f, const struct um_orbit_pass *pass)
 {
   return pass->culmination >= f->from && pass->culmination < f->to &&
          floor(pass->set) - ceil(pass->rise) >= 1.0;
 }
 
-static enum um_status add_pass(struct um_context *context, struct um_study_forecast *f,
+static enum um_status add_pass(struct um_context *context, struct um_forecast *f,
                                const struct um_model *orbit, size_t station,
                                const struct um_orbit_pass *pass)
 {
-  if (f->npass >= UM_STUDY_FORECAST_MOST)
+  if (f->npass >= UM_FORECAST_MOST)
     return um_core_fail(context, UM_ERR_INPUT,
                         "more than %d passes; accepted: fewer days, fewer stations or a higher "
                         "minimum elevation",
-                        UM_STUDY_FORECAST_MOST);
+                        UM_FORECAST_MOST);
   UM_TRY(um_core_reallocate(context, f->npass + 1, sizeof *f->pass, &f->pass));
-  struct um_study_forecast_pass *to = &f->pass[f->npass];
-  *to = (struct um_study_forecast_pass){.station = station, .pass = *pass};
+  struct um_forecast_pass *to = &f->pass[f->npass];
+  *to = (struct um_forecast_pass){.station = station, .pass = *pass};
   f->npass++;
   return describe(context, orbit, to);
 }
 
-enum um_status um_study_forecast_check_orbit(struct um_context *context,
-                                             const struct um_model *orbit)
+enum um_status um_forecast_check_orbit(struct um_context *context, const struct um_model *orbit)
 {
   const char *file = orbit->scenario->at.file;
   if (!orbit->has_observer || orbit->observer.kind != UM_OBSERVER_STATION)
@@ -76,21 +75,20 @@ enum um_status um_study_forecast_check_orbit(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_study_forecast_find(struct um_context *context,
-                                      const struct um_study_forecast_work *work,
-                                      struct um_study_forecast *f, size_t station)
+enum um_status um_forecast_find(struct um_context *context, const struct um_forecast_work *work,
+                                struct um_forecast *f, size_t station)
 {
   enum um_status status;
-  struct um_study_forecast_changes changes;
+  struct um_forecast_changes changes;
   struct um_model *orbit = NULL;
   struct um_orbit_pass *pass = NULL;
   size_t n = 0;
-  UM_CHECK(um_study_forecast_changes(context, work, station, f->from, f->to, HOUR, &changes));
+  UM_CHECK(um_forecast_changes(context, work, station, f->from, f->to, HOUR, &changes));
   um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
   status = um_model_variant_create(context, work->model, &changes.all, &orbit);
   um_core_quiet_end(context);
   UM_CHECK(status);
-  UM_CHECK(um_study_forecast_check_orbit(context, orbit));
+  UM_CHECK(um_forecast_check_orbit(context, orbit));
   UM_CHECK(um_orbit_passes_find(context, &orbit->observer, orbit->trajectory, f->from - BEYOND,
                                 f->to + BEYOND, f->minimum_elevation, &pass, &n));
   for (size_t i = 0; i < n; i++)
@@ -98,6 +96,6 @@ enum um_status um_study_forecast_find(struct um_context *context,
 done:
   um_core_free(context, pass);
   um_model_destroy(context, &orbit);
-  um_study_forecast_changes_clear(context, &changes);
+  um_forecast_changes_clear(context, &changes);
   return status;
 }

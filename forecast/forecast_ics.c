@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "forecast/forecast_write.h"
 #include "orbit/time.h"
-#include "study/forecast_write.h"
 
 #define FOLD 75   /* bytes of a line without its end (RFC 5545, 3.1) */
 #define LINE 2048 /* longest line before it is folded */
@@ -20,7 +20,7 @@ static size_t character(const char *at)
   return n;
 }
 
-void um_study_ics_escape(const char *text, char *out, size_t size)
+void um_forecast_ics_escape(const char *text, char *out, size_t size)
 {
   size_t n = 0;
   while (*text != '\0') {
@@ -39,7 +39,7 @@ void um_study_ics_escape(const char *text, char *out, size_t size)
   out[n] = '\0';
 }
 
-void um_study_ics_line(FILE *file, const char *line)
+void um_forecast_ics_line(FILE *file, const char *line)
 {
   size_t column = 0;
   while (*line != '\0') {
@@ -72,15 +72,15 @@ static void put_stamp(FILE *file, const char *name, double t_tai)
   char when[32], line[64];
   stamp(t_tai, when);
   snprintf(line, sizeof line, "%s:%s", name, when);
-  um_study_ics_line(file, line);
+  um_forecast_ics_line(file, line);
 }
 
 static void put_text(FILE *file, const char *name, const char *text)
 {
   char escaped[LINE], line[LINE + 32];
-  um_study_ics_escape(text, escaped, sizeof escaped);
+  um_forecast_ics_escape(text, escaped, sizeof escaped);
   snprintf(line, sizeof line, "%s:%s", name, escaped);
-  um_study_ics_line(file, line);
+  um_forecast_ics_line(file, line);
 }
 
 /* Append to a text that is cut where it is full. */
@@ -102,7 +102,7 @@ static void append_time(char text[LINE], const char *what, double t)
   append(text, "\n%s %.8s UTC", what, utc + 11);
 }
 
-static void describe(const struct um_study_forecast *f, const struct um_study_forecast_pass *pass,
+static void describe(const struct um_forecast *f, const struct um_forecast_pass *pass,
                      char text[LINE])
 {
   const struct um_orbit_pass *p = &pass->pass;
@@ -110,7 +110,7 @@ static void describe(const struct um_study_forecast *f, const struct um_study_fo
   append(text, "culminates at %.0f deg, azimuth %.0f deg, %.0f km; Sun at %.0f deg (%s)",
          p->culmination_elevation / UM_DEG, p->culmination_azimuth / UM_DEG,
          p->culmination_range * 1e-3, pass->sun_elevation / UM_DEG,
-         um_study_sky(pass->sun_elevation));
+         um_forecast_sky(pass->sun_elevation));
   append_time(text, "rises", p->rise);
   append(text, ", azimuth %.0f deg", p->rise_azimuth / UM_DEG);
   append_time(text, "culminates", p->culmination);
@@ -119,12 +119,12 @@ static void describe(const struct um_study_forecast *f, const struct um_study_fo
   append_time(text, "enters the shadow", pass->entry);
   append_time(text, "leaves the shadow", pass->exit);
   for (size_t b = 0; b < f->nband; b++) {
-    const struct um_study_forecast_band *band = &pass->band[b];
+    const struct um_forecast_band *band = &pass->band[b];
     if (f->thermal[b]) {
       append(text, "\n%s: up to %.3g W/m^2", f->band[b], band->largest);
     } else if (isfinite(band->brightest)) {
       append(text, "\n%s: brightest %.1f mag (%s)", f->band[b], band->brightest,
-             um_study_forecast_system(f, b));
+             um_forecast_system(f, b));
       append_time(text, "at", band->brightest_at);
       if (isfinite(band->culmination)) append(text, "\n%.1f mag at culmination", band->culmination);
     } else {
@@ -136,20 +136,19 @@ static void describe(const struct um_study_forecast *f, const struct um_study_fo
 }
 
 /* The first band of reflected light; nband: none. */
-static size_t first_reflected(const struct um_study_forecast *f)
+static size_t first_reflected(const struct um_forecast *f)
 {
   size_t b = 0;
   while (b < f->nband && f->thermal[b]) b++;
   return b;
 }
 
-static void event(const struct um_study_forecast *f, const struct um_study_forecast_pass *pass,
-                  FILE *file)
+static void event(const struct um_forecast *f, const struct um_forecast_pass *pass, FILE *file)
 {
-  const struct um_study_station *station = &f->station[pass->station];
+  const struct um_forecast_station *station = &f->station[pass->station];
   char text[LINE], when[32];
   size_t b = first_reflected(f);
-  um_study_ics_line(file, "BEGIN:VEVENT");
+  um_forecast_ics_line(file, "BEGIN:VEVENT");
   stamp(pass->pass.culmination, when);
   snprintf(text, sizeof text, "%s-%.4f-%.4f-%s@umbra", when, station->latitude / UM_DEG,
            station->longitude / UM_DEG, f->name);
@@ -162,25 +161,25 @@ static void event(const struct um_study_forecast *f, const struct um_study_forec
          pass->pass.culmination_elevation / UM_DEG);
   if (b < f->nband && isfinite(pass->band[b].brightest))
     append(text, ", %s %.1f mag", f->band[b], pass->band[b].brightest);
-  append(text, " (%s)", um_study_sky(pass->sun_elevation));
+  append(text, " (%s)", um_forecast_sky(pass->sun_elevation));
   put_text(file, "SUMMARY", text);
   put_text(file, "LOCATION", station->name);
   snprintf(text, sizeof text, "GEO:%.6f;%.6f", station->latitude / UM_DEG,
            station->longitude / UM_DEG);
-  um_study_ics_line(file, text);
+  um_forecast_ics_line(file, text);
   describe(f, pass, text);
   put_text(file, "DESCRIPTION", text);
-  um_study_ics_line(file, "TRANSP:TRANSPARENT");
-  um_study_ics_line(file, "END:VEVENT");
+  um_forecast_ics_line(file, "TRANSP:TRANSPARENT");
+  um_forecast_ics_line(file, "END:VEVENT");
 }
 
-void um_study_forecast_ics(const struct um_study_forecast *f, FILE *file)
+void um_forecast_ics(const struct um_forecast *f, FILE *file)
 {
-  um_study_ics_line(file, "BEGIN:VCALENDAR");
-  um_study_ics_line(file, "VERSION:2.0");
-  um_study_ics_line(file, "PRODID:-//Umbra//forecast//EN");
-  um_study_ics_line(file, "CALSCALE:GREGORIAN");
+  um_forecast_ics_line(file, "BEGIN:VCALENDAR");
+  um_forecast_ics_line(file, "VERSION:2.0");
+  um_forecast_ics_line(file, "PRODID:-//Umbra//forecast//EN");
+  um_forecast_ics_line(file, "CALSCALE:GREGORIAN");
   for (size_t i = 0; i < f->npass; i++)
     if (f->pass[i].reason == NULL) event(f, &f->pass[i], file);
-  um_study_ics_line(file, "END:VCALENDAR");
+  um_forecast_ics_line(file, "END:VCALENDAR");
 }

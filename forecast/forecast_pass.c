@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/run.h"
+#include "base/core/constants.h"
+#include "forecast/forecast_impl.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
-#include "study/forecast_impl.h"
 
 /* Of a pass: what it is asked to, 0.1 K and 1e-3 of the light, twenty times over [1], [K]. */
 #define FORECAST_TOLERANCE                                                                         \
@@ -14,7 +14,7 @@
     6.0, 0.02                                                                                      \
   }
 
-static enum um_status pin(struct um_context *context, struct um_study_forecast_work *work,
+static enum um_status pin(struct um_context *context, struct um_forecast_work *work,
                           const char *key)
 {
   UM_TRY(um_core_reallocate(context, work->npin + 1, sizeof *work->pin, &work->pin));
@@ -23,7 +23,7 @@ static enum um_status pin(struct um_context *context, struct um_study_forecast_w
   return UM_OK;
 }
 
-static enum um_status pin_law(struct um_context *context, struct um_study_forecast_work *work,
+static enum um_status pin_law(struct um_context *context, struct um_forecast_work *work,
                               size_t index, const char *law)
 {
   char key[64];
@@ -31,8 +31,8 @@ static enum um_status pin_law(struct um_context *context, struct um_study_foreca
   return pin(context, work, key);
 }
 
-enum um_status um_study_forecast_pin(struct um_context *context, const struct um_model *model,
-                                     struct um_study_forecast_work *work)
+enum um_status um_forecast_pin(struct um_context *context, const struct um_model *model,
+                               struct um_forecast_work *work)
 {
   const struct um_scenario *s = model->scenario;
   const struct um_scenario_attitude *law = s->attitude.items;
@@ -49,18 +49,17 @@ enum um_status um_study_forecast_pin(struct um_context *context, const struct um
   return UM_OK;
 }
 
-static void set(struct um_study_forecast_changes *changes, const char *key, double number)
+static void set(struct um_forecast_changes *changes, const char *key, double number)
 {
   changes->key[changes->all.nkey++] = (struct um_document_change){.key = key, .number = number};
 }
 
-enum um_status um_study_forecast_changes(struct um_context *context,
-                                         const struct um_study_forecast_work *work, size_t station,
-                                         double start, double stop, double step,
-                                         struct um_study_forecast_changes *out)
+enum um_status um_forecast_changes(struct um_context *context, const struct um_forecast_work *work,
+                                   size_t station, double start, double stop, double step,
+                                   struct um_forecast_changes *out)
 {
   enum { TIMES = 3, PLACE = 3 };
-  *out = (struct um_study_forecast_changes){.key = NULL};
+  *out = (struct um_forecast_changes){.key = NULL};
   UM_TRY(um_core_allocate(context, work->npin + TIMES + PLACE, sizeof *out->key, &out->key));
   out->all.key = out->key;
   for (size_t i = 0; i < work->npin; i++)
@@ -69,18 +68,17 @@ enum um_status um_study_forecast_changes(struct um_context *context,
   set(out, "time.stop_utc", stop);
   if (!isnan(step)) set(out, "time.step_s", step);
   if (work->station == NULL) return UM_OK;
-  const struct um_study_station *s = &work->station[station];
+  const struct um_forecast_station *s = &work->station[station];
   set(out, "observer.station.latitude_deg", s->latitude / UM_DEG);
   set(out, "observer.station.longitude_deg", s->longitude / UM_DEG);
   set(out, "observer.station.height_m", s->height);
   return UM_OK;
 }
 
-void um_study_forecast_changes_clear(struct um_context *context,
-                                     struct um_study_forecast_changes *changes)
+void um_forecast_changes_clear(struct um_context *context, struct um_forecast_changes *changes)
 {
   um_core_free(context, changes->key);
-  *changes = (struct um_study_forecast_changes){.key = NULL};
+  *changes = (struct um_forecast_changes){.key = NULL};
 }
 
 /* The observation nearest to a time. */
@@ -99,12 +97,12 @@ static double magnitude(const struct um_model_precomputed *p, const struct um_mo
 }
 
 /* Largest radiant intensity toward the observer, and what is seen when. */
-static struct um_study_forecast_band band_of(const struct um_model_precomputed *p,
-                                             const struct um_model_result *r, size_t band,
-                                             double culmination)
+static struct um_forecast_band band_of(const struct um_model_precomputed *p,
+                                       const struct um_model_result *r, size_t band,
+                                       double culmination)
 {
   size_t at = nearest(p, culmination);
-  struct um_study_forecast_band b = {
+  struct um_forecast_band b = {
       NAN, NAN, magnitude(p, r, at, band), NAN, NAN, r->irradiance[at * r->nband + band], 0.0, NAN};
   for (size_t k = 0; k < r->nobs; k++) {
     double m = magnitude(p, r, k, band), e = r->irradiance[k * r->nband + band];
@@ -123,10 +121,10 @@ static struct um_study_forecast_band band_of(const struct um_model_precomputed *
   return b;
 }
 
-static struct um_study_forecast_place place_of(const struct um_model_result *r, size_t place)
+static struct um_forecast_place place_of(const struct um_model_result *r, size_t place)
 {
   const double *mean = r->place[place].mean;
-  struct um_study_forecast_place out = {0.0, INFINITY, -INFINITY};
+  struct um_forecast_place out = {0.0, INFINITY, -INFINITY};
   for (size_t k = 0; k < r->nobs; k++) {
     out.mean += mean[k] / (double)r->nobs;
     out.lowest = fmin(out.lowest, mean[k]);
@@ -135,50 +133,50 @@ static struct um_study_forecast_place place_of(const struct um_model_result *r, 
   return out;
 }
 
-/* In the order of um_study_forecast_values. */
-static void store(const struct um_study_forecast_work *work, const struct um_model_precomputed *p,
+/* In the order of um_forecast_values. */
+static void store(const struct um_forecast_work *work, const struct um_model_precomputed *p,
                   const struct um_model_result *r, double delay, double culmination, double *value)
 {
   *value++ = delay;
   for (size_t b = 0; b < work->nband; b++) {
-    struct um_study_forecast_band band = band_of(p, r, b, culmination);
+    struct um_forecast_band band = band_of(p, r, b, culmination);
     memcpy(value, &band, sizeof band);
     value += sizeof band / sizeof *value;
   }
   for (size_t i = 0; i < work->nplace; i++) {
-    struct um_study_forecast_place place = place_of(r, work->place[i]);
+    struct um_forecast_place place = place_of(r, work->place[i]);
     memcpy(value, &place, sizeof place);
     value += sizeof place / sizeof *value;
   }
-  for (size_t i = 0; i < UM_STUDY_FORECAST_CURVE; i++) {
-    size_t k = i * (r->nobs - 1) / (UM_STUDY_FORECAST_CURVE - 1);
+  for (size_t i = 0; i < UM_FORECAST_CURVE; i++) {
+    size_t k = i * (r->nobs - 1) / (UM_FORECAST_CURVE - 1);
     value[i] = p->t_obs[k];
     for (size_t b = 0; b < work->nband; b++) {
-      value[(1 + 2 * b) * UM_STUDY_FORECAST_CURVE + i] = magnitude(p, r, k, b);
-      value[(2 + 2 * b) * UM_STUDY_FORECAST_CURVE + i] = r->irradiance[k * r->nband + b];
+      value[(1 + 2 * b) * UM_FORECAST_CURVE + i] = magnitude(p, r, k, b);
+      value[(2 + 2 * b) * UM_FORECAST_CURVE + i] = r->irradiance[k * r->nband + b];
     }
   }
 }
 
-enum um_status um_study_forecast_compute(struct um_context *context, void *user,
-                                         const double *coordinate, double *value)
+enum um_status um_forecast_compute(struct um_context *context, void *user, const double *coordinate,
+                                   double *value)
 {
   enum um_status status;
-  const struct um_study_forecast_work *work = user;
+  const struct um_forecast_work *work = user;
   const bool periodic = work->model->scenario->thermal->start == UM_START_PERIODIC;
   const struct um_variant_heat heat = {.start = periodic ? UM_VARIANT_WARM : UM_VARIANT_COLD,
                                        .tolerance = FORECAST_TOLERANCE};
   struct um_variant v = {0};
   struct um_model_result *result = NULL;
-  struct um_study_forecast_changes changes;
-  UM_CHECK(um_study_forecast_changes(context, work, (size_t)coordinate[0], coordinate[1],
-                                     coordinate[2], NAN, &changes));
+  struct um_forecast_changes changes;
+  UM_CHECK(um_forecast_changes(context, work, (size_t)coordinate[0], coordinate[1], coordinate[2],
+                               NAN, &changes));
   UM_CHECK(um_variant_open_over(context, work->evaluator, NULL, &changes.all, &heat, &v));
   UM_CHECK(um_variant_observe(context, work->evaluator, &v, &result));
   store(work, v.precomputed, result, v.model->orbit_delay, coordinate[3], value);
 done:
   um_model_result_destroy(context, &result);
   um_variant_close(context, &v);
-  um_study_forecast_changes_clear(context, &changes);
+  um_forecast_changes_clear(context, &changes);
   return status;
 }

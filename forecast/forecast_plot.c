@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "base/plot/plot.h"
+#include "forecast/forecast_write.h"
 #include "orbit/time.h"
-#include "plot/plot.h"
-#include "study/forecast_write.h"
 
 #define WIDTH   1100 /* pixels */
 #define LEFT    90
@@ -22,7 +22,7 @@
 
 /* UTC of a time, and the noon of mean solar time at a station before it, as modified Julian dates.
  */
-static void clock_of(const struct um_study_station *station, double t, double *utc, double *noon)
+static void clock_of(const struct um_forecast_station *station, double t, double *utc, double *noon)
 {
   double mjd, seconds, turn = station->longitude / (2.0 * UM_PI);
   um_orbit_time_utc_clock(t, &mjd, &seconds);
@@ -31,23 +31,24 @@ static void clock_of(const struct um_study_station *station, double t, double *u
 }
 
 /* The night's noon as a modified Julian date, and hours since 0 h UTC of its date. */
-static void night_of(const struct um_study_station *station, double t, double *night, double *hours)
+static void night_of(const struct um_forecast_station *station, double t, double *night,
+                     double *hours)
 {
   double utc;
   clock_of(station, t, &utc, night);
   *hours = (utc - floor(*night)) * DAY / HOUR;
 }
 
-static bool is_shown(const struct um_study_forecast_pass *pass, size_t station)
+static bool is_shown(const struct um_forecast_pass *pass, size_t station)
 {
   return pass->reason == NULL && pass->station == station;
 }
 
 /* A block of data a pass: hours, then two columns a band. Its night begins at its rise. */
-static void data(struct um_plot *plot, const struct um_study_forecast *f, size_t i)
+static void data(struct um_plot *plot, const struct um_forecast *f, size_t i)
 {
-  const size_t n = UM_STUDY_FORECAST_CURVE;
-  const struct um_study_forecast_pass *pass = &f->pass[i];
+  const size_t n = UM_FORECAST_CURVE;
+  const struct um_forecast_pass *pass = &f->pass[i];
   double night, hours;
   night_of(&f->station[pass->station], pass->pass.rise, &night, &hours);
   um_plot_add(plot, "$pass%zu << EOD\n", i);
@@ -62,7 +63,7 @@ static void data(struct um_plot *plot, const struct um_study_forecast *f, size_t
 
 /* UTC dates of a pass's night, six hours before and after midnight of mean solar time:
  * "2016-09-21/22", or one date where they are the same. */
-static void date(const struct um_study_station *station, double t, char out[32])
+static void date(const struct um_forecast_station *station, double t, char out[32])
 {
   double utc, noon;
   char morning[32];
@@ -74,13 +75,13 @@ static void date(const struct um_study_station *station, double t, char out[32])
 }
 
 /* Where curves lie [h]. */
-static void extent(const struct um_study_forecast *f, size_t station, double *from, double *to)
+static void extent(const struct um_forecast *f, size_t station, double *from, double *to)
 {
   *from = INFINITY;
   *to = -INFINITY;
   for (size_t i = 0; i < f->npass; i++) {
     double night, hours;
-    const struct um_study_forecast_pass *pass = &f->pass[i];
+    const struct um_forecast_pass *pass = &f->pass[i];
     if (!is_shown(pass, station)) continue;
     night_of(&f->station[station], pass->pass.rise, &night, &hours);
     *from = fmin(*from, hours);
@@ -88,17 +89,17 @@ static void extent(const struct um_study_forecast *f, size_t station, double *fr
   }
 }
 
-static void curves(struct um_plot *plot, const struct um_study_forecast *f, size_t station,
-                   size_t band, double power)
+static void curves(struct um_plot *plot, const struct um_forecast *f, size_t station, size_t band,
+                   double power)
 {
   double last = NAN, night, hours;
   size_t nights = 0;
   bool day_named = false;
   um_plot_add(plot, "plot NaN notitle");
   for (size_t i = 0; i < f->npass; i++) {
-    const struct um_study_forecast_pass *pass = &f->pass[i];
+    const struct um_forecast_pass *pass = &f->pass[i];
     char title[32] = "";
-    bool day = strcmp(um_study_sky(pass->sun_elevation), "day") == 0;
+    bool day = strcmp(um_forecast_sky(pass->sun_elevation), "day") == 0;
     if (!is_shown(pass, station)) continue;
     night_of(&f->station[station], pass->pass.rise, &night, &hours);
     if (!day && night != last) {
@@ -137,8 +138,8 @@ static void hours_axis(struct um_plot *plot, double from, double to, bool named)
   if (named) um_plot_add(plot, "set xlabel %s noenhanced\n", "UTC");
 }
 
-static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_t station,
-                  size_t band, double from, double to)
+static void panel(struct um_plot *plot, const struct um_forecast *f, size_t station, size_t band,
+                  double from, double to)
 {
   double largest = 0.0;
   char unit[80], words[160];
@@ -146,7 +147,7 @@ static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_
   bool seen = false; /* gnuplot refuses curves without a point */
   for (size_t i = 0; i < f->npass; i++) {
     if (!is_shown(&f->pass[i], station)) continue;
-    const struct um_study_forecast_band *of = &f->pass[i].band[band];
+    const struct um_forecast_band *of = &f->pass[i].band[band];
     largest = fmax(largest, of->largest);
     bright = fmin(bright, of->brightest);
     faint = fmax(faint, of->brightest);
@@ -156,7 +157,7 @@ static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_
   if (f->thermal[band])
     snprintf(words, sizeof words, "irradiance [%s]", unit);
   else
-    snprintf(words, sizeof words, "magnitude (%s)", um_study_forecast_system(f, band));
+    snprintf(words, sizeof words, "magnitude (%s)", um_forecast_system(f, band));
   um_plot_ylabel(plot, f->band[band], words);
   if (!seen)
     um_plot_add(plot, "set yrange [0:1] noreverse\nset format y ''\n");
@@ -174,7 +175,7 @@ static void panel(struct um_plot *plot, const struct um_study_forecast *f, size_
     um_plot_add(plot, "plot -1 notitle\n");
 }
 
-static void picture(struct um_plot *plot, const struct um_study_forecast *f, size_t station)
+static void picture(struct um_plot *plot, const struct um_forecast *f, size_t station)
 {
   char name[160], title[320];
   double from, to;
@@ -192,8 +193,8 @@ static void picture(struct um_plot *plot, const struct um_study_forecast *f, siz
   for (size_t b = 0; b < f->nband; b++) panel(plot, f, station, b, from - margin, to + margin);
 }
 
-enum um_status um_study_forecast_plot(struct um_context *context,
-                                      const struct um_study_forecast *forecast, const char *folder)
+enum um_status um_forecast_plot(struct um_context *context, const struct um_forecast *forecast,
+                                const char *folder)
 {
   struct um_plot *plot = NULL;
   UM_TRY(um_plot_create(context, folder, "passes.gp", &plot));

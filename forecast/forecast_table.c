@@ -2,10 +2,10 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "forecast/forecast_write.h"
 #include "orbit/time.h"
-#include "study/forecast_write.h"
 
 static void put_number(FILE *file, double value)
 {
@@ -30,7 +30,7 @@ static void put_column(FILE *file, const char *name, const char *behind)
   um_core_csv_put(file, text, "");
 }
 
-static void head(const struct um_study_forecast *f, FILE *file)
+static void head(const struct um_forecast *f, FILE *file)
 {
   static const char *const of_band[2][8] = {
       {"_brightest_mag_ab", "_brightest_utc", "_culmination_mag_ab", "_brightest_error_mag",
@@ -51,7 +51,7 @@ static void head(const struct um_study_forecast *f, FILE *file)
   fputs(",reason\n", file);
 }
 
-static void geometry(const struct um_study_forecast_pass *pass, FILE *file)
+static void geometry(const struct um_forecast_pass *pass, FILE *file)
 {
   const struct um_orbit_pass *p = &pass->pass;
   put_time(file, p->rise);
@@ -66,20 +66,20 @@ static void geometry(const struct um_study_forecast_pass *pass, FILE *file)
   put_time(file, pass->exit);
   fprintf(file, ",%d,%d", pass->sunlit_at_rise, pass->sunlit_at_set);
   put_number(file, pass->sun_elevation / UM_DEG);
-  fprintf(file, ",%s", um_study_sky(pass->sun_elevation));
+  fprintf(file, ",%s", um_forecast_sky(pass->sun_elevation));
 }
 
-void um_study_forecast_csv(const struct um_study_forecast *f, FILE *file)
+void um_forecast_csv(const struct um_forecast *f, FILE *file)
 {
   head(f, file);
   for (size_t i = 0; i < f->npass; i++) {
-    const struct um_study_forecast_pass *pass = &f->pass[i];
+    const struct um_forecast_pass *pass = &f->pass[i];
     fprintf(file, "%zu,", i + 1);
     um_core_csv_put(file, f->station[pass->station].name, "");
     geometry(pass, file);
     put_number(file, pass->delay);
     for (size_t b = 0; b < f->nband; b++) {
-      const struct um_study_forecast_band *band = &pass->band[b];
+      const struct um_forecast_band *band = &pass->band[b];
       put_number(file, band->brightest);
       put_time(file, band->brightest_at);
       put_number(file, band->culmination);
@@ -100,9 +100,9 @@ void um_study_forecast_csv(const struct um_study_forecast *f, FILE *file)
   }
 }
 
-void um_study_forecast_curves(const struct um_study_forecast *f, FILE *file)
+void um_forecast_curves(const struct um_forecast *f, FILE *file)
 {
-  const size_t n = UM_STUDY_FORECAST_CURVE;
+  const size_t n = UM_FORECAST_CURVE;
   fputs("pass,station,time_utc", file);
   for (size_t b = 0; b < f->nband; b++) {
     put_column(file, f->band[b], isnan(f->vega_ab[b]) ? "_mag_ab" : "_mag_vega");
@@ -111,7 +111,7 @@ void um_study_forecast_curves(const struct um_study_forecast *f, FILE *file)
   fputc('\n', file);
   for (size_t i = 0; i < f->npass; i++)
     for (size_t k = 0; k < n; k++) {
-      const struct um_study_forecast_pass *pass = &f->pass[i];
+      const struct um_forecast_pass *pass = &f->pass[i];
       /* a pass of fewer instants than a curve has, has some of them twice */
       if (pass->reason != NULL || (k > 0 && !(pass->curve_at[k] > pass->curve_at[k - 1]))) continue;
       fprintf(file, "%zu,", i + 1);

@@ -4,23 +4,23 @@
 
 #include <stdio.h>
 
-#include "study/forecast.h"
+#include "forecast/forecast.h"
 
 /* One row a pass; columns: docs/files.md. Errors of writing are the stream's. */
-void um_study_forecast_csv(const struct um_study_forecast *forecast, FILE *file);
+void um_forecast_csv(const struct um_forecast *forecast, FILE *file);
 /* Curves of every pass: pass, time, magnitudes, irradiances. Errors of writing are the stream's. */
-void um_study_forecast_curves(const struct um_study_forecast *forecast, FILE *file);
+void um_forecast_curves(const struct um_forecast *forecast, FILE *file);
 /* iCalendar (RFC 5545): an event a pass that was computed. Errors of writing are the stream's. */
-void um_study_forecast_ics(const struct um_study_forecast *forecast, FILE *file);
+void um_forecast_ics(const struct um_forecast *forecast, FILE *file);
 /* Magnitudes and signals against the time of night, drawn in `folder`. Errors
  * of um_plot_draw. */
-enum um_status um_study_forecast_plot(struct um_context *context,
-                                      const struct um_study_forecast *forecast, const char *folder);
+enum um_status um_forecast_plot(struct um_context *context, const struct um_forecast *forecast,
+                                const char *folder);
 
 /* A text value of iCalendar: backslash, semicolon, comma and line end escaped, other control
  * characters left out (RFC 5545, 3.3.11). out: [size], cut at whole characters where it is full. */
-void um_study_ics_escape(const char *text, char *out, size_t size);
+void um_forecast_ics_escape(const char *text, char *out, size_t size);
 /* A content line, folded at 75 bytes without breaking a character of UTF-8, with CRLF (3.1). */
-void um_study_ics_line(FILE *file, const char *line);
+void um_forecast_ics_line(FILE *file, const char *line);
 
 #endif

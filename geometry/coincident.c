@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/sort.h"
+#include "base/core/sort.h"
 #include "geometry/facet_tree_impl.h"
 #include "geometry/geometry_impl.h"
 #include "geometry/visibility_data_impl.h"

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "geometry/geometry_impl.h"
 
 #define CORNERS     8    /* of a triangle cut by a square: 3 + 4 at most */

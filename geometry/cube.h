@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 #define UM_GEOMETRY_CUBE_CELLS(side) (6 * (size_t)(side) * (size_t)(side))
 

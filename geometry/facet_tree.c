@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/sort.h"
+#include "base/core/sort.h"
 
 #define DEPTH 64
 

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/sort.h"
+#include "base/core/sort.h"
 #include "geometry/cube.h"
 #include "geometry/view_factor_rays_impl.h"
 #include "geometry/view_factors_impl.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
 enum um_status um_geometry_mirrors_create(struct um_context *context, size_t nsurface,
                                           struct um_geometry_mirrors **out)

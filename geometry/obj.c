@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/file.h"
-#include "core/words.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
 #include "geometry/polygon_impl.h"
 
 #define MAX_FILE_BYTES ((size_t)1 << 30)

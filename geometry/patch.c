@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/digest.h"
+#include "base/core/digest.h"
 #include "geometry/geometry_impl.h"
 
 void um_geometry_patch_begin(struct um_geometry_patch *patch, struct um_context *context,

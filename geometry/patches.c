@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "core/sort.h"
+#include "base/core/sort.h"
 
 #define LEAST 1e-3 /* share seen that all have at least: few rays see little */
 

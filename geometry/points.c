@@ -8,7 +8,7 @@
  * would fill no more than a plane of it. */
 #include "geometry/points_impl.h"
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
 /* Keys of the hashes. */
 #define KEY_POINT UINT64_C(0x706f696e74)

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "geometry/patch_impl.h"
 
 /* Ear clipping costs n^3; longer concave faces are refused. */

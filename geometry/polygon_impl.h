@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 /* n - 2 triangles of a simple polygon, as indices into p; false when it crosses itself or has no
  * area. work is [n]. */

@@ -6,7 +6,7 @@
  * emitting and absorbing area are exact. Its projected area is too small by O(h^2). */
 #include "geometry/primitives_impl.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "geometry/geometry_impl.h"
 #include "geometry/round_impl.h"
 #include "geometry/steps_impl.h"

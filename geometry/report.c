@@ -2,7 +2,7 @@
  * V = sum v0 . (v1 x v2) / 6), open and overused edges, sharpest angle. */
 #include "geometry/report_impl.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "geometry/geometry_impl.h"
 
 static double angle_at(struct um_vec3 at, struct um_vec3 b, struct um_vec3 c)

@@ -9,7 +9,7 @@
  * left inscribed: its area is too small by O(n^-2). */
 #include "geometry/round_impl.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "geometry/steps_impl.h"
 
 #define LEAST_SEGMENTS   24.0

@@ -8,8 +8,8 @@
  * surfaces have no cells. */
 #include <assert.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "geometry/points_impl.h"
 #include "geometry/visibility.h"
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* One undirected edge, a < b. */
 struct um_geometry_edge {

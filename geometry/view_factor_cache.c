@@ -8,10 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/digest.h"
-#include "core/file.h"
-#include "core/held_files.h"
-#include "core/sampling.h"
+#include "base/core/digest.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
+#include "base/core/sampling.h"
 #include "geometry/view_factor_file.h"
 
 #define BYTES_MAX ((size_t)1 << 30)

@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/sampling.h"
+#include "base/core/csv.h"
+#include "base/core/sampling.h"
 #include "geometry/view_factor_file_impl.h"
 
 #define VERSION 1 /* of the way they are made: another one, other bits */

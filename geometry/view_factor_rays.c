@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "geometry/points_impl.h"
 
 #define KEY_RAY UINT64_C(0x76696577)

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "geometry/view_factor_file_impl.h"
 #include "geometry/view_factors_impl.h"
 

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "geometry/view_factor_file.h"
 
 #define FINEST   24   /* poses in a turn of a joint: 15 deg */

@@ -1,7 +1,7 @@
 /* How much of its view each surface loses to the satellite, roughly. */
 #include <math.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "geometry/view_factors.h"
 
 #define RAYS     64

@@ -5,7 +5,7 @@
 #include "effects/effects.h"
 #include "library/key_unit_impl.h"
 #include "library/session_impl.h"
-#include "model/scenario_schema.h"
+#include "model/scenario/scenario_schema.h"
 
 #define SAME(ours, theirs)                                                                         \
   _Static_assert((int)UMBRA_TARGET_##ours == (int)UM_TARGET_##theirs, "a number of its "           \

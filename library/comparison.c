@@ -1,7 +1,7 @@
 /* A comparison with measurements as a result. */
-#include "compare/plot.h"
-#include "compare/report.h"
-#include "compare/whole.h"
+#include "evidence/comparison/plot.h"
+#include "evidence/comparison/report.h"
+#include "evidence/inversion/whole.h"
 #include "library/measurements_impl.h"
 #include "library/result_impl.h"
 #include "library/scenario_impl.h"

@@ -1,17 +1,17 @@
 /* Diagnoses and fits as results. */
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "diagnosis/report/plot.h"
-#include "diagnosis/report/write.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
+#include "evidence/diagnosis/report/plot.h"
+#include "evidence/diagnosis/report/write.h"
 #include "library/diagnosis_impl.h"
 #include "library/scenario_impl.h"
-#include "model/effect_files.h"
-#include "model/effects.h"
+#include "model/build/effect_files.h"
+#include "model/build/effects.h"
 
 static void diagnosis_release(struct um_context *context, void *work)
 {

@@ -2,9 +2,9 @@
 #ifndef UMBRA_LIBRARY_DIAGNOSIS_IMPL_H
 #define UMBRA_LIBRARY_DIAGNOSIS_IMPL_H
 
-#include "core/arena.h"
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/request.h"
+#include "base/core/arena.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/request.h"
 #include "library/measurements_impl.h"
 #include "library/result_impl.h"
 #include "library/source_impl.h"

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#include "compare/make.h"
-#include "compare/measurements.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/measurements/make.h"
+#include "evidence/measurements/measurements.h"
 #include "orbit/time_form.h"
 
 #define NAME "measurements" /* what messages call arrays */

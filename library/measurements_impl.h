@@ -2,7 +2,7 @@
 #ifndef UMBRA_LIBRARY_MEASUREMENTS_IMPL_H
 #define UMBRA_LIBRARY_MEASUREMENTS_IMPL_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 #include "library/session_impl.h"
 
 struct umbra_measurements {

@@ -2,7 +2,7 @@
 #include "library/model_impl.h"
 
 #include "library/scenario_impl.h"
-#include "model/build.h"
+#include "model/build/build.h"
 
 static size_t count_of(const struct um_model *model, enum umbra_names kind)
 {

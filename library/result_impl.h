@@ -2,9 +2,9 @@
 #ifndef UMBRA_LIBRARY_RESULT_IMPL_H
 #define UMBRA_LIBRARY_RESULT_IMPL_H
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "library/session_impl.h"
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What differs between results of runs, comparisons and diagnoses. */
 struct um_library_kind {

@@ -4,8 +4,8 @@
 #include "library/model_impl.h"
 #include "library/result_impl.h"
 #include "library/run_impl.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
 

@@ -3,8 +3,8 @@
 #define UMBRA_LIBRARY_RUN_IMPL_H
 
 #include "library/result_impl.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 /* What a result shows of a run; all of it outlives the result. UM_ERR_MEMORY. */
 enum um_status um_library_run_arrays(struct um_context *context, const struct um_model *model,

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "effects/effects.h"
-#include "model/scenario_read.h"
+#include "model/scenario/scenario_read.h"
 
 #define IN_MEMORY "scenario.yaml" /* what messages call a text without a path */
 

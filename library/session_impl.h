@@ -4,8 +4,8 @@
 
 #include <stdatomic.h>
 
-#include "core/arena.h"
-#include "core/context.h"
+#include "base/core/arena.h"
+#include "base/core/context.h"
 #include "library/umbra.h"
 
 struct umbra {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_LIBRARY_SOURCE_IMPL_H
 #define UMBRA_LIBRARY_SOURCE_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* All zero is empty. Texts are owned. */
 struct um_library_source {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_LIBRARY_SOURCES_IMPL_H
 #define UMBRA_LIBRARY_SOURCES_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 struct um_library_citation {
   const char *words;  /* "SGP4 (Vallado et al. 2006)" */

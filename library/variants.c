@@ -3,11 +3,11 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 #include "library/model_impl.h"
 #include "library/run_impl.h"
 #include "library/scenario_impl.h"
-#include "model/effect_files.h"
+#include "model/build/effect_files.h"
 #include "variant/evaluator.h"
 
 #define TEMPERATURE 0.02 /* of the state that repeats, unless it is said [K] */

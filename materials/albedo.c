@@ -10,7 +10,7 @@
 #include <assert.h>
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 #include "materials/passed_on_impl.h"
 #include "materials/record_impl.h"

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "materials/brdf_fit.h"
 
 #define NONE ((size_t)-1)

@@ -5,16 +5,16 @@
  * Marquardt, steps of a factor e at most; alpha by golden section about the best of a logarithmic
  * grid. F is one number: a single wavelength in a plane does not tell its angle from masking.
  *
- * Why not inference/fit.h: it is for models that cost seconds, differences its Jacobian and ends
- * where their noise does, at 1e-9 of the squares. The derivatives are exact here, and the search
- * over alpha needs them: with it F moved in the sixth digit and one of 24 fits of a Starlink did
- * not end. */
+ * Why not base/inference/fit.h: it is for models that cost seconds, differences its Jacobian and
+ * ends where their noise does, at 1e-9 of the squares. The derivatives are exact here, and the
+ * search over alpha needs them: with it F moved in the sixth digit and one of 24 fits of a Starlink
+ * did not end. */
 #include "materials/brdf_fit.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/golden.h"
+#include "base/core/constants.h"
+#include "base/core/golden.h"
 
 #define GRAZING   (85.0 * UM_DEG) /* beyond, a detector sees past the sample */
 #define ROUNDING  1e-9            /* [rad] */

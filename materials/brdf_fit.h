@@ -2,7 +2,7 @@
 #ifndef UMBRA_MATERIALS_BRDF_FIT_H
 #define UMBRA_MATERIALS_BRDF_FIT_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "materials/lobe.h"
 
 struct um_materials_brdf_row {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
 

@@ -14,7 +14,7 @@
 #include <assert.h>
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 
 static double complex square(double complex z) { return z * z; }

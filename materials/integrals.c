@@ -9,7 +9,7 @@
  * with F Planck's fraction, tabulated at load over log T and interpolated by cubics. */
 #include <math.h>
 
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "materials/record_impl.h"
 
 #define TEMPERATURES UM_MATERIALS_TEMPERATURES

@@ -2,7 +2,7 @@
  * checks that they share with optical constants (layers.c). */
 #include <math.h>
 
-#include "core/interpolation.h"
+#include "base/core/interpolation.h"
 #include "materials/bsdf.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/interpolation.h"
+#include "base/core/interpolation.h"
 #include "materials/bsdf.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"

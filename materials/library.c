@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/data.h"
-#include "core/listing.h"
-#include "core/words.h"
+#include "base/core/data.h"
+#include "base/core/listing.h"
+#include "base/core/words.h"
 #include "materials/record_impl.h"
 
 struct um_materials_library {

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 #include "materials/lobe_impl.h"
 #include "materials/measured.h"

@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 struct um_materials_lobe_kind;
 

@@ -8,7 +8,7 @@
  * disc adds theta_s^2/8 to alpha^2 as it does there. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 
 static double exponent(double alpha) { return 2.0 / (alpha * alpha); }

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 #include "materials/microfacet_impl.h"
 

@@ -12,7 +12,7 @@
  * roughnesses alpha^2 + R^2 takes the place of either, which keeps the peak of this. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/microfacet_impl.h"
 
 static double um_materials_facet_slopes(double r2)

@@ -1,7 +1,7 @@
 /* Lambert's lobe: alike in all directions, f = 1/pi. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 
 static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)

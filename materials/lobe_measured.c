@@ -5,7 +5,7 @@
  * The Sun's disc is narrower than what a goniometer tells apart: its mean is the value. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 #include "materials/measured.h"
 

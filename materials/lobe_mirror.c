@@ -6,7 +6,7 @@
  * facets that happen to point: facets must be smaller than 0.2 deg of its curve to sum up right. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 
 /* A point has no image of finite radiance. */

@@ -9,7 +9,7 @@
  * Sun's disc has the variance theta_s^2/4 per axis: 1/n' = 1/n + theta_s^2/4. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 
 static double exponent(double alpha) { return 0.5 / (alpha * alpha); }

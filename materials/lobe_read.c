@@ -1,8 +1,8 @@
 /* The lobe of a record: its kind, masking and roughness, from the keys that may state them. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/file.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
 #include "materials/bsdf.h"
 #include "materials/lobe_impl.h"
 #include "materials/measured.h"

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_materials_lobe;    /* materials/lobe.h */
 struct um_materials_record;  /* opaque, immutable after loading */

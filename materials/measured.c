@@ -13,8 +13,8 @@
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
 #include "materials/measured_impl.h"
 
 /* --- interpolation --------------------------------------------------------------------------- */

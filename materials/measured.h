@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_MATERIALS_MEASURED_NODES 4000000 /* directions of a table, at most */
 #define UM_MATERIALS_MEASURED_REACH 75.0    /* polar angle that a table must reach [deg] */

@@ -7,9 +7,9 @@
  * pi/2 s^2: the density is exact whatever the table is. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
-#include "core/vec.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
+#include "base/core/vec.h"
 #include "materials/measured_impl.h"
 
 #define BINS      UM_MATERIALS_MEASURED_BINS

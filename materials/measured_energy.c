@@ -3,7 +3,7 @@
  * which stays reciprocal and leaves alone what does not reach those directions. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/measured_impl.h"
 
 #define ROUNDS 200  /* of renormalising, at most */

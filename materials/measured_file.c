@@ -1,8 +1,8 @@
 /* A table of a BRDF over the hemisphere: rows of a whole grid, ascending. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "materials/measured.h"
 
 #define SAME  1e-9  /* [deg] */

@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe_impl.h"
 #include "materials/passed_on_impl.h"
 

@@ -13,8 +13,8 @@
  * mirrored adds up to what falls in, whatever changes the absorptance. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "materials/record_impl.h"
 
 #define WIDEST 0.1 /* Beckmann alpha of a lobe that is taken as a mirror [1], at most */

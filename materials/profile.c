@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "materials/bsdf.h"
 
 #define EVEN  1e-3 /* of a step */

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MATERIALS_PROFILE_H
 #define UMBRA_MATERIALS_PROFILE_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_materials_heights {
   double *height; /* [ny][nx] [m], the mean plane taken off */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 static enum um_status read_row(struct um_context *context, const struct um_core_csv *csv,
                                const size_t column[2], size_t row,

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "document/schema.h"
+#include "base/core/constants.h"
+#include "base/document/schema.h"
 #include "materials/bsdf.h"
 #include "materials/measured.h"
 #include "materials/record_impl.h"

@@ -19,7 +19,7 @@
 #include <assert.h>
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/measured.h"
 #include "materials/record_impl.h"
 

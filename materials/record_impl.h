@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "materials/bsdf.h"
 #include "materials/cosines_impl.h"
 #include "materials/lobe.h"

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MATERIALS_SCHEMA_IMPL_H
 #define UMBRA_MATERIALS_SCHEMA_IMPL_H
 
-#include "document/schema.h"
+#include "base/document/schema.h"
 #include "materials/materials.h"
 
 struct um_materials_band_input {

@@ -17,7 +17,7 @@
 #include <assert.h>
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 
 /* What a layer or half-space is at one wavelength and angle. */

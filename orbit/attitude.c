@@ -12,7 +12,7 @@
  * Reference: Wertz 1978, Spacecraft Attitude Determination and Control, appendix E. */
 #include "orbit/attitude.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/attitude_law_impl.h"
 #include "orbit/attitude_table_impl.h"
 #include "orbit/frames.h"

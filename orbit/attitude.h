@@ -7,8 +7,8 @@
 #ifndef UMBRA_ORBIT_ATTITUDE_H
 #define UMBRA_ORBIT_ATTITUDE_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "orbit/attitude_law.h"
 #include "orbit/ephemeris.h"
 

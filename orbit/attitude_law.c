@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 static enum um_status unit_axis(struct um_context *context, const char *name, struct um_vec3 *axis)
 {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_ATTITUDE_LAW_H
 #define UMBRA_ORBIT_ATTITUDE_LAW_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 enum um_orbit_attitude_kind {
   UM_ATTITUDE_FIXED,  /* q constant in GCRS */

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_ATTITUDE_LAW_IMPL_H
 #define UMBRA_ORBIT_ATTITUDE_LAW_IMPL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "orbit/attitude_law.h"
 
 /* Makes axes and quaternion unit. UM_ERR_INPUT: what no law of its kind has; a tumble's inertia and

@@ -1,8 +1,8 @@
 /* Attitude from a table of quaternions: time_utc,q0,q1,q2,q3, GCRS to body, scalar first, slerp
  * between rows (Shoemake 1985). A gap longer than the limit is an error of the file. */
-#include "core/csv.h"
-#include "core/interpolation.h"
-#include "core/order.h"
+#include "base/core/csv.h"
+#include "base/core/interpolation.h"
+#include "base/core/order.h"
 #include "orbit/attitude_table_impl.h"
 #include "orbit/time.h"
 #include "orbit/time_column_impl.h"

@@ -2,8 +2,8 @@
 #ifndef UMBRA_ORBIT_ATTITUDE_TABLE_IMPL_H
 #define UMBRA_ORBIT_ATTITUDE_TABLE_IMPL_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 
 struct um_orbit_attitude_table {
   char *path;

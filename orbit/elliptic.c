@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define MEANS 12 /* they double their digits each time: enough from m1 = 1e-300 on */
 #define EQUAL 1e-16

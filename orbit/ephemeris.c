@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "orbit/time.h"
 
 enum { SLOTS = 1 << 15, REACH = 16 };

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_EPHEMERIS_H
 #define UMBRA_ORBIT_EPHEMERIS_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Celestial intermediate pole, IAU 2006/2000A: its coordinates in GCRS and the origin's locator. */
 struct um_orbit_cip {

@@ -9,10 +9,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/file.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "base/core/interpolation.h"
 #include "orbit/time.h"
 
 struct um_orbit_finals {

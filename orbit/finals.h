@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_FINALS_H
 #define UMBRA_ORBIT_FINALS_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "orbit/ephemeris.h"
 
 /* Earth orientation: constant values, or a table from an IERS finals2000A file. */

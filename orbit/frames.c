@@ -10,7 +10,7 @@
 #include <erfa.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/time.h"
 
 /* Earth orientation and the two Julian dates that belong to one instant. */

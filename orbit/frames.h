@@ -3,8 +3,8 @@
 #ifndef UMBRA_ORBIT_FRAMES_H
 #define UMBRA_ORBIT_FRAMES_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "orbit/finals.h"
 
 /* Passive rotation GCRS -> ITRF at a time; UM_ERR_INPUT as above. Its third row is the Earth's

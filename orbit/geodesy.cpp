@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 namespace
 {

@@ -4,11 +4,11 @@
 
 #ifdef __cplusplus
 extern "C" {
-struct um_vec3 { /* as in core/vec.h, whose inline functions are C only */
+struct um_vec3 { /* as in base/core/vec.h, whose inline functions are C only */
   double x, y, z;
 };
 #else
-#include "core/vec.h"
+#include "base/core/vec.h"
 #endif
 /* Geodetic -> ITRF. Does not fail for finite input. */
 struct um_vec3 um_orbit_geodesy_forward(double latitude, double longitude, double height);

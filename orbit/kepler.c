@@ -4,7 +4,7 @@
  *   r = a (cos E - e) P + b sin E Q,  v = dE/dt (-a sin E P + b cos E Q),  dE/dt = n / (1 - e cos
  * E) Reference: Vallado 2013, Fundamentals of Astrodynamics, chapters 2 and 5; Montenbruck & Gill
  * 2000, chapter 2. */
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/kepler_impl.h"
 
 enum { KEPLER_ITERATIONS = 100 };

@@ -2,8 +2,8 @@
 #ifndef UMBRA_ORBIT_KEPLER_IMPL_H
 #define UMBRA_ORBIT_KEPLER_IMPL_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 
 /* Two-body ellipse, or a circle of any rate. */
 struct um_orbit_conic {

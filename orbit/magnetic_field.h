@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_MAGNETIC_FIELD_H
 #define UMBRA_ORBIT_MAGNETIC_FIELD_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 #define UM_MAGNETIC_DEGREE 4 /* highest that is kept */
 

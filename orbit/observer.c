@@ -10,7 +10,7 @@
  * come down to it from the sphere of radius a + H, outside which every height is above H. */
 #include "orbit/observer.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/geodesy.h"
 #include "orbit/sun.h"
 

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_OBSERVER_H
 #define UMBRA_ORBIT_OBSERVER_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "orbit/frames.h"
 #include "orbit/trajectory.h"
 

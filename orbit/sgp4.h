@@ -3,8 +3,8 @@
 #ifndef UMBRA_ORBIT_SGP4_H
 #define UMBRA_ORBIT_SGP4_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "orbit/tle.h"
 
 /* Error codes of AIAA 2006-6753: 0 none, 1 mean eccentricity, 2 mean motion, 3 perturbed

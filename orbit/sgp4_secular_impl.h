@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* WGS-72, V06 table 2 */
 #define SGP4_MU     398600.8    /* [km^3/s^2] */

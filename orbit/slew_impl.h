@@ -3,7 +3,7 @@
 #ifndef UMBRA_ORBIT_SLEW_IMPL_H
 #define UMBRA_ORBIT_SLEW_IMPL_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 struct um_orbit_slew {
   struct um_vec3 axis; /* unit, reads the same in both */

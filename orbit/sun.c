@@ -9,7 +9,7 @@
 
 #include <erfa.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/time.h"
 
 static const double AU_PER_DAY = UM_AU / 86400.0; /* [m/s] */

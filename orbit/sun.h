@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_SUN_H
 #define UMBRA_ORBIT_SUN_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 #include "orbit/ephemeris.h"
 
 /* Geometric geocentric Sun [m], GCRS. ephemeris, here and below: where the Earth is taken from,

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* ISO 8601 UTC "2016-09-21T20:33:00[.fff][Z]", or with a blank for the T -> t_tai, leap seconds by
  * ERFA (second 60 allowed only where one was). UM_ERR_INPUT. Years 1960-2100. */

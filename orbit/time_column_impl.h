@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_TIME_COLUMN_IMPL_H
 #define UMBRA_ORBIT_TIME_COLUMN_IMPL_H
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 /* The column time_utc of a table, strictly ascending, shape [rows]; the caller
  * frees. UM_ERR_INPUT names file, line and what is accepted; at least `minimum` rows. */

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 enum um_orbit_time_form {
   UM_ORBIT_TIME_ISO,  /* time_utc: 2016-09-21T20:33:00.000Z, or with a blank for the T */

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/time.h"
 
 enum { LINE_LENGTH = 69, LINES_MAX = 3 };

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_TLE_H
 #define UMBRA_ORBIT_TLE_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_orbit_tle {
   int catalogue_number; /* Alpha-5 decoded */

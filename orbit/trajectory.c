@@ -1,7 +1,7 @@
 /* One object behind every kind of orbit: how each is made, and the choice between kinds. */
 #include "orbit/trajectory.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/sgp4_impl.h"
 #include "orbit/sun.h"
 #include "orbit/trajectory_impl.h"

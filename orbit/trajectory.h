@@ -2,8 +2,8 @@
 #ifndef UMBRA_ORBIT_TRAJECTORY_H
 #define UMBRA_ORBIT_TRAJECTORY_H
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "orbit/frames.h"
 #include "orbit/tle.h"
 

@@ -6,8 +6,8 @@
  * with not-a-knot ends (de Boor 1978, A Practical Guide to Splines, chapter IV). */
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
 #include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 #include "orbit/trajectory_table_impl.h"

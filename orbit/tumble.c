@@ -18,7 +18,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/elliptic_impl.h"
 
 #define STEADY     1e-12 /* sine of the angle from rate to momentum */

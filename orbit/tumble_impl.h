@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 
 #define UM_TUMBLE_PANELS 64
 

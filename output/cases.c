@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/plot/plot.h"
 #include "output/csv_impl.h"
-#include "plot/plot.h"
 
 #define WIDTH  1100 /* pixels */
 #define LEFT   230

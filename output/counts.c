@@ -1,7 +1,7 @@
 /* counts.csv: what the sensors of a scenario count. */
 #include <math.h>
 
-#include "model/counts.h"
+#include "model/run/counts.h"
 #include "output/csv_impl.h"
 
 static const char *const columns[UM_OUTPUT_COUNTS_COLUMNS] = {"_count_rate_1_s",

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "orbit/time.h"
 #include "output/output.h"
 

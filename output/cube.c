@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "output/cube_impl.h"
 #include "output/netcdf_text.h"
 

@@ -2,7 +2,7 @@
 #ifndef UMBRA_OUTPUT_CUBE_H
 #define UMBRA_OUTPUT_CUBE_H
 
-#include "optics/image.h"
+#include "optics/image/image.h"
 #include "output/exr.h"
 
 /* Layout in docs/files.md. Made in memory, compressed, then written: HDF5 crashes at the end of the

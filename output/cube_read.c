@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/child.h"
-#include "core/file.h"
+#include "base/core/child.h"
+#include "base/core/file.h"
 #include "output/cube_send_impl.h"
 
 #define SECONDS  600.0

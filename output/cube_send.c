@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "core/child.h"
+#include "base/core/child.h"
 #include "output/cube_impl.h"
 
 #define SPECTRA_MAX 100000000

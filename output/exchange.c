@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "geometry/inside.h"
 
 static enum um_status write_room(struct um_context *context, const struct um_model *model,

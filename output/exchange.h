@@ -2,10 +2,10 @@
 #ifndef UMBRA_OUTPUT_EXCHANGE_H
 #define UMBRA_OUTPUT_EXCHANGE_H
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "geometry/view_factor_table.h"
-#include "model/model.h"
-#include "thermal/exchange.h"
+#include "model/build/model.h"
+#include "thermal/exchange/exchange.h"
 
 /* outside.csv and inside-PART.csv, view factors (geometry/view_factor_file.h), and couplings.csv:
  * total exchange areas eps_p B_pq eps_q of patches, of which sigma (T_p^4 - T_q^4) flows, and what

@@ -2,7 +2,7 @@
 #ifndef UMBRA_OUTPUT_EXR_H
 #define UMBRA_OUTPUT_EXR_H
 
-#include "optics/image.h"
+#include "optics/image/image.h"
 
 #define UM_OUTPUT_COMMENTS 256
 

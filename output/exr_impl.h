@@ -2,7 +2,7 @@
 #ifndef UMBRA_OUTPUT_EXR_IMPL_H
 #define UMBRA_OUTPUT_EXR_IMPL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* A picture of named planes, or a rectangle of it, and what is written about it; everything
  * borrowed. */

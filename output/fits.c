@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 
 #define BLOCK 2880
 #define CARD  80

@@ -2,7 +2,7 @@
 #ifndef UMBRA_OUTPUT_FITS_H
 #define UMBRA_OUTPUT_FITS_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* One card of the header: a number, or a text where it is not NULL. */
 struct um_output_card {

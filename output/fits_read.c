@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
-#include "core/number.h"
+#include "base/core/file.h"
+#include "base/core/number.h"
 #include "output/fits.h"
 
 #define BLOCK 2880

@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/file.h"
-#include "core/order.h"
-#include "plot/plot.h"
+#include "base/core/file.h"
+#include "base/core/order.h"
+#include "base/plot/plot.h"
 
 #define SCRIPT  "frame.gp"
 #define RAW     "frame.raw"

@@ -2,7 +2,7 @@
 #ifndef UMBRA_OUTPUT_FRAME_PLOT_H
 #define UMBRA_OUTPUT_FRAME_PLOT_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* A star's place in a frame, to be marked. */
 struct um_output_frame_star {

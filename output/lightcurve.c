@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
-#include "model/bands.h"
+#include "model/build/bands.h"
 #include "output/csv_impl.h"
 #include "output/lightcurve_impl.h"
 #include "output/output.h"

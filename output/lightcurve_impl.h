@@ -3,9 +3,9 @@
 #ifndef UMBRA_OUTPUT_LIGHTCURVE_IMPL_H
 #define UMBRA_OUTPUT_LIGHTCURVE_IMPL_H
 
-#include "model/model.h"
-#include "model/result.h"
-#include "optics/optics.h"
+#include "model/build/model.h"
+#include "model/run/result.h"
+#include "optics/radiance/optics.h"
 
 #define UM_LIGHTCURVE_BEFORE 8 /* columns before those of the first band */
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "output/csv_impl.h"
 #include "output/exr_impl.h"
 

@@ -2,15 +2,15 @@
 #ifndef UMBRA_OUTPUT_MAP_H
 #define UMBRA_OUTPUT_MAP_H
 
-#include "core/file.h"
-#include "model/reflectivity_pass.h"
+#include "base/core/file.h"
+#include "model/products/reflectivity_pass.h"
 
 /* What is written and drawn; everything borrowed. */
 struct um_output_map {
   const struct um_model *model;
   const struct um_model_map *map;
   const struct um_model_map_pass *pass; /* NULL: none */
-  bool measured;                        /* measured.csv lies in the folder (compare/on_map.h) */
+  bool measured; /* measured.csv lies in the folder (evidence/inversion/on_map.h) */
 };
 
 /* map.csv: every node with the mean over its planes. */

@@ -2,7 +2,7 @@
  * over time. */
 #include "output/netcdf_groups_impl.h"
 #include "output/solids_impl.h"
-#include "thermal/tetgen.h"
+#include "thermal/network/tetgen.h"
 
 size_t um_output_solid_vertices(const struct um_thermal_body *body)
 {

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "orbit/time.h"
 #include "output/netcdf_groups_impl.h"

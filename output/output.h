@@ -2,11 +2,11 @@
 #ifndef UMBRA_OUTPUT_OUTPUT_H
 #define UMBRA_OUTPUT_OUTPUT_H
 
-#include "core/file.h"
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
-#include "optics/image.h"
+#include "base/core/file.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
+#include "optics/image/image.h"
 
 /* A finished run and what is said about it; everything borrowed. */
 struct um_output_run {

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "base/plot/plot.h"
 #include "output/output.h"
-#include "plot/plot.h"
 
 #define SCRIPT   "satellite.gp"
 #define DECADES  1e-4 /* lower end of a logarithmic scale */

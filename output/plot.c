@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "output/lightcurve_impl.h"
 #include "output/plot_impl.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/time.h"
 #include "output/csv_impl.h"
 #include "output/plot_impl.h"

@@ -2,8 +2,8 @@
 #ifndef UMBRA_OUTPUT_PLOT_IMPL_H
 #define UMBRA_OUTPUT_PLOT_IMPL_H
 
+#include "base/plot/plot.h"
 #include "output/output.h"
-#include "plot/plot.h"
 
 #define UM_PLOT_LOG_FLOOR 1e-5 /* of the highest, where an axis is logarithmic */
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "output/csv_impl.h"
 #include "output/output.h"
 

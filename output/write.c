@@ -1,7 +1,7 @@
 /* All files of a run into one folder. */
 #include "output/output.h"
 
-#include "model/scenario_text.h"
+#include "model/build/scenario_text.h"
 
 typedef enum um_status (*writer)(const struct um_output_run *run, FILE *file);
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Do effects of the model change readings? Then light may be below 0. */
 bool um_study_light_has_sign(const struct um_model *model);

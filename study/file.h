@@ -3,9 +3,9 @@
 #ifndef UMBRA_STUDY_FILE_H
 #define UMBRA_STUDY_FILE_H
 
-#include "document/schema.h"
+#include "base/document/schema.h"
+#include "base/uncertainty/distribution.h"
 #include "study/result.h"
-#include "uncertainty/distribution.h"
 
 #define UM_STUDY_NAME           192
 #define UM_STUDY_PARAMETERS_MAX 10

@@ -8,13 +8,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "batch/records.h"
-#include "core/digest.h"
-#include "core/file.h"
-#include "core/held_files.h"
-#include "core/listing.h"
-#include "core/text.h"
-#include "model/scenario.h"
+#include "base/batch/records.h"
+#include "base/core/digest.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
+#include "base/core/listing.h"
+#include "base/core/text.h"
+#include "model/scenario/scenario.h"
 
 #define LIST  "made-of.txt"
 #define LINE  4608 /* longest line, names cut to it [byte] */

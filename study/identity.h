@@ -6,8 +6,8 @@
 
 #include <stdint.h>
 
-#include "batch/batch.h"
-#include "model/model.h"
+#include "base/batch/batch.h"
+#include "model/build/model.h"
 
 struct um_study_identity;
 

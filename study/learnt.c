@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#include "uncertainty/indices.h"
-#include "uncertainty/statistics.h"
-#include "uncertainty/surrogate.h"
+#include "base/uncertainty/indices.h"
+#include "base/uncertainty/statistics.h"
+#include "base/uncertainty/surrogate.h"
 
 const double um_study_quantile[UM_STUDY_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
 

@@ -2,12 +2,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
+#include "base/uncertainty/statistics.h"
 #include "orbit/time.h"
 #include "study/plot_impl.h"
 #include "study/report.h"
 #include "study/study_impl.h"
-#include "uncertainty/statistics.h"
 
 static size_t find(const struct um_study *study, const struct um_study_file_limit *limit)
 {

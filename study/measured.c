@@ -6,10 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/measurements.h"
-#include "compare/metrics.h"
-#include "core/interpolation.h"
-#include "uncertainty/statistics.h"
+#include "base/core/interpolation.h"
+#include "base/uncertainty/statistics.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/measurements/measurements.h"
 
 #define SIGMAS 2.0 /* that the study's largest error is taken to be */
 

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "study/learnt.h"
 
 struct um_study_measured {
@@ -15,9 +15,9 @@ struct um_study_measured {
   size_t best;           /* the point with the least chi-square */
 };
 
-/* Hold every point's curves against a measurement file (compare/measurements.h), between the
- * study's instants linearly in flux: chi-square by um_compare_metrics_compute, half the study's
- * stated error as the model's own sigma. The points being drawn from the prior, weights
+/* Hold every point's curves against a measurement file (evidence/measurements/measurements.h),
+ * between the study's instants linearly in flux: chi-square by um_compare_metrics_compute, half the
+ * study's stated error as the model's own sigma. The points being drawn from the prior, weights
  * exp(-chi2/2) make them the posterior (importance sampling). The result gains the quantities
  * "rms:CURVE" and "chi2_reduced:CURVE" of each channel. Rows flagged, without sigma, outside the
  * study's times or where nothing is seen are left out. UM_ERR_IO, UM_ERR_INPUT: the file, a channel

@@ -1,9 +1,9 @@
 /* What measurements say of the points of a study, as tables and for a person. */
 #include <math.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
+#include "base/uncertainty/statistics.h"
 #include "study/measured.h"
-#include "uncertainty/statistics.h"
 
 #define FEW 20.0 /* equal points, below which a posterior rests on too little */
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "orbit/time.h"
 #include "output/netcdf_text.h"
 #include "study/study.h"

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/words.h"
-#include "model/bands.h"
+#include "base/core/constants.h"
+#include "base/core/words.h"
+#include "model/build/bands.h"
 #include "study/study_impl.h"
 
 static void add(struct um_study *study, enum um_study_wanted kind, const char *of)

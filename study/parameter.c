@@ -6,10 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/words.h"
+#include "base/core/constants.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
-#include "model/effects.h"
+#include "model/build/effects.h"
 
 /* --- against the scenario -------------------------------------------------------------------- */
 

@@ -3,9 +3,9 @@
 #ifndef UMBRA_STUDY_PARAMETER_IMPL_H
 #define UMBRA_STUDY_PARAMETER_IMPL_H
 
-#include "model/model.h"
+#include "base/uncertainty/distribution.h"
+#include "model/build/model.h"
 #include "study/file.h"
-#include "uncertainty/distribution.h"
 
 /* What a value becomes: that of a key, or of an effect's parameter. */
 struct um_study_way {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "uncertainty/statistics.h"
+#include "base/uncertainty/statistics.h"
 
 static bool magnitude(const struct um_study_quantity *quantity)
 {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_STUDY_PLOT_H
 #define UMBRA_STUDY_PLOT_H
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "study/learnt.h"
 
 /* Into a folder that is being written and holds um_study_report_write's tables:

@@ -2,7 +2,7 @@
 #ifndef UMBRA_STUDY_PLOT_IMPL_H
 #define UMBRA_STUDY_PLOT_IMPL_H
 
-#include "plot/plot.h"
+#include "base/plot/plot.h"
 #include "study/plot.h"
 
 /* Okabe & Ito 2008, told apart by colour-blind readers; of parameter i, in turn. */

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "study/plot_impl.h"
 
 #define BINS   24

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "study/per_point.h"
 #include "study/plot_impl.h"
 

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
+#include "base/uncertainty/design.h"
+#include "base/uncertainty/surrogate.h"
 #include "study/per_point.h"
 #include "study/plot_impl.h"
-#include "uncertainty/design.h"
-#include "uncertainty/surrogate.h"
 
 #define GRID   61 /* points of an axis */
 #define WIDTH  760

@@ -2,8 +2,8 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/uncertainty/design.h"
 #include "study/study_impl.h"
-#include "uncertainty/design.h"
 
 static enum um_status grid(struct um_context *context, const struct um_study *study, double **u,
                            size_t *n)

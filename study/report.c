@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "orbit/time.h"
 #include "study/per_point.h"
 #include "study/rule.h"

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "study/learnt.h"
 
 /* Into a folder that is being written: summary.csv (spread of every quantity over the points),

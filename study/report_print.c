@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/uncertainty/surrogate.h"
 #include "study/per_point.h"
 #include "study/report.h"
 #include "study/rule.h"
-#include "uncertainty/surrogate.h"
 
 #define REASONS 3 /* that are shown of points that failed */
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "uncertainty/surrogate.h"
+#include "base/uncertainty/surrogate.h"
 
 const struct um_study_quantity *um_study_result_quantity(const struct um_study_result *result,
                                                          const char *name)

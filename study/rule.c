@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plot/plot.h"
+#include "base/plot/plot.h"
 
 #define SHORT  0.01 /* of the whole */
 #define LISTED 3    /* stretches of a parameter that a sentence lists */

@@ -3,13 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
-#include "core/digest.h"
-#include "core/file.h"
-#include "core/sort.h"
-#include "model/precompute.h"
+#include "base/batch/batch.h"
+#include "base/core/digest.h"
+#include "base/core/file.h"
+#include "base/core/sort.h"
+#include "base/uncertainty/surrogate.h"
+#include "model/geometry/precompute.h"
 #include "study/study_impl.h"
-#include "uncertainty/surrogate.h"
 
 /* --- identity -------------------------------------------------------------------------------- */
 

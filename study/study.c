@@ -6,12 +6,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/measurements.h"
-#include "core/file.h"
-#include "core/held_files.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "study/study_impl.h"
 
 static enum um_status find_ways(struct um_context *context, struct um_study *study)

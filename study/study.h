@@ -4,8 +4,8 @@
 
 #include <stdio.h>
 
-#include "batch/task.h"
-#include "model/model.h"
+#include "base/batch/task.h"
+#include "model/build/model.h"
 #include "study/result.h"
 
 struct um_study;

@@ -1,7 +1,7 @@
 /* points.csv: a row for every point. */
 #include <math.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "study/study.h"
 
 static void number(FILE *file, double value)

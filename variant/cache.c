@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-#include "core/words.h"
-#include "model/build.h"
-#include "model/precomputed_serves.h"
+#include "base/core/words.h"
+#include "model/build/build.h"
+#include "model/geometry/precomputed_serves.h"
 
 enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
                                      const struct um_model *model,

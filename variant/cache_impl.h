@@ -2,9 +2,9 @@
 #ifndef UMBRA_VARIANT_CACHE_IMPL_H
 #define UMBRA_VARIANT_CACHE_IMPL_H
 
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/thermal_solution.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/run/thermal_solution.h"
 #include "variant/tolerance.h"
 
 /* A geometry, the model it was traced of, and heat on it. */

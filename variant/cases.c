@@ -5,9 +5,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "model/balance.h"
-#include "model/build.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/run/balance.h"
+#include "model/run/run.h"
 #include "variant/evaluator.h"
 
 const char *um_variant_analysis_name(enum um_variant_analysis analysis)

@@ -2,7 +2,7 @@
 #ifndef UMBRA_VARIANT_CASES_H
 #define UMBRA_VARIANT_CASES_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* How the temperatures of a case are found. */
 enum um_variant_analysis {

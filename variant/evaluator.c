@@ -4,9 +4,9 @@
 #include <omp.h>
 
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precomputed_serves.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precomputed_serves.h"
+#include "model/run/run.h"
 #include "variant/cache_impl.h"
 
 struct um_variant_evaluator {

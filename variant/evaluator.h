@@ -5,11 +5,11 @@
 #ifndef UMBRA_VARIANT_EVALUATOR_H
 #define UMBRA_VARIANT_EVALUATOR_H
 
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/result.h"
-#include "model/thermal_sensitivity.h"
-#include "model/thermal_solution.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/products/thermal_sensitivity.h"
+#include "model/run/result.h"
+#include "model/run/thermal_solution.h"
 #include "variant/tolerance.h"
 
 struct um_variant_settings {

@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "optics/optics.h"
-#include "validate/cases_impl.h"
+#include "app/validate/cases_impl.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "optics/radiance/optics.h"
 
 #define CLOSED "closed form"
 #define FLOAT  3e-7 /* relative */

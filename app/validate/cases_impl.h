@@ -1,8 +1,8 @@
-/* Groups of cases, one per file. Private to validate/. */
+/* Groups of cases, one per file. Private to app/validate/. */
 #ifndef UMBRA_VALIDATE_CASES_IMPL_H
 #define UMBRA_VALIDATE_CASES_IMPL_H
 
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 /* The thermal half. */
 enum um_status um_validate_conduction(struct um_context *context,

@@ -7,10 +7,10 @@
  * Sources: Carslaw & Jaeger 1959; NAFEMS T2 and T3 (Cameron, Casey & Simpson 1986). */
 #include <math.h>
 
-#include "core/constants.h"
-#include "thermal/body.h"
-#include "validate/cases_impl.h"
-#include "validate/thermal_case_impl.h"
+#include "app/validate/cases_impl.h"
+#include "app/validate/thermal_case_impl.h"
+#include "base/core/constants.h"
+#include "thermal/network/body.h"
 
 #define SERIES "Carslaw & Jaeger 1959"
 #define STIFF  1e9 /* conductance [W/K] that holds a node at a temperature to 1e-7 */

@@ -4,11 +4,11 @@
  * Sources: Montenbruck & Gill 2000, 3.4.2 (overlap of plane discs); rays over the disc; Howell's
  * catalogue and Juul 1979 (plate and Earth), checked by 1.3 million points to 2e-6; 72 million
  * areas of the visible cap, good to 2e-8 (albedo); ASTM E490; Planck's law. */
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 #define PLANE_DISCS "Montenbruck & Gill 3.4.2"

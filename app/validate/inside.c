@@ -4,11 +4,11 @@
  * factors by rays: 5e-4 of what its hottest face loses. */
 #include "geometry/inside.h"
 
-#include "core/constants.h"
-#include "thermal/body.h"
-#include "thermal/exchange.h"
-#include "validate/cases_impl.h"
-#include "validate/thermal_case_impl.h"
+#include "app/validate/cases_impl.h"
+#include "app/validate/thermal_case_impl.h"
+#include "base/core/constants.h"
+#include "thermal/exchange/exchange.h"
+#include "thermal/network/body.h"
 
 #define RAYS_ERROR 0.36 /* [W] */
 

@@ -1,5 +1,5 @@
 /* Cases of the optical half: radiometry, surfaces, bodies. */
-#include "validate/cases_impl.h"
+#include "app/validate/cases_impl.h"
 
 enum um_status um_validate_optics(struct um_context *context, struct um_validate_report *report)
 {

@@ -3,11 +3,11 @@
  *
  * Sources: Vallado, Crawford, Hujsak & Kelso 2006, AIAA 2006-6753 (SGP4 and frames); astropy with
  * ERFA (Sun, Moon, Graz); python-sgp4 with astropy and, apart from them, Skyfield (ENVISAT). */
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 #include "orbit/geodesy.h"
 #include "orbit/observer.h"

@@ -8,11 +8,11 @@
  * albedo of the visible cap in place of max(cos u, 0) for the load code. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "app/validate/cases_impl.h"
+#include "app/validate/thermal_case_impl.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
-#include "thermal/body.h"
-#include "validate/cases_impl.h"
-#include "validate/thermal_case_impl.h"
+#include "thermal/network/body.h"
 
 #define SCIPY "scipy"
 /* What the light curve needs: 5 mK is 1e-4 of the 8-12 um radiance at 280 K. */

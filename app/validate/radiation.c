@@ -2,11 +2,11 @@
  * forms with sigma = 5.670374419e-8, printed digits. */
 #include <math.h>
 
-#include "core/constants.h"
+#include "app/validate/cases_impl.h"
+#include "app/validate/thermal_case_impl.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
-#include "thermal/body.h"
-#include "validate/cases_impl.h"
-#include "validate/thermal_case_impl.h"
+#include "thermal/network/body.h"
 
 #define CLOSED "closed form"
 #define STIFF  1e11 /* conductance [W/K] that holds a node at a temperature to 1e-8 */

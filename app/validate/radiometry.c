@@ -4,12 +4,12 @@
  * printed digit is the tolerance); Oke & Gunn 1983; ASTM E490; Kasten & Young 1989. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "app/validate/cases_impl.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/airmass.h"
 #include "environment/environment.h"
-#include "instrument/photometry.h"
-#include "validate/cases_impl.h"
+#include "optics/instrument/photometry.h"
 
 #define PLANCK "Planck's law"
 

@@ -1,11 +1,11 @@
 /* The report of validated cases: rows, table, JSON. */
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/json.h"
+#include "base/core/json.h"
 
 struct row {
   const char *group, *name, *unit, *source;

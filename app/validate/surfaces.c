@@ -4,12 +4,12 @@
  * of the Flying Laptop paper, AMOS 2024; refractiveindex.info (optical constants). */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "app/validate/cases_impl.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/environment.h"
 #include "materials/bsdf.h"
 #include "materials/materials.h"
-#include "validate/cases_impl.h"
 
 #define FRESNEL "Fresnel's equations"
 #define SMITH   "Walter 2007; Heitz 2014"

@@ -1,6 +1,6 @@
 /* Cases of the thermal half: conduction, radiation, networks, insides, orbits, view factors by
  * rays. */
-#include "validate/cases_impl.h"
+#include "app/validate/cases_impl.h"
 
 enum um_status um_validate_thermal(struct um_context *context, struct um_validate_report *report)
 {

@@ -1,5 +1,5 @@
 /* What the thermal cases share. */
-#include "validate/thermal_case_impl.h"
+#include "app/validate/thermal_case_impl.h"
 
 struct um_thermal_solve_options um_validate_tight(double space)
 {

@@ -1,9 +1,9 @@
-/* What the thermal cases share. Private to validate/. */
+/* What the thermal cases share. Private to app/validate/. */
 #ifndef UMBRA_VALIDATE_THERMAL_CASE_IMPL_H
 #define UMBRA_VALIDATE_THERMAL_CASE_IMPL_H
 
-#include "thermal/solve.h"
-#include "validate/validate.h"
+#include "app/validate/validate.h"
+#include "thermal/solver/solve.h"
 
 /* Integration so tight that its error is below every printed digit; space at `space` [K]. */
 struct um_thermal_solve_options um_validate_tight(double space);

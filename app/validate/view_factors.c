@@ -4,10 +4,10 @@
  * false alarms a row, and the points are always the same. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "app/validate/cases_impl.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "geometry/visibility.h"
-#include "validate/cases_impl.h"
 
 #define HOWELL "Howell"
 enum { RAYS = 400000, BATCH = 1000 };

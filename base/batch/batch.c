@@ -1,12 +1,12 @@
 /* A batch: what is asked is looked up on record, the rest is computed, the answers are put in
  * order. */
-#include "batch/batch.h"
+#include "base/batch/batch.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "batch/team_impl.h"
-#include "core/words.h"
+#include "base/batch/team_impl.h"
+#include "base/core/words.h"
 
 #define NAMED_MOST 10 /* points by their numbers in one message */
 

@@ -3,7 +3,7 @@
 #ifndef UMBRA_BATCH_BATCH_H
 #define UMBRA_BATCH_BATCH_H
 
-#include "batch/task.h"
+#include "base/batch/task.h"
 
 struct um_batch;
 

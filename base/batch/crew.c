@@ -1,5 +1,5 @@
 /* Worker processes: forked, given points, listened to, replaced when they die. */
-#include "batch/crew_impl.h"
+#include "base/batch/crew_impl.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -13,8 +13,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "batch/worker_impl.h"
-#include "core/child.h"
+#include "base/batch/worker_impl.h"
+#include "base/core/child.h"
 
 #define STILLBORN_MOST 20
 #define LOOKS          30 /* at the processor clock of a worker before it counts as silent */

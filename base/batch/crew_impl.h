@@ -1,11 +1,11 @@
-/* Private to batch: worker processes of this machine. Each is a child with one thread that computes
- * one point at a time, dies with this process, and is replaced when it dies by itself or is silent:
- * has a point, and its processor clock stands still. A point may take hours, so long as it is
- * worked at; whoever is stopped, or waits for what does not come, uses no processor. */
+/* Private to base/batch/: worker processes of this machine. Each is a child with one thread that
+ * computes one point at a time, dies with this process, and is replaced when it dies by itself or
+ * is silent: has a point, and its processor clock stands still. A point may take hours, so long as
+ * it is worked at; whoever is stopped, or waits for what does not come, uses no processor. */
 #ifndef UMBRA_BATCH_CREW_IMPL_H
 #define UMBRA_BATCH_CREW_IMPL_H
 
-#include "batch/task.h"
+#include "base/batch/task.h"
 
 #define UM_BATCH_SILENCE 60.0 /* where the task does not say [s] */
 

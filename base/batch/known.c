@@ -1,9 +1,9 @@
 /* Points by the bits of their coordinates: a table of open addressing over a growing list. */
-#include "batch/known_impl.h"
+#include "base/batch/known_impl.h"
 
 #include <string.h>
 
-#include "core/digest.h"
+#include "base/core/digest.h"
 
 #define FREE SIZE_MAX
 

@@ -1,8 +1,8 @@
-/* Private to batch: the points of a batch by the bits of their coordinates. */
+/* Private to base/batch/: the points of a batch by the bits of their coordinates. */
 #ifndef UMBRA_BATCH_KNOWN_IMPL_H
 #define UMBRA_BATCH_KNOWN_IMPL_H
 
-#include "batch/records_impl.h"
+#include "base/batch/records_impl.h"
 
 enum um_batch_state {
   UM_BATCH_NEW,    /* asked for the first time */

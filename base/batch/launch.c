@@ -1,6 +1,6 @@
 /* The place of this process among those that a launcher started, by the environment variables of
  * mpirun (OpenMPI, MPICH) and srun. */
-#include "batch/launch_impl.h"
+#include "base/batch/launch_impl.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

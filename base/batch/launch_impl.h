@@ -1,4 +1,4 @@
-/* Private to batch: what the launcher of several processes has told this one. */
+/* Private to base/batch/: what the launcher of several processes has told this one. */
 #ifndef UMBRA_BATCH_LAUNCH_IMPL_H
 #define UMBRA_BATCH_LAUNCH_IMPL_H
 

@@ -1,7 +1,7 @@
 /* Answers of points: kept on record, and the queue as this process computes it alone. */
 #include <time.h>
 
-#include "batch/queue_impl.h"
+#include "base/batch/queue_impl.h"
 
 #define SYNC_EVERY 0.2 /* shortest time between two syncs of the disk [s] */
 

@@ -1,10 +1,10 @@
-/* Private to batch: a batch, its queue, and how an answer is kept. */
+/* Private to base/batch/: a batch, its queue, and how an answer is kept. */
 #ifndef UMBRA_BATCH_QUEUE_IMPL_H
 #define UMBRA_BATCH_QUEUE_IMPL_H
 
-#include "batch/crew_impl.h"
-#include "batch/known_impl.h"
-#include "batch/ranks_impl.h"
+#include "base/batch/crew_impl.h"
+#include "base/batch/known_impl.h"
+#include "base/batch/ranks_impl.h"
 
 struct um_batch {
   struct um_batch_task task; /* its folder is a copy */

@@ -1,14 +1,14 @@
 /* Ranks: messages between the leading process and those that serve it. */
-#include "batch/ranks_impl.h"
+#include "base/batch/ranks_impl.h"
 
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "batch/launch_impl.h"
-#include "batch/ranks_inbox_impl.h"
-#include "batch/worker_impl.h"
+#include "base/batch/launch_impl.h"
+#include "base/batch/ranks_inbox_impl.h"
+#include "base/batch/worker_impl.h"
 
 #define PULSES   12   /* signs of life of a rank in the time after which it counts as lost */
 #define LOOK     2e-3 /* between two looks at the messages of a rank that serves [s] */

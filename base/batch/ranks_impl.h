@@ -1,11 +1,11 @@
-/* Private to batch, the only place that knows MPI: processes that mpirun or srun started together.
- * Rank 0 leads: it decides what is computed and keeps the records. The others hand points to their
- * own workers. No process computes itself, so that each always hears the others. Without MPI
- * (ranks_none.c) a process is alone. */
+/* Private to base/batch/, the only place that knows MPI: processes that mpirun or srun started
+ * together. Rank 0 leads: it decides what is computed and keeps the records. The others hand points
+ * to their own workers. No process computes itself, so that each always hears the others. Without
+ * MPI (ranks_none.c) a process is alone. */
 #ifndef UMBRA_BATCH_RANKS_IMPL_H
 #define UMBRA_BATCH_RANKS_IMPL_H
 
-#include "batch/crew_impl.h"
+#include "base/batch/crew_impl.h"
 
 struct um_batch_ranks;
 

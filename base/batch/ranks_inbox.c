@@ -1,5 +1,5 @@
 /* Messages of other ranks, received by MPI without waiting, one at a time of each sender. */
-#include "batch/ranks_inbox_impl.h"
+#include "base/batch/ranks_inbox_impl.h"
 
 #include <mpi.h>
 

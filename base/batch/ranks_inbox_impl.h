@@ -1,11 +1,12 @@
-/* Private to batch: messages that arrive from other ranks, each handed on once it is whole. */
+/* Private to base/batch/: messages that arrive from other ranks, each handed on once it is whole.
+ */
 #ifndef UMBRA_BATCH_RANKS_INBOX_IMPL_H
 #define UMBRA_BATCH_RANKS_INBOX_IMPL_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_batch_inbox;
 

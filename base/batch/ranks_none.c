@@ -1,7 +1,7 @@
 /* A build without MPI: every process is alone. */
 #include <stdlib.h>
 
-#include "batch/ranks_impl.h"
+#include "base/batch/ranks_impl.h"
 
 enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank)
 {

@@ -1,6 +1,6 @@
 /* Bytes of a file of records. */
 #define _GNU_SOURCE /* flock */
-#include "batch/record_file_impl.h"
+#include "base/batch/record_file_impl.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 
 #define LOCK_PATIENCE 40   /* looks at a lock that a dying process may still hold */
 #define LOCK_NAP      0.05 /* between two of them [s] */

@@ -1,11 +1,11 @@
-/* Private to batch: bytes of a file of records. */
+/* Private to base/batch/: bytes of a file of records. */
 #ifndef UMBRA_BATCH_RECORD_FILE_IMPL_H
 #define UMBRA_BATCH_RECORD_FILE_IMPL_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_batch_file {
   char *path;

@@ -1,5 +1,5 @@
 /* Files of points: appended, checksummed, read back up to what was written whole. */
-#include "batch/records.h"
+#include "base/batch/records.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "batch/record_file_impl.h"
-#include "batch/records_impl.h"
-#include "core/file.h"
+#include "base/batch/record_file_impl.h"
+#include "base/batch/records_impl.h"
+#include "base/core/file.h"
 
 #define MAGIC          "UMBATCH1"
 #define ORDER          0x0102030405060708u

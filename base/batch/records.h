@@ -2,7 +2,7 @@
 #ifndef UMBRA_BATCH_RECORDS_H
 #define UMBRA_BATCH_RECORDS_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Remove the records of any task in `folder`, and the folder where nothing else lies in it. For
  * callers whose results are written. Does not fail. */

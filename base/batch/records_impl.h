@@ -1,11 +1,11 @@
-/* Private to batch: the files that keep points. One file a writing process, "points.records" or
- * "points-K-of-N.records" of share K; a header (what it is of), then one record a point: what it
+/* Private to base/batch/: the files that keep points. One file a writing process, "points.records"
+ * or "points-K-of-N.records" of share K; a header (what it is of), then one record a point: what it
  * is, coordinates, then values or the reason why there are none, and a CRC-32 of all that. Bytes in
  * the order of the machine, which the header tells. A record is appended, never changed. */
 #ifndef UMBRA_BATCH_RECORDS_IMPL_H
 #define UMBRA_BATCH_RECORDS_IMPL_H
 
-#include "batch/task.h"
+#include "base/batch/task.h"
 
 struct um_batch_records;
 

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* One point: from its coordinates [ncoordinate] to its values [nvalue]. Deterministic: the same
  * bits of coordinates give the same bits of values in any process and after any other point.

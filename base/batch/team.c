@@ -1,5 +1,5 @@
 /* The queue by worker processes: handed out one point at a time, to whoever has none. */
-#include "batch/team_impl.h"
+#include "base/batch/team_impl.h"
 
 #include <stdio.h>
 

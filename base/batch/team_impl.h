@@ -1,8 +1,8 @@
-/* Private to batch: the queue by worker processes. */
+/* Private to base/batch/: the queue by worker processes. */
 #ifndef UMBRA_BATCH_TEAM_IMPL_H
 #define UMBRA_BATCH_TEAM_IMPL_H
 
-#include "batch/queue_impl.h"
+#include "base/batch/queue_impl.h"
 
 /* The queue by the workers of this machine, forked at the first call, and those of other ranks.
  * After an error other ranks may still be at points: the batch is to be closed then. */

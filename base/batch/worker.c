@@ -1,5 +1,5 @@
 /* A worker process: reads coordinates, computes, writes values. */
-#include "batch/worker_impl.h"
+#include "base/batch/worker_impl.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/child.h"
+#include "base/core/child.h"
 
 static bool read_all(int end, void *out, size_t bytes)
 {

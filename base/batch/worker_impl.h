@@ -1,10 +1,10 @@
-/* Private to batch: the inside of a worker process, and how it and its parent speak. */
+/* Private to base/batch/: the inside of a worker process, and how it and its parent speak. */
 #ifndef UMBRA_BATCH_WORKER_IMPL_H
 #define UMBRA_BATCH_WORKER_IMPL_H
 
 #include <sys/types.h>
 
-#include "batch/task.h"
+#include "base/batch/task.h"
 
 /* Parent to worker: the number, then coordinates. Worker to parent: this, then values where
  * `reason` is 0, else a reason of that many bytes. */

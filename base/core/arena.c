@@ -1,5 +1,5 @@
 /* Blocks that are filled one after another; what does not fit gets a block of its own size. */
-#include "core/arena.h"
+#include "base/core/arena.h"
 
 #include <stdint.h>
 #include <string.h>

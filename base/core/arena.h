@@ -2,7 +2,7 @@
 #ifndef UMBRA_CORE_ARENA_H
 #define UMBRA_CORE_ARENA_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_core_arena_block; /* opaque */
 

@@ -1,6 +1,6 @@
 /* Work in a child process: fork, limits, a pipe for the answer, and an end in every case. */
 #define _GNU_SOURCE /* pipe2 */
-#include "core/child.h"
+#include "base/core/child.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_core_child_limits {
   double seconds;  /* of wall clock and of processor [s] */

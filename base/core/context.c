@@ -1,6 +1,6 @@
 /* The context: allocator, message, log, progress. */
-#include "core/context_impl.h"
-#include "core/text.h"
+#include "base/core/context_impl.h"
+#include "base/core/text.h"
 
 #include <omp.h>
 #include <stdint.h>

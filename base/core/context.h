@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/status.h"
+#include "base/core/status.h"
 
 #if defined(__GNUC__)
 #define UM_PRINTF(text_at, first_at) __attribute__((format(printf, text_at, first_at)))
@@ -47,7 +47,8 @@ void um_core_context_set_threads(struct um_context *context, int threads);
 int um_core_context_threads(const struct um_context *context);
 
 /* Folder that holds materials/, filters/, sensors/ and scenarios/ in place of those that come with
- * the program (core/data.h), and folder where view factors are kept between runs. Copied; NULL or
+ * the program (base/core/data.h), and folder where view factors are kept between runs. Copied; NULL
+ * or
  * "": none, which is the default. UM_ERR_MEMORY leaves what was set. */
 enum um_status um_core_context_set_data(struct um_context *context, const char *folder);
 enum um_status um_core_context_set_cache(struct um_context *context, const char *folder);

@@ -2,7 +2,7 @@
 #ifndef UMBRA_CORE_CONTEXT_IMPL_H
 #define UMBRA_CORE_CONTEXT_IMPL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Where held_files.c keeps its list; NULL in it: nothing is held. */
 struct um_core_held_files;

@@ -1,12 +1,12 @@
 /* CSV with a header row (RFC 4180 with '#' comment lines). The text is kept once; fields are
  * unquoted in place and addressed by pointers into it. */
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#include "core/file.h"
-#include "core/text.h"
+#include "base/core/file.h"
+#include "base/core/text.h"
 
 #define CSV_BYTES_MAX ((size_t)1 << 30)
 #define COLUMNS_MAX   10000 /* each name is compared with each */

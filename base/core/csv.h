@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/context.h"
-#include "core/number.h"
+#include "base/core/context.h"
+#include "base/core/number.h"
 
 struct um_core_csv;
 

@@ -1,8 +1,8 @@
 /* Fields of tables that are written (RFC 4180). */
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/text.h"
+#include "base/core/csv.h"
+#include "base/core/text.h"
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 

@@ -1,6 +1,6 @@
 /* Where the program's own files lie. */
 #define _GNU_SOURCE /* dladdr1 */
-#include "core/data.h"
+#include "base/core/data.h"
 
 #include <dlfcn.h>
 #include <limits.h>
@@ -11,8 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/listing.h"
-#include "core/words.h"
+#include "base/core/listing.h"
+#include "base/core/words.h"
 
 static bool is_folder(const char *path)
 {
@@ -64,8 +64,8 @@ static bool is_in_build(const char *folder)
 static const char *source_name(const char *name)
 {
   if (strcmp(name, "materials") == 0) return "materials/library";
-  if (strcmp(name, "sensors") == 0) return "instrument/sensors";
-  return strcmp(name, "filters") == 0 ? "instrument/filters" : name;
+  if (strcmp(name, "sensors") == 0) return "optics/instrument/sensors";
+  return strcmp(name, "filters") == 0 ? "optics/instrument/filters" : name;
 }
 
 /* said: what names `data`. */

@@ -2,7 +2,7 @@
 #ifndef UMBRA_CORE_DATA_H
 #define UMBRA_CORE_DATA_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Folder `name` ("materials", "filters", "sensors", "scenarios") of the program's own files; the
  * caller frees. The first that holds: the context's data folder, where it has one

@@ -1,12 +1,12 @@
 /* Plain files, whole, and file names. */
-#include "core/file.h"
+#include "base/core/file.h"
 
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/held_files_impl.h"
+#include "base/core/held_files_impl.h"
 
 #define PIECE ((size_t)16 << 20) /* read between two looks at the stop [bytes] */
 

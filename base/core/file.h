@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "core/plain_file.h"
+#include "base/core/plain_file.h"
 
 /* Whole plain file as bytes with a NUL behind them; the caller frees. Refuses files over `limit`
  * bytes. Errors as um_core_file_open. */

@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/file.h"
-#include "core/leftover_impl.h"
+#include "base/core/file.h"
+#include "base/core/leftover_impl.h"
 
 #define MARKER     UM_CORE_FOLDER_MARKER
 #define NAME_TRIES 100

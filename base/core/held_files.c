@@ -7,10 +7,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "core/digest.h"
-#include "core/held_files.h"
-#include "core/held_files_impl.h"
-#include "core/plain_file.h"
+#include "base/core/digest.h"
+#include "base/core/held_files.h"
+#include "base/core/held_files_impl.h"
+#include "base/core/plain_file.h"
 
 #define PIECE ((size_t)1 << 20) /* read between two looks at the stop [bytes] */
 

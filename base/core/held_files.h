@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Between the two, which nest, every file that um_core_file_read is asked for is read from the disk
  * once and served from memory again; a file that could not be read is tried again. Hold:
@@ -19,7 +19,7 @@ enum um_status um_core_file_note(struct um_context *context, const char *path);
 /* One of them is held no longer: it is read from the disk the next time. Does not fail. */
 void um_core_file_forget(struct um_context *context, const char *path);
 /* Every file that was read or noted since the last um_core_files_hold, in the order of the first
- * time, with the digest of its bytes (core/digest.h). */
+ * time, with the digest of its bytes (base/core/digest.h). */
 void um_core_files_each(struct um_context *context,
                         void (*each)(void *self, const char *path, uint64_t digest), void *self);
 /* Digest of the bytes of a file. UM_ERR_IO, UM_ERR_CANCELLED. */

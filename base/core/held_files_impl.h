@@ -1,10 +1,10 @@
-/* Contents of files that are held. Private to core/. */
+/* Contents of files that are held. Private to base/core/. */
 #ifndef UMBRA_CORE_HELD_FILES_IMPL_H
 #define UMBRA_CORE_HELD_FILES_IMPL_H
 
 #include <stdbool.h>
 
-#include "core/context_impl.h"
+#include "base/core/context_impl.h"
 
 /* A copy of what was read before, as um_core_file_read gives it; *found: there is one. */
 enum um_status um_core_held_files_find(struct um_context *context, const char *path, char **out,

@@ -1,5 +1,5 @@
 /* Interpolation and integration of tabulated functions. */
-#include "core/interpolation.h"
+#include "base/core/interpolation.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* How texts and numbers are printed in JSON. */
-#include "core/json.h"
+#include "base/core/json.h"
 
 #include <math.h>
 
-#include "core/text.h"
+#include "base/core/text.h"
 
 void um_core_json_string(FILE *file, const char *text)
 {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 /* A string literal (RFC 8259), text in UTF-8; what is no UTF-8 becomes U+FFFD, and characters that
- * are not seen (core/text.h) are escaped. */
+ * are not seen (base/core/text.h) are escaped. */
 void um_core_json_string(FILE *file, const char *text);
 /* Nine significant digits, never "-0"; null where the value is not finite. */
 void um_core_json_number(FILE *file, double value);

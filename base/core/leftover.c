@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/file.h"
-#include "core/leftover_impl.h"
+#include "base/core/file.h"
+#include "base/core/leftover_impl.h"
 
 static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
 {

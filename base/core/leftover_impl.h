@@ -1,9 +1,10 @@
-/* Private to core: what a folder in the making needs of the file system, and what dead ones left.
+/* Private to base/core/: what a folder in the making needs of the file system, and what dead ones
+ * left.
  */
 #ifndef UMBRA_CORE_LEFTOVER_IMPL_H
 #define UMBRA_CORE_LEFTOVER_IMPL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_CORE_FOLDER_MARKER ".umbra"
 

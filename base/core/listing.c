@@ -1,5 +1,5 @@
 /* Reading of folders. */
-#include "core/listing.h"
+#include "base/core/listing.h"
 
 #include <dirent.h>
 #include <errno.h>

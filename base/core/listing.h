@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Names in `folder` that end in `tail` (".yaml") and do not begin with a dot, with that end, in the
  * order of strcmp. what: "material records", for the message where there is no such folder

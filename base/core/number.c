@@ -1,5 +1,5 @@
 /* Strict decimal numbers: [+-] digits [. digits] [e [+-] digits], the whole text, finite. */
-#include "core/number.h"
+#include "base/core/number.h"
 
 #include <locale.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Opening what Umbra did not make. */
-#include "core/plain_file.h"
+#include "base/core/plain_file.h"
 
 #include <errno.h>
 #include <fcntl.h>

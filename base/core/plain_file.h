@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Open a plain file, the only way in which Umbra opens what it did not make: a folder, a pipe, a
  * device or a socket is refused, and none is waited for. UM_ERR_IO "path: reason", UM_ERR_MEMORY.

@@ -4,11 +4,11 @@
  *   F(0 -> lambda T) = 15/pi^4 sum_m exp(-m z) (z^3/m + 3 z^2/m^2 + 6 z/m^3 + 6/m^4), z =
  * C2/(lambda T) (Chang & Rhee 1984) for small z the complement by the power series of x^3/(e^x - 1)
  * (Bernoulli numbers). */
-#include "core/planck.h"
+#include "base/core/planck.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 double um_core_planck_radiance(double wavelength, double temperature)
 {

@@ -1,7 +1,7 @@
 /* Low-discrepancy points keyed by index. */
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* splitmix64 finaliser (Steele, Lea & Flood 2014). */
 static uint64_t mix(uint64_t z)

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 /* Mixes keys into one well-distributed 64-bit value (splitmix64 finaliser); chain for more keys. */
 uint64_t um_core_hash(uint64_t a, uint64_t b);

@@ -1,6 +1,6 @@
 /* Merge sort (Knuth 1998, The Art of Computer Programming 3, 5.2.4): runs by qsort, merged two by
  * two. The runs are short enough for the stop to be looked at between them. */
-#include "core/sort.h"
+#include "base/core/sort.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef UMBRA_CORE_SORT_H
 #define UMBRA_CORE_SORT_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* qsort for long lists: stable, and stopped within a fraction of a second. base: [count] of `size`
  * bytes each. UM_ERR_MEMORY, UM_ERR_CANCELLED; the order is then any. */

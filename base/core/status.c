@@ -1,5 +1,5 @@
 /* Texts of the status codes. */
-#include "core/status.h"
+#include "base/core/status.h"
 
 const char *um_core_status_text(enum um_status status)
 {

@@ -1,5 +1,5 @@
 /* What foreign text may hold. */
-#include "core/text.h"
+#include "base/core/text.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The few vector functions that are too long to be inline. */
-#include "core/vec.h"
+#include "base/core/vec.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* Shepperd 1978, J. Guidance and Control 1:223: divide by the largest of the four components, so
  * that no square root of a cancelled sum is taken. */

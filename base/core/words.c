@@ -1,5 +1,5 @@
 /* Words in messages. */
-#include "core/words.h"
+#include "base/core/words.h"
 
 #include <stdio.h>
 #include <string.h>

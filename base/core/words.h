@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/text.h"
+#include "base/core/text.h"
 
 /* The same text, where NULL is the empty one: names of targets, of which a global effect has none.
  * Does not fail. */

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "document/document_impl.h"
+#include "base/document/document_impl.h"
 
 enum um_status um_document_allocate(struct um_context *context, struct um_document *document,
                                     size_t count, size_t size, void *out)

@@ -2,8 +2,8 @@
 #ifndef UMBRA_DOCUMENT_DOCUMENT_IMPL_H
 #define UMBRA_DOCUMENT_DOCUMENT_IMPL_H
 
-#include "core/arena.h"
-#include "document/schema.h"
+#include "base/core/arena.h"
+#include "base/document/schema.h"
 
 #define UM_NODE_DEPTH_MAX 48
 

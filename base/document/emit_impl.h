@@ -1,8 +1,8 @@
-/* Text that grows, and YAML put into it. Private to document/. */
+/* Text that grows, and YAML put into it. Private to base/document/. */
 #ifndef UMBRA_DOCUMENT_EMIT_IMPL_H
 #define UMBRA_DOCUMENT_EMIT_IMPL_H
 
-#include "document/document_impl.h"
+#include "base/document/document_impl.h"
 
 struct um_emitter {
   struct um_context *context;

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
-#include "document/document_impl.h"
-#include "document/schema_check_impl.h"
+#include "base/core/file.h"
+#include "base/document/document_impl.h"
+#include "base/document/schema_check_impl.h"
 
 struct move {
   struct um_context *context;

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "document/document_impl.h"
-#include "document/override_impl.h"
-#include "document/yaml_impl.h"
+#include "base/core/words.h"
+#include "base/document/document_impl.h"
+#include "base/document/override_impl.h"
+#include "base/document/yaml_impl.h"
 
 #define NEXT "+" /* the element behind the last one of a list */
 

@@ -1,8 +1,8 @@
-/* Private to document/: what --set and a change do. */
+/* Private to base/document/: what --set and a change do. */
 #ifndef UMBRA_DOCUMENT_OVERRIDE_IMPL_H
 #define UMBRA_DOCUMENT_OVERRIDE_IMPL_H
 
-#include "document/document_impl.h"
+#include "base/document/document_impl.h"
 
 /* Apply one "key.path=yaml value" to the tree. */
 enum um_status um_document_set(struct um_document *document, const char *override);

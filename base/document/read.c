@@ -2,10 +2,10 @@
  * override, name the paths, bind. */
 #include <string.h>
 
-#include "core/file.h"
-#include "document/override_impl.h"
-#include "document/schema_bind_impl.h"
-#include "document/yaml_impl.h"
+#include "base/core/file.h"
+#include "base/document/override_impl.h"
+#include "base/document/schema_bind_impl.h"
+#include "base/document/yaml_impl.h"
 
 #define DOCUMENT_BYTES_MAX ((size_t)2 << 20) /* the library takes 250 times as much */
 #define LABEL_LONGEST      256               /* in a path [bytes] */

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_node;
 

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/words.h"
-#include "document/document_impl.h"
-#include "document/schema_bind_impl.h"
-#include "document/schema_check_impl.h"
+#include "base/core/csv.h"
+#include "base/core/words.h"
+#include "base/document/document_impl.h"
+#include "base/document/schema_bind_impl.h"
+#include "base/document/schema_check_impl.h"
 
 struct binder {
   struct um_document *document;

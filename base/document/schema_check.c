@@ -1,9 +1,9 @@
 /* Which keys a mapping has: unknown ones, and those that exclude each other. */
 #include <string.h>
 
-#include "core/words.h"
-#include "document/document_impl.h"
-#include "document/schema_check_impl.h"
+#include "base/core/words.h"
+#include "base/document/document_impl.h"
+#include "base/document/schema_check_impl.h"
 
 const struct um_schema_field *um_document_schema_find(const struct um_schema_object *object,
                                                       const char *key)

@@ -1,8 +1,8 @@
-/* Private to document/: the keys of a mapping against its schema. */
+/* Private to base/document/: the keys of a mapping against its schema. */
 #ifndef UMBRA_DOCUMENT_SCHEMA_CHECK_IMPL_H
 #define UMBRA_DOCUMENT_SCHEMA_CHECK_IMPL_H
 
-#include "document/document_impl.h"
+#include "base/document/document_impl.h"
 
 /* The field that a key names, NULL when there is none; the rest field has no name. */
 const struct um_schema_field *um_document_schema_find(const struct um_schema_object *object,

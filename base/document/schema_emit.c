@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "document/schema.h"
+#include "base/document/schema.h"
 
 #define OBJECTS_MAX 256
 #define PATH_SIZE   160

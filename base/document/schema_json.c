@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/json.h"
-#include "document/schema.h"
+#include "base/core/json.h"
+#include "base/document/schema.h"
 
 #define DEPTH_MAX 24
 

@@ -1,8 +1,8 @@
 /* Paths of keys in a schema. */
 #include <string.h>
 
-#include "core/words.h"
-#include "document/schema_check_impl.h"
+#include "base/core/words.h"
+#include "base/document/schema_check_impl.h"
 
 #define DEPTH_MAX 12
 #define PATH_SIZE 256

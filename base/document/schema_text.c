@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "document/schema.h"
+#include "base/core/words.h"
+#include "base/document/schema.h"
 
 static void append(char *buffer, size_t size, const char *text)
 {

@@ -4,9 +4,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/digest.h"
-#include "document/document_impl.h"
-#include "document/yaml_impl.h"
+#include "base/core/digest.h"
+#include "base/document/document_impl.h"
+#include "base/document/yaml_impl.h"
 
 struct loader {
   struct um_document *document;

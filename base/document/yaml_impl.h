@@ -1,8 +1,8 @@
-/* Private to document/: text to tree. */
+/* Private to base/document/: text to tree. */
 #ifndef UMBRA_DOCUMENT_YAML_IMPL_H
 #define UMBRA_DOCUMENT_YAML_IMPL_H
 
-#include "document/document_impl.h"
+#include "base/document/document_impl.h"
 
 /* yaml.c is the only file that knows libfyaml. Text to tree; memory is the document's. `name` is
  * what messages call it; from_file: marks carry the name and lines, otherwise "--set" and no line.

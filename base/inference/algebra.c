@@ -6,7 +6,7 @@
  *
  * The rank is the number of |R_jj| above a tolerance. What follows those is 0 to within it, so the
  * unknowns beyond the rank are set to 0 (the basic solution). All memory is the context's. */
-#include "inference/algebra.h"
+#include "base/inference/algebra.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>

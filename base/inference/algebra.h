@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_inference_qr; /* opaque */
 

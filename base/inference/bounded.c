@@ -5,14 +5,14 @@
  *
  * The rows are first compressed to as many as there are unknowns, so that all this costs nothing
  * beside them. Damping and priors are rows. */
-#include "inference/bounded_impl.h"
+#include "base/inference/bounded_impl.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/policy.h"
+#include "base/inference/algebra.h"
+#include "base/inference/policy.h"
 
 #define SLOPE_TOLERANCE 1e-10 /* of the product of lengths */
 

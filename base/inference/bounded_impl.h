@@ -1,11 +1,11 @@
 /* Linear least squares with priors and within bounds: the problem within each
- * step of a fit. Private to inference/. */
+ * step of a fit. Private to base/inference/. */
 #ifndef UMBRA_INFERENCE_BOUNDED_IMPL_H
 #define UMBRA_INFERENCE_BOUNDED_IMPL_H
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* |r - J S u|^2 + sum_j ((p_j - s_j u_j) / w_j)^2 = |y - R u|^2 + rest in the scaled unknowns u. */
 struct um_inference_system {

@@ -8,9 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/projection.h"
-#include "inference/score.h"
+#include "base/inference/algebra.h"
+#include "base/inference/projection.h"
+#include "base/inference/score.h"
 
 /* s [nleft]; left [ncolumn][nleft]; both are not changed. */
 static enum um_status against(struct um_context *context, size_t nleft, const double *s,

@@ -19,15 +19,15 @@
  * where three steps together gain less than 30 e or six in succession fail; that is convergence
  * only where no more than 30 e (after failures 10 e) is predicted by the linear model. A fit that
  * is only of use below some chi-square is pruned when its predicted reduction is far from that. */
-#include "inference/descent_impl.h"
+#include "base/inference/descent_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/bounded_impl.h"
-#include "inference/jacobian_impl.h"
-#include "inference/policy.h"
+#include "base/inference/algebra.h"
+#include "base/inference/bounded_impl.h"
+#include "base/inference/jacobian_impl.h"
+#include "base/inference/policy.h"
 
 #define LOST         10.0 /* e, that noise of the model may hide */
 #define SLOW         30.0 /* e, the least that steps in succession have to gain .. */

@@ -1,8 +1,8 @@
-/* The iteration of a fit. Private to inference/. */
+/* The iteration of a fit. Private to base/inference/. */
 #ifndef UMBRA_INFERENCE_DESCENT_IMPL_H
 #define UMBRA_INFERENCE_DESCENT_IMPL_H
 
-#include "inference/descent_state_impl.h"
+#include "base/inference/descent_state_impl.h"
 
 /* From the problem's start. Errors of evaluate there are passed on. The caller releases what was
  * begun (um_inference_descent_release), after an error too. */

@@ -1,6 +1,6 @@
 /* Where a fit stands: its memory, its priors, and what is not worth a run. */
-#include "inference/descent_state_impl.h"
-#include "inference/policy.h"
+#include "base/inference/descent_state_impl.h"
+#include "base/inference/policy.h"
 
 #include <math.h>
 

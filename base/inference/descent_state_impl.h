@@ -1,8 +1,8 @@
-/* Where a fit stands. Private to inference/. */
+/* Where a fit stands. Private to base/inference/. */
 #ifndef UMBRA_INFERENCE_DESCENT_STATE_IMPL_H
 #define UMBRA_INFERENCE_DESCENT_STATE_IMPL_H
 
-#include "inference/fit_problem.h"
+#include "base/inference/fit_problem.h"
 
 /* Where a fit stands. Residuals r = (measured - value) / sigma, Jacobian d(value / sigma)/dx. */
 struct um_inference_descent {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* A group of columns that are tested as one. */
 struct um_inference_direction {

@@ -1,6 +1,6 @@
 /* Tails of distributions, by GSL. Its handler would end the program where a tail underflows; off,
  * it returns 0 there, which is what we want. */
-#include "inference/distributions.h"
+#include "base/inference/distributions.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>

@@ -6,14 +6,14 @@
  *   covariance = (J'J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nobservation
  *
  * (Schwarz 1978, Ann. Stat. 6:461). */
-#include "inference/fit.h"
+#include "base/inference/fit.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/descent_impl.h"
-#include "inference/policy.h"
+#include "base/inference/algebra.h"
+#include "base/inference/descent_impl.h"
+#include "base/inference/policy.h"
 
 static enum um_status check_parameter(struct um_context *context,
                                       const struct um_inference_fit_parameter *p, size_t j)

@@ -4,7 +4,7 @@
 #ifndef UMBRA_INFERENCE_FIT_H
 #define UMBRA_INFERENCE_FIT_H
 
-#include "inference/fit_problem.h"
+#include "base/inference/fit_problem.h"
 
 struct um_inference_fit {
   size_t nobservation, nparameter, iterations, evaluations;
@@ -26,7 +26,7 @@ struct um_inference_fit {
 
 /* UM_ERR_INPUT: more parameters without prior than observations, a start outside its bounds, a
  * sigma or a step that is not above 0. Errors of evaluate are passed on, as said above. Agrees with
- * NIST's certified problems to 6 digits (tests/inference/fit.c). The caller destroys. */
+ * NIST's certified problems to 6 digits (tests/base/inference/fit.c). The caller destroys. */
 enum um_status um_inference_fit_create(struct um_context *context,
                                        const struct um_inference_fit_problem *problem,
                                        struct um_inference_fit **out);

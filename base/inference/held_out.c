@@ -9,8 +9,8 @@
  * elsewhere. */
 #include <math.h>
 
-#include "inference/bounded_impl.h"
-#include "inference/fit.h"
+#include "base/inference/bounded_impl.h"
+#include "base/inference/fit.h"
 
 #define WIDER 1e3
 

@@ -1,8 +1,8 @@
-/* The Jacobian of a fit. Private to inference/. */
+/* The Jacobian of a fit. Private to base/inference/. */
 #ifndef UMBRA_INFERENCE_JACOBIAN_IMPL_H
 #define UMBRA_INFERENCE_JACOBIAN_IMPL_H
 
-#include "inference/descent_state_impl.h"
+#include "base/inference/descent_state_impl.h"
 
 /* The model at x_trial. happened: false where it refuses (UM_ERR_REFUSED, UM_ERR_NUMERIC, a value
  * that is not finite); its message is then cleared. */

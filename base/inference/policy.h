@@ -1,6 +1,6 @@
 /* Numbers of inference/ that decide what a diagnosis says: unit, and where each comes from. HAND
- * and LAB mean what diagnosis/policy.h says. What only steers a descent to the same minimum stands
- * where it acts (descent.c, jacobian.c, bounded.c). */
+ * and LAB mean what evidence/diagnosis/policy.h says. What only steers a descent to the same
+ * minimum stands where it acts (descent.c, jacobian.c, bounded.c). */
 #ifndef UMBRA_INFERENCE_POLICY_H
 #define UMBRA_INFERENCE_POLICY_H
 

@@ -5,12 +5,12 @@
  *
  * so that after the rotation by Q' what is left of any v is its numbers beyond the rank. Nuisances
  * may be collinear (the rank is less) or insensitive. */
-#include "inference/projection.h"
+#include "base/inference/projection.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
+#include "base/inference/algebra.h"
 
 /* s = 0 is a nuisance that is known: no column. */
 static bool is_known(double sigma) { return sigma <= 0.0; }

@@ -2,8 +2,8 @@
 #ifndef UMBRA_INFERENCE_PROJECTION_H
 #define UMBRA_INFERENCE_PROJECTION_H
 
-#include "inference/direction.h"
-#include "inference/policy.h"
+#include "base/inference/direction.h"
+#include "base/inference/policy.h"
 
 struct um_inference_qr;
 

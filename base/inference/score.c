@@ -10,16 +10,16 @@
  * Family-wise p by Holm's steps (1979, Scand. J. Stat. 6:65) with Sidak's exponents (1967, JASA
  * 62:626): sorted, p~_(j) = max over i <= j of 1 - (1 - p_(i))^(m - i + 1). Single columns that
  * are one direction after the nuisances, with the same side allowed, are one test. */
-#include "inference/score.h"
+#include "base/inference/score.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/distributions.h"
-#include "inference/policy.h"
-#include "inference/projection.h"
+#include "base/inference/algebra.h"
+#include "base/inference/distributions.h"
+#include "base/inference/policy.h"
+#include "base/inference/projection.h"
 
 #define COLUMNS_MAX 8
 

@@ -4,7 +4,7 @@
 #ifndef UMBRA_INFERENCE_SCORE_H
 #define UMBRA_INFERENCE_SCORE_H
 
-#include "inference/direction.h"
+#include "base/inference/direction.h"
 
 struct um_inference_score {
   /* chi-square that the direction explains, after the nuisances; 0 against a bound. Where p

@@ -11,9 +11,9 @@
 #include <float.h>
 #include <math.h>
 
-#include "inference/distributions.h"
-#include "inference/policy.h"
-#include "inference/score.h"
+#include "base/inference/distributions.h"
+#include "base/inference/policy.h"
+#include "base/inference/score.h"
 
 /* p of e[n]; false when there are too few observations or all are 0. */
 static bool ljung_box(size_t n, const double *e, double *p)

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "core/child.h"
-#include "plot/plot_impl.h"
+#include "base/core/child.h"
+#include "base/plot/plot_impl.h"
 
 #define NO_FOLDER  126
 #define NOT_FOUND  127

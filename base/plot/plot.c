@@ -1,12 +1,12 @@
 /* A script from its first line to the pictures. */
-#include "plot/plot.h"
+#include "base/plot/plot.h"
 
 #include <errno.h>
 #include <math.h>
 #include <string.h>
 
-#include "core/file.h"
-#include "plot/plot_impl.h"
+#include "base/core/file.h"
+#include "base/plot/plot_impl.h"
 
 #define NAME_MAX_BYTES 150  /* of a picture's name */
 #define RESOLUTION     96.0 /* pixels to the inch */

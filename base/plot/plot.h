@@ -12,7 +12,7 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_plot;
 

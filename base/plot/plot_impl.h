@@ -1,11 +1,11 @@
-/* Private to plot/. */
+/* Private to base/plot/. */
 #ifndef UMBRA_PLOT_PLOT_IMPL_H
 #define UMBRA_PLOT_PLOT_IMPL_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "plot/plot.h"
+#include "base/plot/plot.h"
 
 struct um_plot {
   FILE *file;

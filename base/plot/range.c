@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
-#include "plot/plot_impl.h"
+#include "base/core/order.h"
+#include "base/plot/plot_impl.h"
 
 #define FEW    60   /* values below which .. */
 #define SPARED 3    /* .. so many at an end, .. */

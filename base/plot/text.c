@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/text.h"
-#include "plot/plot_impl.h"
+#include "base/core/text.h"
+#include "base/plot/plot_impl.h"
 
 #define TEXT_MAX 160 /* characters of a text */
 

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "plot/plot_impl.h"
+#include "base/core/constants.h"
+#include "base/plot/plot_impl.h"
 
 #define HOUR   3600.0
 #define DAY    86400.0

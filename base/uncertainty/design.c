@@ -1,11 +1,11 @@
 /* Designs of points in the unit cube. */
-#include "uncertainty/design.h"
+#include "base/uncertainty/design.h"
 
 #include <gsl/gsl_qrng.h>
 #include <math.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
 static enum um_status reserve(struct um_context *context, size_t d, size_t n, double **u)
 {

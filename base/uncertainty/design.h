@@ -5,14 +5,14 @@
 
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_UNCERTAINTY_DIMENSIONS_MAX 20 /* of any design, so that Saltelli's fits GSL's 40 */
 #define UM_UNCERTAINTY_NUMBERS_MAX    100000000 /* n d of a design */
 
 /* All of these hand out *u [*n][d], which the caller frees by um_core_free. UM_ERR_INPUT: d of 0 or
  * above UM_UNCERTAINTY_DIMENSIONS_MAX, no points, more numbers than UM_UNCERTAINTY_NUMBERS_MAX,
- * what is said below. UM_ERR_MEMORY. Tests: tests/uncertainty/design.c. */
+ * what is said below. UM_ERR_MEMORY. Tests: tests/base/uncertainty/design.c. */
 
 /* Level i of count on one axis: i / (count - 1) where the ends belong to it, otherwise (i + 1/2) /
  * count, the middles of equal shares, which are also the coordinates of a list's values. A single

@@ -1,5 +1,5 @@
 /* Distributions of a parameter, by GSL. */
-#include "uncertainty/distribution.h"
+#include "base/uncertainty/distribution.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef UMBRA_UNCERTAINTY_DISTRIBUTION_H
 #define UMBRA_UNCERTAINTY_DISTRIBUTION_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 enum um_uncertainty_kind {
   UM_UNCERTAINTY_UNIFORM, /* from .. to */

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Sobol' indices and their standard errors, each [d][nvalue]; the caller owns the arrays, any may
  * be NULL. mean, variance [nvalue]. */
@@ -25,7 +25,7 @@ struct um_uncertainty_sobol {
  * its parts. A value that does not vary has NaN. Whole rows are left out where one of their values
  * is NaN; fewer than 2 UM_UNCERTAINTY_BATCHES left: NaN. Does not depend on the number of threads.
  * UM_ERR_INPUT: n below 2 UM_UNCERTAINTY_BATCHES, d of 0. UM_ERR_MEMORY. Tests:
- * tests/uncertainty/indices.c. */
+ * tests/base/uncertainty/indices.c. */
 #define UM_UNCERTAINTY_BATCHES 16
 enum um_status um_uncertainty_sobol_indices(struct um_context *context, size_t d, size_t n,
                                             size_t nvalue, const double *value,

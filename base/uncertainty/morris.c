@@ -1,7 +1,7 @@
 /* Elementary effects: E_i = (f(u + step e_i) - f(u)) / step for each trajectory. */
 #include <math.h>
 
-#include "uncertainty/indices.h"
+#include "base/uncertainty/indices.h"
 
 /* The axis that moves between two points, and by how much; d: none or several. */
 static size_t moved(size_t d, const double *u, double *step)

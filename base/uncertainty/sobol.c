@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "uncertainty/design.h"
-#include "uncertainty/indices.h"
+#include "base/uncertainty/design.h"
+#include "base/uncertainty/indices.h"
 
 #define BLOCK_NUMBERS 4000000 /* of a function's values held at a time */
 

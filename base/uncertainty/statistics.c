@@ -1,11 +1,11 @@
 /* Quantiles, exceedance, correlation and weights of many points. */
-#include "uncertainty/statistics.h"
+#include "base/uncertainty/statistics.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/order.h"
+#include "base/core/order.h"
 
 struct weighed {
   double value, weight;

@@ -1,10 +1,10 @@
 /* What many points say of each value: quantiles, exceedance, correlation; and points weighed by how
  * well they fit measurements. value [n][nvalue] throughout; a value that is NaN at a point is left
- * out there. weight [n] >= 0 or NULL, all alike. Tests: tests/uncertainty/statistics.c. */
+ * out there. weight [n] >= 0 or NULL, all alike. Tests: tests/base/uncertainty/statistics.c. */
 #ifndef UMBRA_UNCERTAINTY_STATISTICS_H
 #define UMBRA_UNCERTAINTY_STATISTICS_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Quantiles at p [np] in [0, 1], out [np][nvalue]; NaN where no point has the value. Without
  * weights GSL's (linear between order statistics: the i-th of m is at (i - 1) / (m - 1)); with

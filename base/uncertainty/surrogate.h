@@ -11,8 +11,8 @@
 #ifndef UMBRA_UNCERTAINTY_SURROGATE_H
 #define UMBRA_UNCERTAINTY_SURROGATE_H
 
-#include "core/context.h"
-#include "uncertainty/distribution.h"
+#include "base/core/context.h"
+#include "base/uncertainty/distribution.h"
 
 #define UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX 10
 #define UM_UNCERTAINTY_HELD_OUT                 10  /* points, by default */
@@ -63,7 +63,7 @@ struct um_uncertainty_surrogate; /* opaque */
  * doubling of points would, or a point fails: the message names group, value, error and what was
  * asked. UM_ERR_INPUT: d, a group outside the values, an error that is not above 0, no more points
  * allowed than are held out. UM_ERR_MEMORY; errors of evaluate. The caller destroys. The same for
- * any number of threads. Tests: tests/uncertainty/surrogate.c. */
+ * any number of threads. Tests: tests/base/uncertainty/surrogate.c. */
 enum um_status
 um_uncertainty_surrogate_create(struct um_context *context,
                                 const struct um_uncertainty_surrogate_request *request,

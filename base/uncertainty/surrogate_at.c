@@ -1,7 +1,7 @@
 /* A surrogate at given places: its basis there times its surpluses. */
 #include <math.h>
 
-#include "uncertainty/surrogate_impl.h"
+#include "base/uncertainty/surrogate_impl.h"
 
 #define GRID  (1 << 14) /* places among which Leja's points are sought */
 #define BLOCK 256       /* values that stay in the nearest memory while terms are added */

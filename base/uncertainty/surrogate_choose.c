@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "uncertainty/surrogate_growth_impl.h"
+#include "base/uncertainty/surrogate_growth_impl.h"
 
 #define BULK 0.5 /* terms of at least this share of the largest one are taken along with it */
 

@@ -1,11 +1,11 @@
 /* Growth of a surrogate: which terms come next, and when it is good enough. */
-#include "uncertainty/surrogate.h"
+#include "base/uncertainty/surrogate.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 
-#include "uncertainty/surrogate_growth_impl.h"
+#include "base/uncertainty/surrogate_growth_impl.h"
 
 #define FIRST_LOOK 64 /* evaluations after which the rate of convergence is looked at */
 

@@ -1,12 +1,12 @@
 /* Points of a growing surrogate and what they say. */
-#include "uncertainty/surrogate_growth_impl.h"
+#include "base/uncertainty/surrogate_growth_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "uncertainty/design.h"
+#include "base/core/constants.h"
+#include "base/uncertainty/design.h"
 
 /* The error that is asked of a value of that size. */
 static double asked(const struct um_uncertainty_growth *g, size_t group, double value)

@@ -1,8 +1,9 @@
-/* Growth of a surrogate: points, surpluses, what held-out points say. Private to uncertainty/. */
+/* Growth of a surrogate: points, surpluses, what held-out points say. Private to base/uncertainty/.
+ */
 #ifndef UMBRA_UNCERTAINTY_SURROGATE_GROWTH_IMPL_H
 #define UMBRA_UNCERTAINTY_SURROGATE_GROWTH_IMPL_H
 
-#include "uncertainty/surrogate_impl.h"
+#include "base/uncertainty/surrogate_impl.h"
 
 /* What is known while it grows. */
 struct um_uncertainty_growth {

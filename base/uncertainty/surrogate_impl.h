@@ -1,8 +1,8 @@
-/* Inside of a surrogate. Private to uncertainty/. */
+/* Inside of a surrogate. Private to base/uncertainty/. */
 #ifndef UMBRA_UNCERTAINTY_SURROGATE_IMPL_H
 #define UMBRA_UNCERTAINTY_SURROGATE_IMPL_H
 
-#include "uncertainty/surrogate.h"
+#include "base/uncertainty/surrogate.h"
 
 #define UM_UNCERTAINTY_LEVELS 33 /* degrees of an axis, 0 with them */
 

@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "uncertainty/surrogate_impl.h"
+#include "base/uncertainty/surrogate_impl.h"
 
 #define NODES    256
 #define ROUNDING 1e-13 /* of a value, below which its variation is none */

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/compare.h"
-#include "compare/correlation_impl.h"
-#include "compare/intervals_impl.h"
-#include "compare/series.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/comparison/correlation_impl.h"
+#include "evidence/comparison/intervals_impl.h"
+#include "evidence/comparison/series.h"
 
 static enum um_status find_residuals(struct um_context *context, struct um_compare_comparison *c)
 {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_COMPARE_H
 #define UMBRA_COMPARE_COMPARE_H
 
-#include "compare/comparison.h"
+#include "evidence/comparison/comparison.h"
 
 /* Compare; every residual is measured against sigma and model_sigma in quadrature. fitted: number
  * of parameters that were fitted to these observations; each channel takes its share by

@@ -1,5 +1,5 @@
 /* A comparison as it is kept. */
-#include "compare/comparison.h"
+#include "evidence/comparison/comparison.h"
 
 void um_compare_destroy(struct um_context *context, struct um_compare_comparison **comparison)
 {

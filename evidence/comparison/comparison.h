@@ -2,13 +2,13 @@
 #ifndef UMBRA_COMPARE_COMPARISON_H
 #define UMBRA_COMPARE_COMPARISON_H
 
-#include "compare/coordinates.h"
-#include "compare/metrics.h"
-#include "compare/predict.h"
-#include "compare/residual.h"
-#include "compare/segments.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "evidence/comparison/coordinates.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/comparison/segments.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 #define UM_COMPARE_WORST 3 /* intervals per channel */
 

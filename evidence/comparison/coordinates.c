@@ -1,9 +1,9 @@
 /* Coordinates of observations. */
-#include "compare/coordinates.h"
+#include "evidence/comparison/coordinates.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "orbit/sun.h"
 

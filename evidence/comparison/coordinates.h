@@ -2,8 +2,8 @@
 #ifndef UMBRA_COMPARE_COORDINATES_H
 #define UMBRA_COMPARE_COORDINATES_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 struct um_compare_coordinate {
   char *name;    /* with unit, as in the header of residuals.csv: "elevation_deg" */

@@ -1,12 +1,12 @@
 /* Rank correlations by GSL. */
-#include "compare/correlation_impl.h"
+#include "evidence/comparison/correlation_impl.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define FEWEST 5 /* pairs */
 

@@ -1,8 +1,8 @@
-/* How a residual goes with a coordinate. Private to compare/. */
+/* How a residual goes with a coordinate. Private to evidence/comparison/. */
 #ifndef UMBRA_COMPARE_CORRELATION_IMPL_H
 #define UMBRA_COMPARE_CORRELATION_IMPL_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Spearman's rank correlation of x[n] and y[n], ties by mean ranks, in [-1, 1], and its two-sided
  * p-value for independent pairs by Student's t with n - 2 degrees of freedom. NaN where n < 5 or

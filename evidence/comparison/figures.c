@@ -1,11 +1,11 @@
 /* How channels and their figures stand in result files. */
-#include "compare/figures.h"
+#include "evidence/comparison/figures.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/json.h"
+#include "base/core/csv.h"
+#include "base/core/json.h"
 
 void um_compare_figures(const struct um_compare_metrics *m,
                         struct um_compare_figure out[UM_COMPARE_FIGURES])

@@ -5,8 +5,8 @@
 
 #include <stdio.h>
 
-#include "compare/metrics.h"
-#include "compare/set.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/measurements/set.h"
 
 /* Name, as in JSON and in headers of tables, and value of every figure but the count. */
 struct um_compare_figure {

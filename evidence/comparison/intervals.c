@@ -4,9 +4,9 @@
  * chi-square, then the next that does not overlap it, and so on. */
 #include <math.h>
 
-#include "compare/intervals_impl.h"
+#include "evidence/comparison/intervals_impl.h"
 
-#include "compare/residual.h"
+#include "evidence/comparison/residual.h"
 
 #define WINDOWS  10
 #define SHORTEST 3 /* observations */

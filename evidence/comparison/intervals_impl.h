@@ -1,8 +1,8 @@
-/* Where in time a channel is worst. Private to compare/. */
+/* Where in time a channel is worst. Private to evidence/comparison/. */
 #ifndef UMBRA_COMPARE_INTERVALS_IMPL_H
 #define UMBRA_COMPARE_INTERVALS_IMPL_H
 
-#include "compare/comparison.h"
+#include "evidence/comparison/comparison.h"
 
 /* The worst intervals of a channel, with their shares. */
 enum um_status um_compare_intervals_find(struct um_context *context,

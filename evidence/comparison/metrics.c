@@ -1,14 +1,14 @@
 /* Metrics of residuals r = y - m (measured less model) in linear flux. The definitions stand beside
  * the fields in metrics.h; the least-squares scale is c = sum(y m) / sum(m^2). */
-#include "compare/metrics.h"
+#include "evidence/comparison/metrics.h"
 
 #include <math.h>
 #include <stdint.h>
 
-#include "compare/residual.h"
-#include "compare/statistics_impl.h"
-#include "core/constants.h"
-#include "inference/distributions.h"
+#include "base/core/constants.h"
+#include "base/inference/distributions.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/comparison/statistics_group.h"
 
 /* Residuals gathered for one segment, and room for what is sorted. */
 struct observations {

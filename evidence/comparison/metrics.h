@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#include "compare/residual.h"
-#include "core/context.h"
+#include "base/core/context.h"
+#include "evidence/comparison/residual.h"
 
 /* What does not exist is NaN, never 0: sd of one observation, rms/mean where the mean measured flux
  * is not positive, chi-square without sigma. Residual r = measured - model. Units are those of the

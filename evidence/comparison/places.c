@@ -1,10 +1,10 @@
 /* Places by name. */
-#include "compare/places_impl.h"
+#include "evidence/comparison/places_group.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 
 #define MATERIAL "material:"
 

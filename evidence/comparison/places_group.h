@@ -1,8 +1,8 @@
-/* Places by the names that users give them. Private to compare/. */
-#ifndef UMBRA_COMPARE_PLACES_IMPL_H
-#define UMBRA_COMPARE_PLACES_IMPL_H
+/* Places by the names that users give them. Private to the rooms of evidence/. */
+#ifndef UMBRA_COMPARE_PLACES_GROUP_H
+#define UMBRA_COMPARE_PLACES_GROUP_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Index as in um_model_result.place of "bus.+x", "material:cfrp", or of what stands behind the
  * part's name ("+x", "interior") where only one place has it. UM_ERR_INPUT, a message without

@@ -1,15 +1,15 @@
 /* A picture per channel by gnuplot, from residuals.csv. The script is kept beside it. */
-#include "compare/plot.h"
+#include "evidence/comparison/plot.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/figures.h"
-#include "compare/predict.h"
-#include "compare/shade.h"
+#include "base/plot/plot.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/comparison/shade.h"
 #include "orbit/time.h"
-#include "plot/plot.h"
 
 /* Pixels. */
 #define WIDTH    1000

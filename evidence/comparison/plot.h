@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_PLOT_H
 #define UMBRA_COMPARE_PLOT_H
 
-#include "compare/comparison.h"
+#include "evidence/comparison/comparison.h"
 
 /* A picture per channel, drawn by gnuplot from residuals.csv, which lies in the folder: data with
  * error bars and model, residuals in sigma below, shadow shaded. UM_ERR_IO. */

@@ -1,17 +1,17 @@
 /* From rows to observations and back. */
-#include "compare/predict.h"
+#include "evidence/comparison/predict.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/predict_source_impl.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
-#include "core/sort.h"
-#include "model/points.h"
-#include "model/precompute.h"
+#include "base/core/constants.h"
+#include "base/core/sort.h"
+#include "evidence/comparison/predict_source_impl.h"
+#include "evidence/measurements/time_text.h"
+#include "model/geometry/points.h"
+#include "model/geometry/precompute.h"
 
 #define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
 

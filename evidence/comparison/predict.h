@@ -3,11 +3,11 @@
 #ifndef UMBRA_COMPARE_PREDICT_H
 #define UMBRA_COMPARE_PREDICT_H
 
-#include "compare/set.h"
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/result.h"
-#include "model/timeline.h"
+#include "evidence/measurements/set.h"
+#include "model/build/model.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precompute.h"
+#include "model/run/result.h"
 
 /* Which observation of a geometry precomputation, and which number of it, answers each row. It
  * depends on the times, names and exposures of the rows and on the names of bands and places, so it

@@ -3,10 +3,10 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "compare/places_impl.h"
-#include "compare/predict_source_impl.h"
-#include "instrument/grey_body.h"
-#include "model/bands.h"
+#include "evidence/comparison/places_group.h"
+#include "evidence/comparison/predict_source_impl.h"
+#include "model/build/bands.h"
+#include "optics/instrument/grey_body.h"
 
 static size_t first_used(const struct um_compare_measurements *m, size_t channel)
 {

@@ -1,9 +1,9 @@
-/* What of a model answers a channel. Private to compare/. */
+/* What of a model answers a channel. Private to evidence/comparison/. */
 #ifndef UMBRA_COMPARE_PREDICT_SOURCE_IMPL_H
 #define UMBRA_COMPARE_PREDICT_SOURCE_IMPL_H
 
-#include "compare/set.h"
-#include "model/model.h"
+#include "evidence/measurements/set.h"
+#include "model/build/model.h"
 
 /* Band or place of a channel; UM_COMPARE_NOWHERE when no row of it is in use. UM_ERR_INPUT names
  * file and line of its first row. */

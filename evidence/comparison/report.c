@@ -1,12 +1,12 @@
 /* compare.json, metrics.csv and residuals.csv. */
-#include "compare/report.h"
+#include "evidence/comparison/report.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/figures.h"
-#include "compare/time_text.h"
-#include "core/json.h"
+#include "base/core/json.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/measurements/time_text.h"
 
 #define ALL_LABEL "all"
 

@@ -4,8 +4,8 @@
 
 #include <stdio.h>
 
-#include "compare/comparison.h"
-#include "core/file.h"
+#include "base/core/file.h"
+#include "evidence/comparison/comparison.h"
 
 /* compare.json, metrics.csv and residuals.csv into a folder in the making; docs/files.md tells what
  * stands in them. command and version: for the record. UM_ERR_IO. */

@@ -1,5 +1,5 @@
 /* See residual.h. */
-#include "compare/residual.h"
+#include "evidence/comparison/residual.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #ifndef UMBRA_COMPARE_RESIDUAL_H
 #define UMBRA_COMPARE_RESIDUAL_H
 
-#include "compare/measurements.h"
+#include "evidence/measurements/measurements.h"
 
 struct um_compare_residual {
   double measured, model; /* linear unit; the residual is measured - model */

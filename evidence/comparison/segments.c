@@ -1,10 +1,10 @@
-/* Sunlit, penumbra, umbra from the sunlit fraction by the limits of core/constants.h; rising and
- * setting from the sign of the elevation's central difference. */
-#include "compare/segments.h"
+/* Sunlit, penumbra, umbra from the sunlit fraction by the limits of base/core/constants.h; rising
+ * and setting from the sign of the elevation's central difference. */
+#include "evidence/comparison/segments.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define HALF_STEP 0.5 /* of the difference [s] */
 #define LIGHT     1.0 /* longest light time that is allowed for where an orbit ends [s] */

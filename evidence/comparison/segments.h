@@ -2,8 +2,8 @@
 #ifndef UMBRA_COMPARE_SEGMENTS_H
 #define UMBRA_COMPARE_SEGMENTS_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 /* The first three exclude each other, so do the last two. */
 enum um_compare_segment {

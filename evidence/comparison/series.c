@@ -1,11 +1,11 @@
 /* One channel as a series in linear flux, and phase folding. */
-#include "compare/series.h"
+#include "evidence/comparison/series.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "compare/residual.h"
+#include "evidence/comparison/residual.h"
 
 /* A row's place in time; equal times keep the order of the file. */
 struct instant {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_SERIES_H
 #define UMBRA_COMPARE_SERIES_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* Observations of one channel in linear flux, in order of time. */
 struct um_compare_series {

@@ -1,10 +1,10 @@
 /* The Earth's shadow behind measurements, its edges at their own times. */
-#include "compare/shade.h"
+#include "evidence/comparison/shade.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "model/timeline.h"
+#include "base/core/constants.h"
+#include "model/build/timeline.h"
 
 #define LONGEST   259200.0 /* [s] beyond it single shadows are not to be seen */
 #define STEP      60.0     /* [s] at most between instants at which the shadow is looked up */

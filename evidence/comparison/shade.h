@@ -2,8 +2,8 @@
 #ifndef UMBRA_COMPARE_SHADE_H
 #define UMBRA_COMPARE_SHADE_H
 
-#include "model/model.h"
-#include "plot/plot.h"
+#include "base/plot/plot.h"
+#include "model/build/model.h"
 
 /* Umbra and penumbra of the model's orbit along the axis, whether or not anything was measured
  * there, edges to a millisecond; shadows of less than a minute between two sunlit instants may be

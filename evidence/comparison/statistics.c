@@ -7,7 +7,7 @@
  *
  * and d / 4 is close to a beta variate of these moments (Durbin & Watson 1951, Biometrika 38, 159).
  */
-#include "compare/statistics_impl.h"
+#include "evidence/comparison/statistics_group.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>

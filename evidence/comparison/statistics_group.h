@@ -1,7 +1,7 @@
 /* Distributions and order statistics: the only place of compare/ that knows GSL. Nothing here
- * fails; arguments outside a domain give NaN. Private to compare/. */
-#ifndef UMBRA_COMPARE_STATISTICS_IMPL_H
-#define UMBRA_COMPARE_STATISTICS_IMPL_H
+ * fails; arguments outside a domain give NaN. Private to the rooms of evidence/. */
+#ifndef UMBRA_COMPARE_STATISTICS_GROUP_H
+#define UMBRA_COMPARE_STATISTICS_GROUP_H
 
 #include <stddef.h>
 

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/alternatives_impl.h"
-#include "diagnosis/non_smooth_impl.h"
-#include "diagnosis/policy.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/alternatives_impl.h"
+#include "evidence/diagnosis/non_smooth_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
  * parameters. */

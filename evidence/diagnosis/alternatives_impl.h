@@ -1,9 +1,9 @@
-/* Non-linear fits of candidates. Private to diagnosis/. */
+/* Non-linear fits of candidates. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 #define UMBRA_DIAGNOSIS_ALTERNATIVES_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* A copy of the state with candidates added at their null values, fitted together. The fit is
  * pruned where its BIC will not come below `prune_above` (INFINITY: never). UM_ERR_REFUSED,

@@ -1,27 +1,27 @@
 /* The method, step by step. Fit the nuisances. Test, fit and add effects one after another, until
  * nothing significant is left. Remove what is no longer needed. Say what is found and what cannot
  * be known. */
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/backward_impl.h"
-#include "diagnosis/diagnosis_impl.h"
-#include "diagnosis/leave_one_out_impl.h"
-#include "diagnosis/missed_impl.h"
-#include "diagnosis/next_impl.h"
-#include "diagnosis/nuisance_impl.h"
-#include "diagnosis/pair_swap_impl.h"
-#include "diagnosis/policy.h"
-#include "diagnosis/pulse_bic_impl.h"
-#include "diagnosis/rank_impl.h"
-#include "diagnosis/select_impl.h"
-#include "diagnosis/state_impl.h"
-#include "diagnosis/summary_impl.h"
-#include "diagnosis/superseded_impl.h"
-#include "diagnosis/verdict_impl.h"
-#include "diagnosis/wanted_impl.h"
+#include "evidence/diagnosis/backward_impl.h"
+#include "evidence/diagnosis/diagnosis_impl.h"
+#include "evidence/diagnosis/leave_one_out_impl.h"
+#include "evidence/diagnosis/missed_impl.h"
+#include "evidence/diagnosis/next_impl.h"
+#include "evidence/diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/pair_swap_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/pulse_bic_impl.h"
+#include "evidence/diagnosis/rank_impl.h"
+#include "evidence/diagnosis/select_impl.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/superseded_impl.h"
+#include "evidence/diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/wanted_impl.h"
 
 static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
 {

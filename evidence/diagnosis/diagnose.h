@@ -2,8 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSE_H
 #define UMBRA_DIAGNOSIS_DIAGNOSE_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/options.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/options.h"
 
 /* candidates: made once by um_sensitivity_candidates_create without additions, may serve many sets
  * of the same times. UM_ERR_INPUT: fewer observations than free parameters, a nuisance per

@@ -1,5 +1,5 @@
 /* Names of verdicts and classes, and the memory of a diagnosis. */
-#include "diagnosis/diagnosis_impl.h"
+#include "evidence/diagnosis/diagnosis_impl.h"
 
 const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict)
 {

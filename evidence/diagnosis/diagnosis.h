@@ -3,12 +3,12 @@
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSIS_H
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_H
 
-#include "compare/segments.h"
-#include "diagnosis/policy.h"
-#include "inference/score.h"
-#include "missing_heat/residual.h"
-#include "missing_heat/unexplained.h"
-#include "sensitivity/candidates.h"
+#include "base/inference/score.h"
+#include "evidence/comparison/segments.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/missing_heat/residual.h"
+#include "evidence/missing_heat/unexplained.h"
+#include "evidence/sensitivity/candidates.h"
 
 /* A candidate in a step: always tested, and fitted where its score was among the best. */
 struct um_diagnosis_alternative {

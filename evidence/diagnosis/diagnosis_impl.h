@@ -1,8 +1,8 @@
-/* Parts of a diagnosis, cleared before they are made anew. Private to diagnosis/. */
+/* Parts of a diagnosis, cleared before they are made anew. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_DIAGNOSIS_IMPL_H
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_IMPL_H
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* Free the steps. */
 void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d);

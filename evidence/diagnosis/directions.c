@@ -1,10 +1,10 @@
 /* Candidates and nuisances as whitened directions, for the linear statistics. */
-#include "diagnosis/directions_impl.h"
+#include "evidence/diagnosis/directions_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {

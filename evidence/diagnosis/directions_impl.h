@@ -1,8 +1,8 @@
-/* Candidates and nuisances as whitened directions. Private to diagnosis/. */
+/* Candidates and nuisances as whitened directions. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_DIRECTIONS_IMPL_H
 #define UMBRA_DIAGNOSIS_DIRECTIONS_IMPL_H
 
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Directions of the candidates, and the memory they point into. */
 struct um_diagnosis_directions {

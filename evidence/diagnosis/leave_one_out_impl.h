@@ -1,9 +1,9 @@
-/* Each effect judged beside the others. Private to diagnosis/. */
+/* Each effect judged beside the others. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_LEAVE_ONE_OUT_IMPL_H
 #define UMBRA_DIAGNOSIS_LEAVE_ONE_OUT_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Make the steps anew, each for one effect added last to the others: its alternatives, its group,
  * its p. An effect is replaced where an alternative does better. Steps are sorted by what their

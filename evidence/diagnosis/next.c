@@ -16,14 +16,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/segments.h"
-#include "core/constants.h"
-#include "core/order.h"
-#include "diagnosis/next_impl.h"
-#include "diagnosis/policy.h"
-#include "diagnosis/state_impl.h"
-#include "diagnosis/verdict_impl.h"
+#include "base/core/constants.h"
+#include "base/core/order.h"
 #include "environment/airmass.h"
+#include "evidence/comparison/segments.h"
+#include "evidence/diagnosis/next_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/verdict_impl.h"
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};

@@ -1,9 +1,9 @@
-/* The next measurement. Private to diagnosis/. */
+/* The next measurement. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_NEXT_IMPL_H
 #define UMBRA_DIAGNOSIS_NEXT_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Fill d->next_of: for each alternative of each step with a group, the observation that would tell
  * it from the winner; and d->next, the hardest of them. Small steps count only where there are no

@@ -19,10 +19,10 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multimin.h>
 
-#include "core/order.h"
-#include "diagnosis/non_smooth_impl.h"
-#include "diagnosis/policy.h"
-#include "diagnosis/state_impl.h"
+#include "base/core/order.h"
+#include "evidence/diagnosis/non_smooth_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Amplitudes to scan [of the linear model's]. */
 static const double powers[] = {1.0, 1.5, 2.5, 4.0};

@@ -1,8 +1,8 @@
-/* Fits of effects whose chi-square is not smooth. Private to diagnosis/. */
+/* Fits of effects whose chi-square is not smooth. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_NON_SMOOTH_IMPL_H
 #define UMBRA_DIAGNOSIS_NON_SMOOTH_IMPL_H
 
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Start values of block b of a state, a candidate with parameters unidentified under the null that
  * was added to the fitted state `before`: the best of a small scan. */

@@ -1,11 +1,11 @@
 /* What is uncertain anyway: calibration, clocks, properties with a stated width. */
-#include "diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/nuisance_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/policy.h"
-#include "sensitivity/stated.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/sensitivity/stated.h"
 
 enum um_status um_diagnosis_block_wanted(struct um_context *context,
                                          const struct um_diagnosis_work *work,

@@ -1,8 +1,8 @@
-/* Nuisances as blocks of a state. Private to diagnosis/. */
+/* Nuisances as blocks of a state. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 #define UMBRA_DIAGNOSIS_NUISANCE_IMPL_H
 
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* A block of a use with all its parameters free, starting at its values; prior about the
  * scenario's values of width sigma (INFINITY: the effect's own). UM_ERR_INPUT: an effect without

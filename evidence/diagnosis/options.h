@@ -2,7 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_OPTIONS_H
 #define UMBRA_DIAGNOSIS_OPTIONS_H
 
-#include "sensitivity/candidates.h"
+#include "evidence/sensitivity/candidates.h"
 
 /* A nuisance: its direction is projected out of the tests, and it is fitted with the effects. */
 struct um_diagnosis_nuisance_effect {

@@ -9,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/alternatives_impl.h"
-#include "diagnosis/directions_impl.h"
-#include "diagnosis/pair_swap_impl.h"
-#include "inference/algebra.h"
-#include "inference/projection.h"
+#include "base/inference/algebra.h"
+#include "base/inference/projection.h"
+#include "evidence/diagnosis/alternatives_impl.h"
+#include "evidence/diagnosis/directions_impl.h"
+#include "evidence/diagnosis/pair_swap_impl.h"
 
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
 

@@ -1,9 +1,9 @@
-/* Pairs of effects that replace two others. Private to diagnosis/. */
+/* Pairs of effects that replace two others. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_PAIR_SWAP_IMPL_H
 #define UMBRA_DIAGNOSIS_PAIR_SWAP_IMPL_H
 
-#include "diagnosis/policy.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
 
 struct um_diagnosis_pair {
   size_t candidate[2];

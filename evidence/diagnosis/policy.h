@@ -1,9 +1,9 @@
 /* Every number that decides a verdict: unit, and where it comes from. Those of rooms below stand in
  * headers of their own:
  *
- *   inference/policy.h     what observations see, what can be told apart, where a fit ends
- *   sensitivity/policy.h   steps of differences, which candidates are alive
- *   missing_heat/policy.h  whether heat explains a residual; the false-alarm rate
+ *   base/inference/policy.h     what observations see, what can be told apart, where a fit ends
+ *   evidence/sensitivity/policy.h   steps of differences, which candidates are alive
+ *   evidence/missing_heat/policy.h  whether heat explains a residual; the false-alarm rate
  *   files of effects/      widths of priors, with their sources; which sides may have solar cells
  *
  * HAND: chosen by hand, and not calibrated. LAB: chosen by hand too, and in force when the
@@ -13,9 +13,9 @@
 #ifndef UMBRA_DIAGNOSIS_POLICY_H
 #define UMBRA_DIAGNOSIS_POLICY_H
 
-#include "inference/policy.h"
-#include "missing_heat/policy.h"
-#include "sensitivity/policy.h"
+#include "base/inference/policy.h"
+#include "evidence/missing_heat/policy.h"
+#include "evidence/sensitivity/policy.h"
 
 /* ---- noise, or not (verdict.c) ---- */
 

@@ -2,8 +2,8 @@
  * stands beside,
  *
  *   BIC = chi2 + chi2_prior + (k + 4) ln n        (Schwarz 1978, Ann. Stat. 6:461) */
-#include "diagnosis/policy.h"
-#include "diagnosis/pulse_bic_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/pulse_bic_impl.h"
 
 #include <math.h>
 

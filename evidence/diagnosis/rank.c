@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/directions_impl.h"
-#include "diagnosis/policy.h"
-#include "diagnosis/rank_impl.h"
-#include "diagnosis/state_impl.h"
-#include "diagnosis/value_text.h"
+#include "evidence/diagnosis/directions_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/rank_impl.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/value_text.h"
 
 /* Prior widths from the null value. */
 

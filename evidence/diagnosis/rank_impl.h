@@ -1,9 +1,9 @@
-/* Ranking of candidates. Private to diagnosis/. */
+/* Ranking of candidates. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_RANK_IMPL_H
 #define UMBRA_DIAGNOSIS_RANK_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Score test of all candidates on the residual of the state. alternative: [count of candidates],
  * filled with the *nalternative that observations change with, the largest predicted reduction

@@ -1,15 +1,15 @@
 /* What a person asks a diagnosis for: texts checked against the registry and the model. */
-#include "diagnosis/request.h"
+#include "evidence/diagnosis/request.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/words.h"
-#include "diagnosis/nuisance_impl.h"
+#include "base/core/csv.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
-#include "model/effect_files.h"
-#include "model/effects.h"
+#include "evidence/diagnosis/nuisance_impl.h"
+#include "model/build/effect_files.h"
+#include "model/build/effects.h"
 
 static enum um_status find_effect(struct um_context *context, const struct um_model *model,
                                   const char *name, const struct um_effect **out)

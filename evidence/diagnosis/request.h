@@ -2,7 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_REQUEST_H
 #define UMBRA_DIAGNOSIS_REQUEST_H
 
-#include "diagnosis/options.h"
+#include "evidence/diagnosis/options.h"
 
 /* Owned: the targets and texts that its members point to. */
 struct um_diagnosis_request {

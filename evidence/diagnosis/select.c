@@ -2,10 +2,10 @@
  */
 #include <math.h>
 
-#include "diagnosis/alternatives_impl.h"
-#include "diagnosis/rank_impl.h"
-#include "diagnosis/select_impl.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/alternatives_impl.h"
+#include "evidence/diagnosis/rank_impl.h"
+#include "evidence/diagnosis/select_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       const struct um_diagnosis_work *work,

@@ -1,9 +1,9 @@
-/* One step of forward selection. Private to diagnosis/. */
+/* One step of forward selection. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_SELECT_IMPL_H
 #define UMBRA_DIAGNOSIS_SELECT_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Fill a step from the state before it and the best state after it, with the winner's group. */
 enum um_status um_diagnosis_step_fill(struct um_context *context,

@@ -1,10 +1,10 @@
-/* What is fitted together. Private to diagnosis/. */
+/* What is fitted together. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_STATE_IMPL_H
 #define UMBRA_DIAGNOSIS_STATE_IMPL_H
 
-#include "diagnosis/work_impl.h"
-#include "inference/fit.h"
-#include "inference/score.h"
+#include "base/inference/fit.h"
+#include "base/inference/score.h"
+#include "evidence/diagnosis/work_impl.h"
 
 /* An effect whose parameters are fitted: a nuisance, an accepted effect or an alternative. */
 struct um_diagnosis_block {

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "diagnosis/policy.h"
-#include "diagnosis/summary_impl.h"
-#include "diagnosis/value_text.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/value_text.h"
 #include "orbit/time.h"
 
 #define NOT_TRIED "; not fitted, though the linear model rates them as good: "

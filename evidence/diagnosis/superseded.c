@@ -1,10 +1,10 @@
 /* An effect that was found first, and that several others replaced. It stays on record: without the
  * evidence for several it would have been the answer. */
-#include "diagnosis/superseded_impl.h"
+#include "evidence/diagnosis/superseded_impl.h"
 
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 
 static bool same_use(const struct um_model_addition *a, const struct um_model_addition *b)
 {

@@ -1,9 +1,9 @@
-/* Effects that were replaced. Private to diagnosis/. */
+/* Effects that were replaced. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 #define UMBRA_DIAGNOSIS_SUPERSEDED_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Record every step so far, before they are judged anew. */
 enum um_status um_diagnosis_superseded_take(struct um_context *context, struct um_diagnosis *d);

@@ -1,12 +1,12 @@
 /* Values of effects as text. */
-#include "diagnosis/value_text.h"
+#include "evidence/diagnosis/value_text.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "sensitivity/stated.h"
+#include "evidence/sensitivity/stated.h"
 
 static void append(char *out, size_t size, const char *format, ...) UM_PRINTF(3, 4);
 static void append(char *out, size_t size, const char *format, ...)

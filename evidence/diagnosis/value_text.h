@@ -3,8 +3,8 @@
 #ifndef UMBRA_DIAGNOSIS_VALUE_TEXT_H
 #define UMBRA_DIAGNOSIS_VALUE_TEXT_H
 
-#include "sensitivity/candidate.h"
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/candidate.h"
+#include "evidence/sensitivity/forward.h"
 
 /* "200 +- 2.4 instead of 237 W/m^2" and what it is of, "outgoing longwave radiation". */
 struct um_diagnosis_whole {

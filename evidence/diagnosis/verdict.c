@@ -1,9 +1,9 @@
 /* The verdict on a diagnosis. */
 #include <math.h>
 
-#include "diagnosis/policy.h"
-#include "diagnosis/state_impl.h"
-#include "diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/verdict_impl.h"
 
 /* Whether a free nuisance moved far. Then it has absorbed something: a calibration, or an effect
  * that resembles it. */

@@ -1,9 +1,9 @@
-/* The verdict. Private to diagnosis/. */
+/* The verdict. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_VERDICT_IMPL_H
 #define UMBRA_DIAGNOSIS_VERDICT_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Whether a residual is white noise of the stated sigma. */
 bool um_diagnosis_is_noise(const struct um_inference_whiteness *whiteness);

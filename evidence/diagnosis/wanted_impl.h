@@ -1,8 +1,8 @@
-/* Effects that a person chose, added to a state. Private to diagnosis/. */
+/* Effects that a person chose, added to a state. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_WANTED_IMPL_H
 #define UMBRA_DIAGNOSIS_WANTED_IMPL_H
 
-#include "diagnosis/state_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 /* Add them and fit all; candidate i of the work is of wanted[i]. Where values are NAN, no start is
  * said. UM_ERR_INPUT: nothing to fit, too many free parameters. */

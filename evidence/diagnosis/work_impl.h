@@ -1,9 +1,9 @@
-/* The work that every step is part of. Private to diagnosis/. */
+/* The work that every step is part of. Private to evidence/diagnosis/. */
 #ifndef UMBRA_DIAGNOSIS_WORK_IMPL_H
 #define UMBRA_DIAGNOSIS_WORK_IMPL_H
 
-#include "diagnosis/options.h"
-#include "sensitivity/forward.h"
+#include "evidence/diagnosis/options.h"
+#include "evidence/sensitivity/forward.h"
 
 /* What became of a candidate. */
 enum um_diagnosis_fate { UM_FATE_NOT_FITTED, UM_FATE_FITTED, UM_FATE_REFUSED };

@@ -5,12 +5,12 @@
  * with the sine that was found as the profile. A turn takes out what one share of the other still
  * holds: the square of their correlation, small where the track has more turns than its trend has
  * terms. Where points are fewer than bins the first trend stays. */
-#include "compare/fold.h"
+#include "evidence/inversion/fold.h"
 
 #include <math.h>
 
-#include "compare/period_noise_impl.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/inversion/period_noise_impl.h"
 
 #define TURNS 10
 

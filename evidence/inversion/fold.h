@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_FOLD_H
 #define UMBRA_COMPARE_FOLD_H
 
-#include "compare/period.h"
+#include "evidence/inversion/period.h"
 
 /* Fold a series with the period that was found in it and bin it: y = trend + profile(phase), the
  * trends of um_compare_period_search, and about the mean of the trends. bins >= 1, out: shape

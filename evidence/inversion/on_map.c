@@ -1,14 +1,14 @@
 /* Measurements as reflectivity: linear flux over that of a body of 1 m^2/sr. */
-#include "compare/on_map.h"
+#include "evidence/inversion/on_map.h"
 
 #include <math.h>
 
-#include "compare/figures.h"
-#include "compare/residual.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "environment/airmass.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/measurements/time_text.h"
 
 /* ---- light of a body of 1 m^2/sr ---- */
 

@@ -4,9 +4,9 @@
 
 #include <stdio.h>
 
-#include "compare/predict.h"
-#include "model/reflectivity.h"
-#include "model/reflectivity_pass.h"
+#include "evidence/comparison/predict.h"
+#include "model/products/reflectivity.h"
+#include "model/products/reflectivity_pass.h"
 
 /* A row of light, as reflectivity. */
 struct um_compare_map_row {

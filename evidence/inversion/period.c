@@ -10,15 +10,15 @@
  *   FAP = 1 - (1 - (1-z)^((N-3)/2)) exp(-tau)
  *   tau = gamma(N-1) W (1-z)^((N-4)/2) sqrt((N-1) z / 2),  W = F sqrt(4 pi var t)
  *   gamma(n) = sqrt(2/n) Gamma(n/2) / Gamma((n-1)/2) */
-#include "compare/period.h"
+#include "evidence/inversion/period.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "compare/period_noise_impl.h"
-#include "compare/statistics_impl.h"
-#include "core/constants.h"
-#include "core/golden.h"
+#include "base/core/constants.h"
+#include "base/core/golden.h"
+#include "evidence/comparison/statistics_group.h"
+#include "evidence/inversion/period_noise_impl.h"
 
 #define FREQUENCIES_MAX  ((size_t)1 << 24)
 #define OVERSAMPLING     10.0

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "compare/series.h"
+#include "evidence/comparison/series.h"
 
 /* Zero means the default. */
 struct um_compare_period_options {

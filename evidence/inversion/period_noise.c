@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/period_noise_impl.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/inversion/period_noise_impl.h"
 
 #define RED_FIRST  0.0625 /* of the white variance */
 #define RED_FACTOR 4.0

@@ -1,9 +1,9 @@
 /* A light curve made white: trend of every track and red noise between neighbours. Private to
- * compare/. */
+ * evidence/inversion/. */
 #ifndef UMBRA_COMPARE_PERIOD_NOISE_IMPL_H
 #define UMBRA_COMPARE_PERIOD_NOISE_IMPL_H
 
-#include "compare/series.h"
+#include "evidence/comparison/series.h"
 
 #define UM_COMPARE_TREND_MAX 8 /* terms of a track's polynomial: to the seventh degree */
 

@@ -1,11 +1,11 @@
 /* The period of every light curve of a set. */
-#include "compare/period_report.h"
+#include "evidence/inversion/period_report.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#include "compare/fold.h"
-#include "core/words.h"
+#include "base/core/words.h"
+#include "evidence/inversion/fold.h"
 
 static enum um_status search(struct um_context *context, const struct um_compare_measurements *m,
                              size_t channel, const struct um_compare_period_options *options,

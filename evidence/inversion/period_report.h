@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_PERIOD_REPORT_H
 #define UMBRA_COMPARE_PERIOD_REPORT_H
 
-#include "compare/period.h"
+#include "evidence/inversion/period.h"
 
 #define UM_COMPARE_FOLD_BINS 40
 

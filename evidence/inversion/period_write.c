@@ -1,15 +1,15 @@
 /* Periodograms and folded curves as files, and a picture of them by gnuplot. */
-#include "compare/period_write.h"
+#include "evidence/inversion/period_write.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/figures.h"
-#include "compare/period_report.h"
-#include "core/file.h"
-#include "plot/plot.h"
+#include "base/core/file.h"
+#include "base/plot/plot.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/inversion/period_report.h"
 
 /* Pixels. */
 #define WIDTH  1000

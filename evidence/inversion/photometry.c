@@ -1,19 +1,19 @@
 /* Frames to count rates, stars to a calibration. */
-#include "compare/photometry.h"
+#include "evidence/inversion/photometry.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/predict.h"
-#include "compare/set_impl.h"
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/text.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/text.h"
 #include "environment/airmass.h"
-#include "model/points.h"
-#include "model/star.h"
-#include "model/timeline.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/measurements/set_group.h"
+#include "model/build/timeline.h"
+#include "model/geometry/points.h"
+#include "model/products/star.h"
 #include "orbit/time.h"
 #include "output/fits.h"
 

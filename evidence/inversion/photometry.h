@@ -3,10 +3,10 @@
 #ifndef UMBRA_COMPARE_PHOTOMETRY_H
 #define UMBRA_COMPARE_PHOTOMETRY_H
 
-#include "compare/set.h"
-#include "instrument/aperture.h"
-#include "instrument/calibration.h"
-#include "model/model.h"
+#include "evidence/measurements/set.h"
+#include "model/build/model.h"
+#include "optics/instrument/aperture.h"
+#include "optics/instrument/calibration.h"
 
 /* One object in one frame. */
 struct um_compare_photometry {

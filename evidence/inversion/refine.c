@@ -6,15 +6,15 @@
  * taken to the next power of two. A mean of shares near 1 hides how far off it is: the step is at
  * least two and at most 64. What is stated is then held against a run with four times the samples.
  */
-#include "compare/refine.h"
+#include "evidence/inversion/refine.h"
 
 #include <math.h>
 
-#include "compare/noise.h"
-#include "compare/residual.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/thermal_solution.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/measurements/noise.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "model/run/thermal_solution.h"
 
 #define STEP_MAX 64.0
 #define CHECK    4    /* times the samples */

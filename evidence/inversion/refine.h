@@ -2,8 +2,8 @@
 #ifndef UMBRA_COMPARE_REFINE_H
 #define UMBRA_COMPARE_REFINE_H
 
-#include "compare/predict.h"
-#include "model/thermal_solution.h"
+#include "evidence/comparison/predict.h"
+#include "model/run/thermal_solution.h"
 
 /* Share of the variance sigma^2 + model_sigma^2, mean over a channel, that the model may have. All
  * instants look at the same points of the body, so the error moves slowly from observation to

@@ -1,12 +1,12 @@
 /* From measured light in thermal bands to temperatures: rows of one time become intensities of
  * their bands, which grey bodies are fitted to. */
-#include "compare/retrieve.h"
+#include "evidence/inversion/retrieve.h"
 
 #include <math.h>
 
-#include "compare/figures.h"
-#include "model/bands.h"
-#include "model/precompute.h"
+#include "evidence/comparison/figures.h"
+#include "model/build/bands.h"
+#include "model/geometry/precompute.h"
 #include "orbit/time.h"
 
 /* Intensities of one time. */

@@ -1,12 +1,12 @@
 /* Temperature and infrared cross-section of what was measured in several thermal bands, time by
- * time (instrument/grey_body.h). */
+ * time (optics/instrument/grey_body.h). */
 #ifndef UMBRA_COMPARE_RETRIEVE_H
 #define UMBRA_COMPARE_RETRIEVE_H
 
 #include <stdio.h>
 
-#include "compare/predict.h"
-#include "instrument/grey_body.h"
+#include "evidence/comparison/predict.h"
+#include "optics/instrument/grey_body.h"
 
 /* Light of one time, and what glows so. */
 struct um_compare_retrieved_row {

@@ -1,13 +1,13 @@
 /* From rows on a map to a list of spins. */
-#include "compare/spin.h"
+#include "evidence/inversion/spin.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/figures.h"
-#include "compare/spin_impl.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/inversion/spin_impl.h"
+#include "evidence/measurements/time_text.h"
 
 #define ROWS_LEAST 5 /* one more than parameters */
 #define LAWS_MAX   1e9

@@ -4,7 +4,7 @@
 #ifndef UMBRA_COMPARE_SPIN_H
 #define UMBRA_COMPARE_SPIN_H
 
-#include "compare/on_map.h"
+#include "evidence/inversion/on_map.h"
 
 struct um_compare_spin_search {
   double axis_step;                 /* between neighbouring axes [rad] */

@@ -4,8 +4,8 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "compare/spin_impl.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/inversion/spin_impl.h"
 
 #define MAP_ERROR 0.3 /* of what is looked up, and of what is measured [1] */
 #define BLOCK     8   /* axes per thread between two looks at the stop */

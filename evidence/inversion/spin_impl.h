@@ -1,8 +1,8 @@
-/* What grid and refinement of spins share. Private to compare/. */
+/* What grid and refinement of spins share. Private to evidence/inversion/. */
 #ifndef UMBRA_COMPARE_SPIN_IMPL_H
 #define UMBRA_COMPARE_SPIN_IMPL_H
 
-#include "compare/spin.h"
+#include "evidence/inversion/spin.h"
 
 /* One observation. */
 struct um_compare_spin_row {

@@ -2,9 +2,9 @@
  * own error is added to sigma, then by direct simulation. */
 #include <math.h>
 
-#include "compare/spin_impl.h"
-#include "core/constants.h"
-#include "inference/fit.h"
+#include "base/core/constants.h"
+#include "base/inference/fit.h"
+#include "evidence/inversion/spin_impl.h"
 
 #define NPARAMETER 4
 #define MAP_ERROR  0.1             /* of what is looked up [1] */

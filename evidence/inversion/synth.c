@@ -1,16 +1,16 @@
 /* Measurements made from a model. */
-#include "compare/synth.h"
+#include "evidence/inversion/synth.h"
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 
-#include "compare/places_impl.h"
-#include "compare/residual.h"
-#include "compare/set_impl.h"
-#include "core/sampling.h"
-#include "model/bands.h"
-#include "model/grey_body.h"
+#include "base/core/sampling.h"
+#include "evidence/comparison/places_group.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/measurements/set_group.h"
+#include "model/build/bands.h"
+#include "model/run/grey_body.h"
 
 /* A channel in the making. */
 struct source {

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "compare/refine.h"
-#include "model/model.h"
+#include "evidence/inversion/refine.h"
+#include "model/build/model.h"
 
 struct um_compare_synth {
   double relative; /* of the truth [1], >= 0 */

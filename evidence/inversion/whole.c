@@ -1,12 +1,12 @@
 /* A scenario beside measurements, from its file to the comparison. */
-#include "compare/whole.h"
+#include "evidence/inversion/whole.h"
 
 #include <string.h>
 
-#include "compare/compare.h"
-#include "compare/noise.h"
-#include "model/build.h"
-#include "model/precompute.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/measurements/noise.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
 
 enum um_status um_compare_whole_begin(struct um_context *context, const char *path,
                                       const struct um_model_options *options,

@@ -2,8 +2,8 @@
 #ifndef UMBRA_COMPARE_WHOLE_H
 #define UMBRA_COMPARE_WHOLE_H
 
-#include "compare/comparison.h"
-#include "compare/refine.h"
+#include "evidence/comparison/comparison.h"
+#include "evidence/inversion/refine.h"
 
 /* What a comparison is made of; all zero before. */
 struct um_compare_whole {

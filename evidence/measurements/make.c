@@ -1,14 +1,14 @@
 /* Measurements from a caller's numbers. What holds between rows is checked in set.c. */
-#include "compare/make.h"
+#include "evidence/measurements/make.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "compare/set_impl.h"
-#include "core/constants.h"
-#include "core/text.h"
-#include "core/words.h"
+#include "base/core/constants.h"
+#include "base/core/text.h"
+#include "base/core/words.h"
+#include "evidence/measurements/set_group.h"
 
 #define MAGNITUDE_MAX 40.0 /* [mag], as in a file */
 #define HEIGHT_LEAST  1.0  /* [m] */

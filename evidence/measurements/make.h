@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_MAKE_H
 #define UMBRA_COMPARE_MAKE_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* One row as a caller has it; texts borrowed, NULL: none. */
 struct um_compare_row {

@@ -1,16 +1,16 @@
 /* The reader of measurement files. What holds between rows (order, uniqueness) is checked in set.c.
  */
-#include "compare/measurements.h"
+#include "evidence/measurements/measurements.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "compare/set_impl.h"
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/words.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/words.h"
+#include "evidence/measurements/set_group.h"
 #include "orbit/time_form.h"
 
 #define MAGNITUDE_MAX 40.0 /* [mag]; the Sun is -26.7, beyond 40 nothing is measured */

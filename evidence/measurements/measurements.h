@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_MEASUREMENTS_H
 #define UMBRA_COMPARE_MEASUREMENTS_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* Temperatures of a place that stay below it are Celsius or of a cooled instrument [K]. */
 #define UM_COMPARE_COLD 100.0

@@ -1,16 +1,16 @@
 /* Import of text tracks of the Mini-MegaTORTORA survey. The format is described in series.h. */
-#include "compare/mmt.h"
+#include "evidence/measurements/mmt.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/set_impl.h"
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/file.h"
-#include "core/words.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
+#include "evidence/measurements/set_group.h"
 #include "orbit/time.h"
 
 #define MMT_BYTES_MAX ((size_t)1 << 30)

@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_MMT_H
 #define UMBRA_COMPARE_MMT_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* What a survey states beside a row. */
 struct um_compare_mmt_point {

@@ -1,11 +1,11 @@
 /* Interned names by a hash table with linear probing, at most half full (Knuth 1998, The Art of
  * Computer Programming 3, 6.4), so that a survey with a track per row is read in linear time. */
-#include "compare/names_impl.h"
+#include "evidence/measurements/names_impl.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
 static uint64_t hash(size_t tag, const char *text)
 {

@@ -1,11 +1,11 @@
 /* Names of a measurement file, each kept once: tag and text -> index in order of first appearance.
- * Private to compare/. */
+ * Private to evidence/measurements/. */
 #ifndef UMBRA_COMPARE_NAMES_IMPL_H
 #define UMBRA_COMPARE_NAMES_IMPL_H
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* All zero is empty. */
 struct um_compare_names {

@@ -1,13 +1,13 @@
 /* The noise model.
  *
  *   sigma^2 = (relative x value)^2 + floor^2 */
-#include "compare/noise.h"
+#include "evidence/measurements/noise.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/scenario.h"
+#include "base/core/constants.h"
+#include "model/scenario/scenario.h"
 
 _Static_assert((int)UM_SCENARIO_BAND_IRRADIANCE == (int)UM_QUANTITY_BAND_IRRADIANCE &&
                    (int)UM_SCENARIO_RADIANT_INTENSITY == (int)UM_QUANTITY_RADIANT_INTENSITY,

@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_NOISE_H
 #define UMBRA_COMPARE_NOISE_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* sigma^2 = (relative x value)^2 + floor^2. Both >= 0, one > 0. Floor in the quantity's unit. For
  * magnitudes `relative` is of the flux and the floor is in magnitudes:

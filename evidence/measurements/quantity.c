@@ -1,11 +1,11 @@
 /* Quantities, and their values in linear flux.
  *
  *   F = 10^(-0.4 m),  dF = 0.4 ln 10 F dm                      (Pogson 1856) */
-#include "compare/quantity.h"
+#include "evidence/measurements/quantity.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 static const char *const quantity_names[UM_QUANTITY_COUNT] = {
     [UM_QUANTITY_BAND_IRRADIANCE] = "band_irradiance",

@@ -22,7 +22,7 @@ enum um_compare_quantity {
 const char *um_compare_quantity_name(enum um_compare_quantity quantity);
 const char *um_compare_quantity_unit(enum um_compare_quantity quantity);
 
-/* Of all thermal bands together (instrument/grey_body.h)? */
+/* Of all thermal bands together (optics/instrument/grey_body.h)? */
 bool um_compare_is_grey_body(enum um_compare_quantity quantity);
 bool um_compare_is_magnitude(enum um_compare_quantity quantity);
 /* Unit of residuals: magnitudes are compared as flux. Borrowed. */

@@ -1,12 +1,12 @@
 /* Measurement sets: memory, and the checks that hold between rows. */
-#include "compare/set_impl.h"
+#include "evidence/measurements/set_group.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/time_text.h"
+#include "evidence/measurements/time_text.h"
 #include "orbit/time.h"
 
 void um_compare_measurements_destroy(struct um_context *context,

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#include "compare/quantity.h"
-#include "core/context.h"
+#include "base/core/context.h"
+#include "evidence/measurements/quantity.h"
 
 /* An index that stands for nothing. */
 #define UM_COMPARE_NOWHERE ((size_t)-1)

@@ -1,10 +1,10 @@
 /* A measurement set in the making: rows are added in file order; order in time and uniqueness
- * within a track are checked as they come. Private to compare/. */
-#ifndef UMBRA_COMPARE_SET_IMPL_H
-#define UMBRA_COMPARE_SET_IMPL_H
+ * within a track are checked as they come. Private to the rooms of evidence/. */
+#ifndef UMBRA_COMPARE_SET_GROUP_H
+#define UMBRA_COMPARE_SET_GROUP_H
 
-#include "compare/names_impl.h"
-#include "compare/set.h"
+#include "evidence/measurements/names_impl.h"
+#include "evidence/measurements/set.h"
 
 struct um_compare_set {
   struct um_compare_measurements *made;

@@ -1,5 +1,5 @@
 /* UTC with as many digits as a time needs. */
-#include "compare/time_text.h"
+#include "evidence/measurements/time_text.h"
 
 #include <math.h>
 #include <stdio.h>

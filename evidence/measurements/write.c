@@ -1,6 +1,6 @@
 /* The writer of measurement files: beside the place under a temporary name, then renamed, so that a
  * reader never meets half a file. Something that is not a regular file (a pipe) is written into. */
-#include "compare/write.h"
+#include "evidence/measurements/write.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -13,11 +13,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/measurements.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/file.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/time_text.h"
 
 /* Which optional columns have something to say. */
 struct layout {

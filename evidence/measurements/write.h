@@ -2,7 +2,7 @@
 #ifndef UMBRA_COMPARE_WRITE_H
 #define UMBRA_COMPARE_WRITE_H
 
-#include "compare/set.h"
+#include "evidence/measurements/set.h"
 
 /* Write the same format (used by synthetic measurements): whole or not at all, beside `path` under
  * a temporary name and then renamed. Optional columns appear where a row has something to say.

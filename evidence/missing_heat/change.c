@@ -6,13 +6,13 @@
  *
  * until it moves by less than a hundredth. These are secant steps, so the error is then far less.
  */
-#include "missing_heat/change_impl.h"
+#include "evidence/missing_heat/change_impl.h"
 
 #include <math.h>
 
-#include "inference/algebra.h"
-#include "missing_heat/policy.h"
-#include "model/run.h"
+#include "base/inference/algebra.h"
+#include "evidence/missing_heat/policy.h"
+#include "model/run/run.h"
 
 /* Values over sigma of the observations with the pulse. */
 static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,

@@ -1,9 +1,9 @@
-/* A pulse by the model itself. Private to missing_heat/. */
+/* A pulse by the model itself. Private to evidence/missing_heat/. */
 #ifndef UMBRA_MISSING_HEAT_CHANGE_IMPL_H
 #define UMBRA_MISSING_HEAT_CHANGE_IMPL_H
 
-#include "inference/projection.h"
-#include "missing_heat/observations_impl.h"
+#include "base/inference/projection.h"
+#include "evidence/missing_heat/observations_impl.h"
 
 /* Improve *power, which the linear response gave, with runs of the model. *chi2: what the pulse
  * then explains. residual: [nleft]. Errors of the runs. */

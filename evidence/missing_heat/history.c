@@ -7,13 +7,13 @@
  * number of observations, or, where the best history leaves more, that and a unit for each of its
  * bins. sigma: of the posterior, (D'D + lambda L'L)^-1, which takes the true history to be smooth.
  */
-#include "missing_heat/history_impl.h"
+#include "evidence/missing_heat/history_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "missing_heat/policy.h"
+#include "base/inference/algebra.h"
+#include "evidence/missing_heat/policy.h"
 
 struct history {
   size_t n, nobservation;

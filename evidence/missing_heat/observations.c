@@ -1,5 +1,5 @@
 /* From heat of a place to the observations. Temperatures of nodes answer by the linear response
- * along the model's own history (thermal/response.h); from them
+ * along the model's own history (thermal/tangent/response.h); from them
  *
  *   a temperature      mean of the place, as its observations are made,
  *   light              sum over regions g of  dI/dT_g  sum_s w_s dT_s / sum_s w_s,
@@ -9,17 +9,17 @@
  * projected area that the observer sees. That is exact where a region has one temperature or its
  * dB/dT varies little. A surface at the fourth-power mean of its nodes answers by
  * dT_s = sum w_n (T_n / T_s)^3 dT_n. */
-#include "missing_heat/observations_impl.h"
+#include "evidence/missing_heat/observations_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "compare/residual.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/run_response.h"
-#include "model/thermal_solution.h"
+#include "evidence/comparison/residual.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/products/run_response.h"
+#include "model/run/run.h"
+#include "model/run/thermal_solution.h"
 
 #define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
 

@@ -1,9 +1,9 @@
-/* From heat to observations. Private to missing_heat/. */
+/* From heat to observations. Private to evidence/missing_heat/. */
 #ifndef UMBRA_MISSING_HEAT_OBSERVATIONS_IMPL_H
 #define UMBRA_MISSING_HEAT_OBSERVATIONS_IMPL_H
 
-#include "missing_heat/places_impl.h"
-#include "sensitivity/forward.h"
+#include "evidence/missing_heat/places_impl.h"
+#include "evidence/sensitivity/forward.h"
 
 /* A scenario with its additions, run, and the answer of its light to temperatures. */
 struct um_missing_heat_base {

@@ -2,7 +2,7 @@
  * as power_W of a group does, by area over its structure: the wall under MLI, else what radiates,
  * both layers alike where it has two. Where MLI wraps the interior there is no wall; the place is
  * then the MLI's skin, since heat may be missing there as well. */
-#include "missing_heat/places_impl.h"
+#include "evidence/missing_heat/places_impl.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
-/* Where heat may be missing. Private to missing_heat/. */
+/* Where heat may be missing. Private to evidence/missing_heat/. */
 #ifndef UMBRA_MISSING_HEAT_PLACES_IMPL_H
 #define UMBRA_MISSING_HEAT_PLACES_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Where heat may be: nodes with weights of sum 1. */
 struct um_missing_heat_place {

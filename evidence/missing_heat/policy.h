@@ -1,6 +1,7 @@
 /* Numbers of missing_heat/ that decide whether heat explains a residual, and which: unit, and where
- * each comes from. HAND and LAB mean what diagnosis/policy.h says; the laboratory hides six pulses.
- * The warming that a response is differenced by stands in missing_heat/observations.c. */
+ * each comes from. HAND and LAB mean what evidence/diagnosis/policy.h says; the laboratory hides
+ * six pulses. The warming that a response is differenced by stands in
+ * evidence/missing_heat/observations.c. */
 #ifndef UMBRA_MISSING_HEAT_POLICY_H
 #define UMBRA_MISSING_HEAT_POLICY_H
 

@@ -7,12 +7,12 @@
  * Sums of products over rectangles of bins come from sums over corners, so that all pairs of edges
  * are tried. Start and energy scatter with the likelihood exp(chi2 / 2) over the pairs, each energy
  * with its own sigma. */
-#include "missing_heat/pulse_impl.h"
+#include "evidence/missing_heat/pulse_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "inference/algebra.h"
+#include "base/inference/algebra.h"
 
 static double rectangle(const double *sum, size_t n, size_t i, size_t j)
 {

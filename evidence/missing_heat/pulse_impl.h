@@ -1,8 +1,8 @@
-/* The pulse of heat that fits. Private to missing_heat/. */
+/* The pulse of heat that fits. Private to evidence/missing_heat/. */
 #ifndef UMBRA_MISSING_HEAT_PULSE_IMPL_H
 #define UMBRA_MISSING_HEAT_PULSE_IMPL_H
 
-#include "inference/projection.h"
+#include "base/inference/projection.h"
 
 /* Responses of the observations to heat in each bin, with the nuisances projected out. */
 struct um_missing_heat_bins {

@@ -1,11 +1,11 @@
 /* Finds the channel whose chi-square is furthest above its expectation, in units of its spread
  * sqrt(2 n), and the coordinate whose correlation with that channel has the smallest p. */
-#include "missing_heat/residual.h"
+#include "evidence/missing_heat/residual.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "compare/compare.h"
+#include "evidence/comparison/compare.h"
 
 /* One channel, weighted by the sigma of the diagnosis. */
 struct weighed {

@@ -3,8 +3,8 @@
 #ifndef UMBRA_MISSING_HEAT_RESIDUAL_H
 #define UMBRA_MISSING_HEAT_RESIDUAL_H
 
-#include "compare/comparison.h"
-#include "sensitivity/forward.h"
+#include "evidence/comparison/comparison.h"
+#include "evidence/sensitivity/forward.h"
 
 struct um_missing_heat_residual {
   char *channel;       /* "temperature body.+y" where it is worst; NULL: nothing was compared */

@@ -4,18 +4,18 @@
  * pair of edges as an independent test, which they are not: "found" is said too rarely rather than
  * too often. A significant pulse that leaves more than a twentieth of the excess in chi-square is
  * not the explanation. */
-#include "missing_heat/unexplained.h"
+#include "evidence/missing_heat/unexplained.h"
 
 #include <math.h>
 #include <omp.h>
 #include <string.h>
 
-#include "inference/algebra.h"
-#include "inference/distributions.h"
-#include "missing_heat/change_impl.h"
-#include "missing_heat/history_impl.h"
-#include "missing_heat/policy.h"
-#include "missing_heat/residual.h"
+#include "base/inference/algebra.h"
+#include "base/inference/distributions.h"
+#include "evidence/missing_heat/change_impl.h"
+#include "evidence/missing_heat/history_impl.h"
+#include "evidence/missing_heat/policy.h"
+#include "evidence/missing_heat/residual.h"
 
 /* --- the coordinate of the residual ---------------------------------------------------------- */
 

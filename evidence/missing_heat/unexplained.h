@@ -3,7 +3,7 @@
 #ifndef UMBRA_MISSING_HEAT_UNEXPLAINED_H
 #define UMBRA_MISSING_HEAT_UNEXPLAINED_H
 
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/forward.h"
 
 /* Missing heat of one place: the wall of a group ("bus.+y"; "panel" where a part has one group) or
  * an interior. Pulses begin and end at times of observation, at the satellite; heat before the

@@ -1,19 +1,19 @@
 /* The list of candidates: every effect, on every target that it has in this model. */
-#include "sensitivity/candidates.h"
+#include "evidence/sensitivity/candidates.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
-#include "model/effect_files.h"
-#include "model/effects.h"
-#include "sensitivity/moves_impl.h"
-#include "sensitivity/scan_impl.h"
-#include "sensitivity/signature_impl.h"
-#include "sensitivity/stated.h"
-#include "sensitivity/targets_impl.h"
+#include "evidence/sensitivity/moves_impl.h"
+#include "evidence/sensitivity/scan_impl.h"
+#include "evidence/sensitivity/signature_impl.h"
+#include "evidence/sensitivity/stated.h"
+#include "evidence/sensitivity/targets_impl.h"
+#include "model/build/effect_files.h"
+#include "model/build/effects.h"
 
 /* --- which ----------------------------------------------------------------------------------- */
 

@@ -2,8 +2,8 @@
 #ifndef UMBRA_SENSITIVITY_CANDIDATES_H
 #define UMBRA_SENSITIVITY_CANDIDATES_H
 
-#include "sensitivity/candidate.h"
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/candidate.h"
+#include "evidence/sensitivity/forward.h"
 
 /* An effect that was asked for and is no candidate. */
 struct um_sensitivity_dropped {

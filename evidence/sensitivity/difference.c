@@ -10,13 +10,13 @@
  * Where the temperatures at null + h are T + h dT/dp by a forward sensitivity (moves.c), there is
  * no noise and h need not grow; the step that would be wanted of integrations is said all the same,
  * for fits, which integrate. */
-#include "sensitivity/difference_impl.h"
+#include "evidence/sensitivity/difference_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "effects/effects.h"
-#include "sensitivity/policy.h"
+#include "evidence/sensitivity/policy.h"
 
 static enum um_status evaluate(struct um_context *context, const struct um_sensitivity_point *point,
                                const struct um_sensitivity_candidate *c, const double *values,

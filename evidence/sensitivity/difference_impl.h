@@ -1,9 +1,10 @@
-/* The change of the observations with one parameter of a candidate. Private to sensitivity/. */
+/* The change of the observations with one parameter of a candidate. Private to
+ * evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
 #define UMBRA_SENSITIVITY_DIFFERENCE_IMPL_H
 
-#include "sensitivity/candidate.h"
-#include "sensitivity/forward_impl.h"
+#include "evidence/sensitivity/candidate.h"
+#include "evidence/sensitivity/forward_impl.h"
 
 /* The model at which signatures are taken. */
 struct um_sensitivity_point {

@@ -1,18 +1,18 @@
 /* Evaluations of a scenario with effects added, as values of the observations. */
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/forward.h"
 
 #include <math.h>
 #include <omp.h>
 #include <string.h>
 
-#include "compare/refine.h"
-#include "compare/residual.h"
-#include "core/held_files.h"
-#include "core/words.h"
-#include "model/build.h"
-#include "model/run.h"
-#include "sensitivity/forward_impl.h"
-#include "sensitivity/observations_impl.h"
+#include "base/core/held_files.h"
+#include "base/core/words.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/inversion/refine.h"
+#include "evidence/sensitivity/forward_impl.h"
+#include "evidence/sensitivity/observations_impl.h"
+#include "model/build/build.h"
+#include "model/run/run.h"
 
 void um_sensitivity_forward_null(const struct um_sensitivity_forward *forward,
                                  const struct um_effect *effect, const char *target, double *value)

@@ -3,8 +3,8 @@
 #ifndef UMBRA_SENSITIVITY_FORWARD_H
 #define UMBRA_SENSITIVITY_FORWARD_H
 
-#include "compare/predict.h"
-#include "sensitivity/observations.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/sensitivity/observations.h"
 #include "variant/evaluator.h"
 
 struct um_sensitivity_forward {

@@ -1,9 +1,10 @@
-/* What a forward keeps between evaluations, and the models it builds. Private to sensitivity/. */
+/* What a forward keeps between evaluations, and the models it builds. Private to
+ * evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_FORWARD_IMPL_H
 #define UMBRA_SENSITIVITY_FORWARD_IMPL_H
 
-#include "sensitivity/forward.h"
-#include "sensitivity/moved_impl.h"
+#include "evidence/sensitivity/forward.h"
+#include "evidence/sensitivity/moved_impl.h"
 
 struct um_sensitivity_forward_cache {
   double *predicted; /* [observations of the set] in the unit of the quantity */

@@ -1,9 +1,9 @@
 /* Moves whose heat is known: kept, found, released. */
-#include "sensitivity/moved_impl.h"
+#include "evidence/sensitivity/moved_impl.h"
 
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 
 void um_sensitivity_moves_destroy(struct um_context *context, struct um_sensitivity_moves **moves)
 {

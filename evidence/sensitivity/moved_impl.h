@@ -1,9 +1,9 @@
 /* Parameters that are moved one at a time, and what is known of their heat. Private to
- * sensitivity/. */
+ * evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_MOVED_IMPL_H
 #define UMBRA_SENSITIVITY_MOVED_IMPL_H
 
-#include "model/thermal_sensitivity.h"
+#include "model/products/thermal_sensitivity.h"
 
 /* An effect beside those of the scenario that leaves every temperature as it is, and one of its
  * parameters moved from there. */

@@ -1,7 +1,7 @@
 /* Heat of first steps, many in one run. What moves the network alone is moved by a thousandth of
  * the step, which keeps curvature out; what moves the loads, which are kept to 24 bits, by the step
  * itself, in which they are linear. */
-#include "sensitivity/moves_impl.h"
+#include "evidence/sensitivity/moves_impl.h"
 
 #include <math.h>
 #include <omp.h>

@@ -1,9 +1,9 @@
 /* Heat of parameters that are moved one at a time, by forward sensitivities. Private to
- * sensitivity/. */
+ * evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_MOVES_IMPL_H
 #define UMBRA_SENSITIVITY_MOVES_IMPL_H
 
-#include "sensitivity/forward_impl.h"
+#include "evidence/sensitivity/forward_impl.h"
 
 /* What temperatures answer to the moves [n], at the scenario as it stands, many in one run: into
  * the forward's cache. Moves that heat does not feel, that are refused or that

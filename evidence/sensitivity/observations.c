@@ -1,11 +1,11 @@
 /* The observations in use, in linear flux, each with a sigma: that of the measurement and that of
  * the model's own sampling in quadrature. */
-#include "sensitivity/observations_impl.h"
+#include "evidence/sensitivity/observations_impl.h"
 
 #include <math.h>
 
-#include "compare/noise.h"
-#include "compare/residual.h"
+#include "evidence/comparison/residual.h"
+#include "evidence/measurements/noise.h"
 
 static enum um_status allocate(struct um_context *context, struct um_sensitivity_observations *o)
 {

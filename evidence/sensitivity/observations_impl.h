@@ -1,9 +1,9 @@
-/* Observations from measurements and a first run. Private to sensitivity/. */
+/* Observations from measurements and a first run. Private to evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_OBSERVATIONS_IMPL_H
 #define UMBRA_SENSITIVITY_OBSERVATIONS_IMPL_H
 
-#include "compare/predict.h"
-#include "sensitivity/observations.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/sensitivity/observations.h"
 
 /* Observations in use of the plan's measurements. predicted: [rows of the set] what the scenario as
  * it stands says of them, in their unit; result: the run that it is of. UM_ERR_INPUT naming file

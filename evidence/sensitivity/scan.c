@@ -1,14 +1,14 @@
 /* Start value of the temperature at which a thermostat switches, which does nothing by itself.
  * Where its place was measured, the coldest measurements are near it, since the heater kept the
  * place from growing colder. Elsewhere it is a cold quarter of the model's own range. */
-#include "sensitivity/scan_impl.h"
+#include "evidence/sensitivity/scan_impl.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
-#include "sensitivity/policy.h"
+#include "base/core/order.h"
+#include "evidence/sensitivity/policy.h"
 
 /* "body.+y" is also measured as "+y". */
 static bool is_of(const char *measured, const char *target)

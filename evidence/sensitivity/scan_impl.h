@@ -1,9 +1,9 @@
-/* Where a signature is taken. Private to sensitivity/. */
+/* Where a signature is taken. Private to evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_SCAN_IMPL_H
 #define UMBRA_SENSITIVITY_SCAN_IMPL_H
 
-#include "sensitivity/candidate.h"
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/candidate.h"
+#include "evidence/sensitivity/forward.h"
 
 /* Set null values of temperatures to one that the target has. base: a run of the scenario, made
  * when needed; the caller releases. */

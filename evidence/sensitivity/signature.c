@@ -3,7 +3,7 @@
  * A parameter that changes nothing alone, while another one of the effect does, is unidentified
  * under the null (a period, a delay): it is not free but stays at its default value. Where no
  * parameter changes anything alone, each is tried with the others at their default value. */
-#include "sensitivity/signature_impl.h"
+#include "evidence/sensitivity/signature_impl.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
-/* The signature of a candidate. Private to sensitivity/. */
+/* The signature of a candidate. Private to evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 #define UMBRA_SENSITIVITY_SIGNATURE_IMPL_H
 
-#include "sensitivity/difference_impl.h"
+#include "evidence/sensitivity/difference_impl.h"
 
 /* Steps that the signature of a candidate begins with, one a parameter, into out
  * [UM_EFFECT_PARAMETERS_MAX]; how many. Effect, target, range and null values are set. */

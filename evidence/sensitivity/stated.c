@@ -4,12 +4,12 @@
  *   w + x - x_0,   w x / x_0,   w (1 + x) / (1 + x_0),
  *
  * as the effect adds, scales or stretches, x_0 being its value in the scenario. */
-#include "sensitivity/stated.h"
+#include "evidence/sensitivity/stated.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* ---- what a scenario states of a target ---- */
 

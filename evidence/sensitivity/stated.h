@@ -3,7 +3,7 @@
 #ifndef UMBRA_SENSITIVITY_STATED_H
 #define UMBRA_SENSITIVITY_STATED_H
 
-#include "sensitivity/forward.h"
+#include "evidence/sensitivity/forward.h"
 
 /* Of parameter p of an effect on a target, when its value is null_value in the scenario as it
  * stands. False where the scenario states nothing that is one number (a calibration, a clock). */

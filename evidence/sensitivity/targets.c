@@ -1,12 +1,12 @@
 /* What an effect may be attached to in a model that is built: parts, their groups where there is
  * more than one, the interiors that a part lists in place of one, materials, bands; for contacts
  * the places they join. One thing under two names is listed once. */
-#include "sensitivity/targets_impl.h"
+#include "evidence/sensitivity/targets_impl.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 static enum um_status add(struct um_context *context, struct um_sensitivity_targets *to,
                           const char *part, const char *group)

@@ -1,8 +1,8 @@
-/* Targets of an effect. Private to sensitivity/. */
+/* Targets of an effect. Private to evidence/sensitivity/. */
 #ifndef UMBRA_SENSITIVITY_TARGETS_IMPL_H
 #define UMBRA_SENSITIVITY_TARGETS_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What an effect may be attached to in a model: texts owned by the list, NULL for everything. */
 struct um_sensitivity_targets {

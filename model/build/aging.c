@@ -1,11 +1,11 @@
 /* Optics of the materials as effects have them at a time, and what that means for the heat of a
  * run. A surface that no effect ages costs nothing: its optics are those of the start. */
-#include "model/aging_impl.h"
+#include "model/build/aging_group.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/effects_impl.h"
+#include "base/core/constants.h"
+#include "model/build/effects_group.h"
 
 enum um_status um_model_materials_at(struct um_context *context, const struct um_model *model,
                                      double t_tai, struct um_materials_adjustment *out)

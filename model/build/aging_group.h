@@ -1,10 +1,10 @@
-/* Optics of materials that change during a run. Private to model/. */
-#ifndef UMBRA_MODEL_AGING_IMPL_H
-#define UMBRA_MODEL_AGING_IMPL_H
+/* Optics of materials that change during a run. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_AGING_GROUP_H
+#define UMBRA_MODEL_AGING_GROUP_H
 
-#include "irradiation/loads.h"
-#include "model/model.h"
-#include "thermal/solve_options.h"
+#include "model/build/model.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/solve_options.h"
 
 /* Adjustments [material of the geometry] that the effects make at t_tai [s]. */
 enum um_status um_model_materials_at(struct um_context *context, const struct um_model *model,

@@ -1,12 +1,12 @@
 /* Bands and sensors by name, and the bins of a band. */
-#include "model/bands.h"
+#include "model/build/bands.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "instrument/grey_body.h"
-#include "model/scenario.h"
+#include "base/core/words.h"
+#include "model/scenario/scenario.h"
+#include "optics/instrument/grey_body.h"
 
 size_t um_model_band_find(const struct um_model *model, const char *name)
 {

@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_BANDS_H
 #define UMBRA_MODEL_BANDS_H
 
-#include "instrument/photometry.h"
-#include "model/model.h"
+#include "model/build/model.h"
+#include "optics/instrument/photometry.h"
 
 /* Index of a band by name, (size_t)-1 when there is none. */
 size_t um_model_band_find(const struct um_model *model, const char *name);

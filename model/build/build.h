@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_BUILD_H
 #define UMBRA_MODEL_BUILD_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Build from a scenario folder or file. UM_ERR_INPUT with file, line, key. The caller destroys. */
 enum um_status um_model_create(struct um_context *context, const char *path,

@@ -1,13 +1,13 @@
 /* Attitude laws of a scenario, and the slews between them. */
-#include "model/build_attitude_impl.h"
+#include "model/build/build_attitude_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/effects_impl.h"
-#include "model/timeline.h"
-#include "model/words_impl.h"
+#include "base/core/constants.h"
+#include "model/build/effects_group.h"
+#include "model/build/timeline.h"
+#include "model/build/words_group.h"
 #include "orbit/attitude.h"
 
 /* A NUMBERS value that must have exactly n elements. */

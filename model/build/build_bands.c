@@ -1,13 +1,13 @@
 /* From the scenario's bands and filters to bins with what passes of each. */
-#include "model/build_bands_impl.h"
+#include "model/build/build_bands_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "instrument/filter.h"
-#include "model/bands.h"
-#include "model/fail_impl.h"
-#include "model/origin_impl.h"
+#include "model/build/bands.h"
+#include "model/build/origin_impl.h"
+#include "model/scenario/fail_group.h"
+#include "optics/instrument/filter.h"
 
 /* --- bands ----------------------------------------------------------------------------------- */
 

@@ -1,9 +1,9 @@
-/* Bands and the sensors that count them. Private to model/. */
+/* Bands and the sensors that count them. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_BANDS_IMPL_H
 #define UMBRA_MODEL_BUILD_BANDS_IMPL_H
 
-#include "instrument/filter.h"
-#include "model/model.h"
+#include "model/build/model.h"
+#include "optics/instrument/filter.h"
 
 /* Edges, bins and filters of the bands, Vega in them, and the scenario's sensors; a variant has
  * those of its origin. UM_ERR_INPUT with file, line and key, and what filters and their files are

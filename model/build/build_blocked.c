@@ -6,14 +6,14 @@
  *
  * of the patch that the surface belongs to (geometry/view_factors.h). Joints stand as at the start
  * of the scenario. */
-#include "model/build_blocked_impl.h"
+#include "model/build/build_blocked_impl.h"
 
 #include <math.h>
 
 #include "geometry/inside.h"
-#include "model/timeline.h"
-#include "model/view_factors_impl.h"
-#include "model/words_impl.h"
+#include "model/build/timeline.h"
+#include "model/build/view_factors_group.h"
+#include "model/build/words_group.h"
 
 /* Angles of the joints at the start of the scenario. */
 static enum um_status angles_at_start(struct um_context *context, const struct um_model *model,

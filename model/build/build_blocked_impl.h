@@ -1,8 +1,8 @@
-/* What the satellite covers of its own sky. Private to model/. */
+/* What the satellite covers of its own sky. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_BLOCKED_IMPL_H
 #define UMBRA_MODEL_BUILD_BLOCKED_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What of each surface's sky the satellite itself covers, into the heat network, where
  * mutual_radiation is off. */

@@ -1,10 +1,10 @@
 /* Creases: how each group of the built parts hangs, from the scenario and from effects. */
-#include "model/build_creases_impl.h"
+#include "model/build/build_creases_impl.h"
 
-#include "core/constants.h"
-#include "model/build_wall_impl.h"
-#include "model/effects_impl.h"
-#include "model/words_impl.h"
+#include "base/core/constants.h"
+#include "model/build/build_wall_impl.h"
+#include "model/build/effects_group.h"
+#include "model/build/words_group.h"
 
 /* A group's own creases come before its part's, which a group without the part's MLI has not. */
 const struct um_scenario_creases *um_model_creases_of(const struct um_scenario_part *part,

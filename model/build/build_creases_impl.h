@@ -1,8 +1,8 @@
-/* Creased surfaces of a model in the making. Private to model/. */
+/* Creased surfaces of a model in the making. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_CREASES_IMPL_H
 #define UMBRA_MODEL_BUILD_CREASES_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What the scenario says of a group of a part; NULL: it is flat. */
 const struct um_scenario_creases *um_model_creases_of(const struct um_scenario_part *part,

@@ -1,16 +1,16 @@
 /* From the scenario's environment and effects to the configuration of Sun and Earth. */
-#include "model/build_environment_impl.h"
+#include "model/build/build_environment_impl.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
-#include "model/effects_impl.h"
-#include "model/origin_impl.h"
-#include "model/scenario_environment_impl.h"
-#include "model/words_impl.h"
+#include "model/build/effects_group.h"
+#include "model/build/origin_impl.h"
+#include "model/build/scenario_environment_impl.h"
+#include "model/build/words_group.h"
 
 /* Kilometres along the ground as an angle at the geocentre. */
 static double ground_angle(const struct um_model *model, double km)

@@ -1,8 +1,8 @@
-/* What is inside a part, from its keys. Private to model/. */
+/* What is inside a part, from its keys. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_INTERIORS_IMPL_H
 #define UMBRA_MODEL_BUILD_INTERIORS_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* to->interior; index: of the part in the geometry. UM_ERR_INPUT at the key. */
 enum um_status um_model_build_interiors(struct um_context *context, struct um_model *model,

@@ -1,11 +1,11 @@
 /* Blankets of MLI from their keys. */
-#include "model/build_mli_impl.h"
+#include "model/build/build_mli_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/fail_impl.h"
-#include "model/interior_names_impl.h"
+#include "model/build/interior_names_impl.h"
+#include "model/scenario/fail_group.h"
 
 /* A key that another law has. */
 static enum um_status key_check(struct um_context *context, const struct um_scenario_mli *from,

@@ -1,8 +1,8 @@
-/* Blankets of MLI from their keys. Private to model/. */
+/* Blankets of MLI from their keys. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_MLI_IMPL_H
 #define UMBRA_MODEL_BUILD_MLI_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* area: of all groups that `from` covers [m^2], over which its seams spread. *out lives as long as
  * the model. */

@@ -1,11 +1,11 @@
 /* A part whose heat is stated as nodes and conductors in two tables; its shape and its materials
  * stay for light and radiation. */
-#include "model/build_network_impl.h"
+#include "model/build/build_network_impl.h"
 
 #include <string.h>
 
-#include "core/csv.h"
-#include "model/words_impl.h"
+#include "base/core/csv.h"
+#include "model/build/words_group.h"
 
 #define NONE ((size_t)-1)
 

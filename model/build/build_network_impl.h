@@ -1,8 +1,8 @@
-/* Parts that are stated as nodes and conductors. Private to model/. */
+/* Parts that are stated as nodes and conductors. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_NETWORK_IMPL_H
 #define UMBRA_MODEL_BUILD_NETWORK_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* to->network, which the caller destroys, and its interiors; index: of the part in the geometry.
  * UM_ERR_INPUT with file and line. */

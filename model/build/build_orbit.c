@@ -1,15 +1,15 @@
 /* From the scenario to trajectory, attitude and observer. */
-#include "model/build_orbit_impl.h"
+#include "model/build/build_orbit_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/file.h"
-#include "model/build_attitude_impl.h"
-#include "model/build_points_impl.h"
-#include "model/effects_impl.h"
-#include "model/words_impl.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "model/build/build_attitude_impl.h"
+#include "model/build/build_points_impl.h"
+#include "model/build/effects_group.h"
+#include "model/build/words_group.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"
 

@@ -1,19 +1,19 @@
 /* From the scenario's parts to geometry and material records. */
-#include "model/build_parts_impl.h"
+#include "model/build/build_parts_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/words.h"
-#include "model/aging_impl.h"
-#include "model/build_bands_impl.h"
-#include "model/build_coincident_impl.h"
-#include "model/effects_impl.h"
-#include "model/interior_names_impl.h"
-#include "model/origin_impl.h"
-#include "model/words_impl.h"
+#include "base/core/constants.h"
+#include "base/core/words.h"
+#include "model/build/aging_group.h"
+#include "model/build/build_bands_impl.h"
+#include "model/build/build_coincident_impl.h"
+#include "model/build/effects_group.h"
+#include "model/build/interior_names_impl.h"
+#include "model/build/origin_impl.h"
+#include "model/build/words_group.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
 {

@@ -1,12 +1,12 @@
 /* A scenario without a track (orbit.points). What asks for a velocity or for heat that is followed
  * along an orbit is refused; the light of one instant, with Sun, shadow, attitude and the Earth
  * below, is all that such a scenario has. */
-#include "model/build_points_impl.h"
+#include "model/build/build_points_impl.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/fail_impl.h"
+#include "base/core/constants.h"
+#include "model/scenario/fail_group.h"
 
 #define ACCEPTED_LAWS                                                                              \
   "fixed, sun, target, yaw_steering, table, magnetic, spin with axis_gcrs or q_gcrs"

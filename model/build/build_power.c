@@ -1,8 +1,8 @@
 /* Power histories of a scenario: a CSV of time_utc and power_W. */
-#include "model/build_power_impl.h"
+#include "model/build/build_power_impl.h"
 
-#include "core/csv.h"
-#include "model/words_impl.h"
+#include "base/core/csv.h"
+#include "model/build/words_group.h"
 #include "orbit/time.h"
 
 /* Rows in order; two at one time are a jump, more would hide one. */

@@ -1,8 +1,8 @@
-/* Power histories. Private to model/. */
+/* Power histories. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_POWER_IMPL_H
 #define UMBRA_MODEL_BUILD_POWER_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* A power history from the file of a key `power_file`; *out is owned by the
  * document, NULL without a file. at: the mapping that holds the key. */

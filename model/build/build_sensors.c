@@ -1,11 +1,11 @@
 /* From the scenario's sensors to what they count of each bin of their band. */
 #include <math.h>
 
-#include "instrument/filter.h"
-#include "model/bands.h"
-#include "model/build_bands_impl.h"
-#include "model/sensor_preset.h"
-#include "model/words_impl.h"
+#include "model/build/bands.h"
+#include "model/build/build_bands_impl.h"
+#include "model/build/sensor_preset.h"
+#include "model/build/words_group.h"
+#include "optics/instrument/filter.h"
 
 /* Mean of a curve over each bin of a band, multiplied into `to`. */
 void um_model_bins_pass(const struct um_instrument_filter *curve, const struct um_optics_band *band,

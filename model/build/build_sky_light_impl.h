@@ -1,8 +1,8 @@
-/* Building the light that the air scatters. Private to model/. */
+/* Building the light that the air scatters. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_SKY_LIGHT_IMPL_H
 #define UMBRA_MODEL_BUILD_SKY_LIGHT_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What observer.air scatters in the wavelengths of the model's bands, into model->sky_light; left
  * NULL without air, with air of a file, whose radiance is the file's, and where no band is known.

@@ -1,22 +1,22 @@
 /* From the scenario's parts and material records to the heat network. */
-#include "model/build_thermal_impl.h"
+#include "model/build/build_thermal_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/words.h"
-#include "model/aging_impl.h"
-#include "model/build_interiors_impl.h"
-#include "model/build_mli_impl.h"
-#include "model/build_network_impl.h"
-#include "model/build_power_impl.h"
-#include "model/build_wall_impl.h"
-#include "model/effects_impl.h"
-#include "model/start_offset_impl.h"
-#include "model/surface_law_impl.h"
-#include "model/words_impl.h"
+#include "base/core/constants.h"
+#include "base/core/words.h"
+#include "model/build/aging_group.h"
+#include "model/build/build_interiors_impl.h"
+#include "model/build/build_mli_impl.h"
+#include "model/build/build_network_impl.h"
+#include "model/build/build_power_impl.h"
+#include "model/build/build_wall_impl.h"
+#include "model/build/effects_group.h"
+#include "model/build/start_offset_group.h"
+#include "model/build/surface_law_impl.h"
+#include "model/build/words_group.h"
 
 /* Working arrays of one build; everything in them lives as long as the document. */
 struct assembly {

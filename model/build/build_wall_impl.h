@@ -1,8 +1,8 @@
-/* Walls of a part: shells, blankets, solids, from their keys. Private to model/. */
+/* Walls of a part: shells, blankets, solids, from their keys. Private to model/build/. */
 #ifndef UMBRA_MODEL_BUILD_WALL_IMPL_H
 #define UMBRA_MODEL_BUILD_WALL_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* What the part states for one of its groups, or NULL. */
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,

@@ -1,8 +1,8 @@
-/* Heat capacity and conductivity of records by temperature. Private to model/. */
+/* Heat capacity and conductivity of records by temperature. Private to model/build/. */
 #ifndef UMBRA_MODEL_BULK_LAW_IMPL_H
 #define UMBRA_MODEL_BULK_LAW_IMPL_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* *out: ratios over 300 K, as long as the model lives; NULL where they are constant or the scenario
  * takes them so. */

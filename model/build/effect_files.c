@@ -2,14 +2,14 @@
  * files, then from those of the command line. A shared object is code that runs inside the program,
  * so a scenario, which may come from anywhere, cannot have one loaded by itself: the command line
  * names the same file, or allows them all. */
-#include "model/effect_files.h"
-#include "model/effect_files_impl.h"
+#include "model/build/effect_files.h"
+#include "model/build/effect_files_impl.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/words_impl.h"
+#include "model/build/words_group.h"
 
 /* Does the command line name the file that stands at `path`? */
 static bool is_named(const struct um_model_options *options, const char *path)

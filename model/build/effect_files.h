@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_EFFECT_FILES_H
 #define UMBRA_MODEL_EFFECT_FILES_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Effects that the model may use: the built-in ones, then those of its effect files in order;
  * borrowed, they live as long as the model. find: NULL when there is none of that name. */

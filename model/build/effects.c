@@ -1,23 +1,23 @@
 /* The effects of a scenario: its own list, then --with and --without, checked against the registry.
  */
-#include "model/effects.h"
-#include "model/effects_impl.h"
-#include "model/interior_names_impl.h"
+#include "model/build/effects.h"
+#include "model/build/effects_group.h"
+#include "model/build/interior_names_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/words.h"
+#include "base/core/csv.h"
+#include "base/core/words.h"
 #include "effects/effects.h"
-#include "model/bands.h"
-#include "model/effect_files.h"
-#include "model/effect_files_impl.h"
-#include "model/fail_impl.h"
-#include "model/origin_impl.h"
-#include "model/scenario_environment_impl.h"
+#include "model/build/bands.h"
+#include "model/build/effect_files.h"
+#include "model/build/effect_files_impl.h"
+#include "model/build/origin_impl.h"
+#include "model/build/scenario_environment_impl.h"
+#include "model/scenario/fail_group.h"
 
 /* Where a use was written; NULL mark for the command line. */
 struct origin {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_EFFECTS_H
 #define UMBRA_MODEL_EFFECTS_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* May the effect be used on this target (NULL: none) of this model? UM_ERR_INPUT saying what is
  * accepted. */

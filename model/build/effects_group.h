@@ -1,8 +1,8 @@
-/* Effects of a model in the making. Private to model/. */
-#ifndef UMBRA_MODEL_EFFECTS_IMPL_H
-#define UMBRA_MODEL_EFFECTS_IMPL_H
+/* Effects of a model in the making. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_EFFECTS_GROUP_H
+#define UMBRA_MODEL_EFFECTS_GROUP_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* effect: the scenario's list, --with and --without. */
 enum um_status um_model_build_effects(struct um_context *context, struct um_model *model,

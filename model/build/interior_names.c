@@ -1,10 +1,10 @@
 /* Interiors of a part: `interior` where it has one, then those of `interiors`. */
-#include "model/interior_names_impl.h"
+#include "model/build/interior_names_impl.h"
 
 #include <string.h>
 
-#include "core/words.h"
-#include "model/fail_impl.h"
+#include "base/core/words.h"
+#include "model/scenario/fail_group.h"
 
 size_t um_model_interior_count(const struct um_scenario_part *part)
 {

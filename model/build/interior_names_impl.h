@@ -1,9 +1,9 @@
-/* Interiors of a part by number and name. Private to model/. */
+/* Interiors of a part by number and name. Private to model/build/. */
 #ifndef UMBRA_MODEL_INTERIOR_NAMES_IMPL_H
 #define UMBRA_MODEL_INTERIOR_NAMES_IMPL_H
 
-#include "core/context.h"
-#include "model/scenario.h"
+#include "base/core/context.h"
+#include "model/scenario/scenario.h"
 
 #define UM_MODEL_NO_INTERIOR ((size_t)-1)
 

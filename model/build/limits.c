@@ -1,11 +1,11 @@
 /* Limits of temperatures: do they name places of this satellite? */
-#include "model/limits_impl.h"
+#include "model/build/limits_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "model/fail_impl.h"
+#include "base/core/words.h"
+#include "model/scenario/fail_group.h"
 
 static enum um_status fail_unknown(struct um_context *context, const struct um_model *model,
                                    const struct um_scenario_limit *limit)

@@ -1,21 +1,22 @@
 /* What is built from a scenario: orbit, attitude, environment, geometry, materials, heat network,
- * bands and sensors. What is traced of it is in model/precomputed.h, a run of it in model/run.h. */
+ * bands and sensors. What is traced of it is in model/geometry/precomputed.h, a run of it in
+ * model/run/run.h. */
 #ifndef UMBRA_MODEL_MODEL_H
 #define UMBRA_MODEL_MODEL_H
 
-#include "core/arena.h"
+#include "base/core/arena.h"
 #include "effects/effect.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
-#include "instrument/sensor.h"
 #include "materials/materials.h"
-#include "model/scenario.h"
-#include "optics/creases.h"
-#include "optics/optics.h"
+#include "model/scenario/scenario.h"
+#include "optics/instrument/sensor.h"
+#include "optics/radiance/creases.h"
+#include "optics/radiance/optics.h"
 #include "orbit/attitude.h"
 #include "orbit/observer.h"
 #include "orbit/trajectory.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 struct um_effects_registry;
 

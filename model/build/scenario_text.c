@@ -3,7 +3,7 @@
  * The text is the user's own with its comments; --set stands in it, --with, --without and
  * --effect-file become entries of `effects` and `effect_files`, names of files lead from the new
  * folder. */
-#include "model/scenario_text.h"
+#include "model/build/scenario_text.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -11,10 +11,10 @@
 #include <string.h>
 #include <strings.h>
 
-#include "core/csv.h"
-#include "core/file.h"
-#include "core/words.h"
-#include "model/scenario_schema.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
+#include "model/scenario/scenario_schema.h"
 
 /* Texts that are overrides of a document. */
 struct overrides {

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_SCENARIO_TEXT_H
 #define UMBRA_MODEL_SCENARIO_TEXT_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* The model's scenario as YAML that runs from `folder`, which exists: with its overrides, with the
  * effects of use[nuse] (those of the model, or what is to be in their place), and with the effect

@@ -1,14 +1,14 @@
 /* Sensors that come with the program, and a scenario's sensor on top of one. */
-#include "model/sensor_preset.h"
+#include "model/build/sensor_preset.h"
 
 #include <string.h>
 
-#include "core/data.h"
-#include "core/file.h"
-#include "document/schema.h"
-#include "model/fail_impl.h"
-#include "model/scenario.h"
-#include "model/scenario_schema_impl.h"
+#include "base/core/data.h"
+#include "base/core/file.h"
+#include "base/document/schema.h"
+#include "model/scenario/fail_group.h"
+#include "model/scenario/scenario.h"
+#include "model/scenario/scenario_schema_group.h"
 
 #define TAIL ".yaml"
 

@@ -1,8 +1,8 @@
-/* Sensors that come with the program, instrument/sensors. */
+/* Sensors that come with the program, optics/instrument/sensors. */
 #ifndef UMBRA_MODEL_SENSOR_PRESET_H
 #define UMBRA_MODEL_SENSOR_PRESET_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Their names in order; um_core_listing_free frees. UM_ERR_IO, UM_ERR_MEMORY. */
 enum um_status um_model_sensor_presets(struct um_context *context, char ***names, size_t *count);

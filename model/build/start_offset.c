@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/start_offset_impl.h"
+#include "model/build/start_offset_group.h"
 
 enum um_status um_model_build_start_offset(struct um_context *context, struct um_model *model,
                                            const struct um_thermal_part_spec *parts, size_t npart)

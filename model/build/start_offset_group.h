@@ -1,8 +1,8 @@
-/* What interiors have stored. Private to model/. */
-#ifndef UMBRA_MODEL_START_OFFSET_IMPL_H
-#define UMBRA_MODEL_START_OFFSET_IMPL_H
+/* What interiors have stored. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_START_OFFSET_GROUP_H
+#define UMBRA_MODEL_START_OFFSET_GROUP_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* start_offset, from what effects did to the parts. */
 enum um_status um_model_build_start_offset(struct um_context *context, struct um_model *model,

@@ -1,11 +1,11 @@
 /* One instant of the scene: orbit, attitude, Sun and shadow together. */
-#include "model/timeline.h"
+#include "model/build/timeline.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/moonlight.h"
-#include "model/effects_impl.h"
+#include "model/build/effects_group.h"
 #include "orbit/sun.h"
 
 /* Sun from the satellite's place; a frozen one keeps its geocentric place. Aberration is that of

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_TIMELINE_H
 #define UMBRA_MODEL_TIMELINE_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* The scene at a satellite time. to_observer is zero and range NaN. */
 enum um_status um_model_sample_at(struct um_context *context, const struct um_model *model,

@@ -1,5 +1,5 @@
 /* View factors of the satellite as it stands: what the keys of the scenario ask. */
-#include "model/view_factors_impl.h"
+#include "model/build/view_factors_group.h"
 
 struct um_geometry_view_factor_options
 um_model_view_factor_options(const struct um_context *context, const struct um_model *model)

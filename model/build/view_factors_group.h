@@ -1,9 +1,9 @@
-/* View factors of the satellite as it stands. Private to model/. */
-#ifndef UMBRA_MODEL_VIEW_FACTORS_IMPL_H
-#define UMBRA_MODEL_VIEW_FACTORS_IMPL_H
+/* View factors of the satellite as it stands. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_VIEW_FACTORS_GROUP_H
+#define UMBRA_MODEL_VIEW_FACTORS_GROUP_H
 
 #include "geometry/view_factor_table.h"
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* By the keys of the scenario; view factors of earlier runs stand in the context's cache. */
 struct um_geometry_view_factor_options

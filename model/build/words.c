@@ -1,11 +1,11 @@
 /* What the steps of building share: paths, messages with file and line of a part or table,
  * directions. */
-#include "model/words_impl.h"
+#include "model/build/words_group.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,
                                 const struct um_mark *at, const char *relative, const char **out)

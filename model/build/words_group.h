@@ -1,10 +1,10 @@
 /* What the steps of building share: paths, messages with file and line of a part or table,
- * directions. Private to model/. */
-#ifndef UMBRA_MODEL_WORDS_IMPL_H
-#define UMBRA_MODEL_WORDS_IMPL_H
+ * directions. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_WORDS_GROUP_H
+#define UMBRA_MODEL_WORDS_GROUP_H
 
-#include "model/fail_impl.h"
-#include "model/model.h"
+#include "model/build/model.h"
+#include "model/scenario/fail_group.h"
 
 /* Path relative to the file of a mark; owned by the document. */
 enum um_status um_model_resolve(struct um_context *context, struct um_model *model,

@@ -1,8 +1,8 @@
 /* Tables of a body, counted by their users. */
-#include "model/body_tables.h"
+#include "model/geometry/body_tables.h"
 
-#include "irradiation/loads.h"
-#include "model/model.h"
+#include "model/build/model.h"
+#include "thermal/loads/loads.h"
 
 enum um_status um_model_body_tables_create(struct um_context *context, const struct um_model *model,
                                            struct um_model_body_tables **out)

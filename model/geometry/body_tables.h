@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 
 #include "geometry/view_factor_table.h"
-#include "irradiation/sky.h"
+#include "thermal/loads/sky.h"
 
 struct um_model;
 

@@ -1,18 +1,18 @@
 /* What a run would ask of memory, reckoned before it is asked for, and the key that decides it; and
  * of the scenario, times and places. */
-#include "model/bounds_impl.h"
+#include "model/geometry/bounds_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "model/fail_impl.h"
+#include "model/scenario/fail_group.h"
 
 #define LOAD_ROWS_MOST 5e6 /* instants of the heat loads: 580 days of one every 10 s */
 #define INSTANTS_MOST  5e6 /* observed ones, those inside exposures counted */
 #define MEMORY_MOST    8e9 /* of one table [bytes] */
 
 /* Bytes of an instant of the loads: sample, grid, and fifteen floats a surface, five without
- * angular moments (irradiation/loads.h). */
+ * angular moments (thermal/loads/loads.h). */
 static double load_row_bytes(const struct um_model *model)
 {
   double nsurface = (double)um_geometry_mesh(model->geometry)->nsurface;

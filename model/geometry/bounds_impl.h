@@ -1,9 +1,9 @@
-/* What a timeline asks of memory. Private to model/. */
+/* What a timeline asks of memory. Private to model/geometry/. */
 #ifndef UMBRA_MODEL_BOUNDS_IMPL_H
 #define UMBRA_MODEL_BOUNDS_IMPL_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 /* UM_ERR_INPUT for a scenario of points, naming what it wants. */
 enum um_status um_model_check_track(struct um_context *context, const struct um_model *model);

@@ -5,12 +5,12 @@
  * from a direction at a range, sees where the Earth's ellipsoid does not stand between. A row with
  * one such instant in its exposure is hidden: nothing arrives, and nothing is predicted for it but
  * the radiant intensity, which belongs to the satellite. */
-#include "model/line_of_sight_impl.h"
+#include "model/geometry/line_of_sight_impl.h"
 
 #include <math.h>
 
 #include "environment/airmass.h"
-#include "model/fail_impl.h"
+#include "model/scenario/fail_group.h"
 #include "orbit/time.h"
 
 /* Farthest corner of the body from its origin, joints as they stand [m]. */

@@ -1,9 +1,9 @@
-/* What the observer cannot see. Private to model/. */
+/* What the observer cannot see. Private to model/geometry/. */
 #ifndef UMBRA_MODEL_LINE_OF_SIGHT_IMPL_H
 #define UMBRA_MODEL_LINE_OF_SIGHT_IMPL_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 /* hidden: rows that the observer cannot see, said in the log; UM_ERR_INPUT for an observer inside
  * the satellite. After the observations are placed. */

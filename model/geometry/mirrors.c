@@ -1,9 +1,9 @@
 /* Classes of mirrors: the sides of groups, which are of one material. Paths are traced as if all
  * were flat, so that a model with other creases shares them; how much goes along them is said here,
  * creases included. */
-#include "model/mirrors.h"
+#include "model/geometry/mirrors.h"
 
-#include "model/thermal_equal_impl.h"
+#include "model/geometry/thermal_equal_group.h"
 
 static struct um_materials_mirror mirror_of(const struct um_model *model, uint32_t material)
 {

@@ -3,8 +3,8 @@
 #define UMBRA_MODEL_MIRRORS_H
 
 #include "geometry/mirrors.h"
-#include "model/model.h"
-#include "thermal/exchange.h"
+#include "model/build/model.h"
+#include "thermal/exchange/exchange.h"
 
 /* One class for a side of a group whose record mirrors (um_materials_mirror). *out NULL: there is
  * none, or the effect specular_exchange is off. The caller destroys. */

@@ -1,16 +1,16 @@
 /* Observations without a track (orbit.points): every measurement says where the satellite is. */
-#include "model/points.h"
-#include "model/points_impl.h"
+#include "model/geometry/points.h"
+#include "model/geometry/points_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/words.h"
-#include "model/body_tables.h"
-#include "model/line_of_sight_impl.h"
-#include "model/precompute.h"
-#include "model/precompute_impl.h"
-#include "model/words_impl.h"
+#include "base/core/words.h"
+#include "model/build/words_group.h"
+#include "model/geometry/body_tables.h"
+#include "model/geometry/line_of_sight_impl.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precompute_group.h"
 
 enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
                                      const char *name, size_t *out)

@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_POINTS_H
 #define UMBRA_MODEL_POINTS_H
 
-#include "model/precomputed.h"
-#include "model/timeline.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precomputed.h"
 
 /* Index of a station of points by name; 0, the observer's own, for "". UM_ERR_INPUT names those
  * there are. */

@@ -1,9 +1,9 @@
-/* Observations without a track. Private to model/. */
+/* Observations without a track. Private to model/geometry/. */
 #ifndef UMBRA_MODEL_POINTS_IMPL_H
 #define UMBRA_MODEL_POINTS_IMPL_H
 
-#include "model/model.h"
-#include "model/precompute.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
 
 /* Observations of points alone: no loads, no lines of sight. Errors of um_model_precompute_points;
  * the caller destroys. */

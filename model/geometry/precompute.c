@@ -5,23 +5,23 @@
  * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
  * instant is a grid time, so that optics and heat use the same fluxes. The loads are linear between
  * grid times: a shadow without penumbra, which is a jump, has one on either side of its edge. */
-#include "model/precompute.h"
-#include "model/precompute_impl.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precompute_group.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sort.h"
-#include "model/body_tables.h"
-#include "model/bounds_impl.h"
-#include "model/effects_impl.h"
-#include "model/line_of_sight_impl.h"
-#include "model/precompute_loads_impl.h"
-#include "model/timeline.h"
-#include "model/words_impl.h"
-#include "optics/photon_maps.h"
+#include "base/core/constants.h"
+#include "base/core/sort.h"
+#include "model/build/effects_group.h"
+#include "model/build/timeline.h"
+#include "model/build/words_group.h"
+#include "model/geometry/body_tables.h"
+#include "model/geometry/bounds_impl.h"
+#include "model/geometry/line_of_sight_impl.h"
+#include "model/geometry/precompute_loads_impl.h"
+#include "optics/paths/photon_maps.h"
 
 #define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
 #define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */

@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_PRECOMPUTE_H
 #define UMBRA_MODEL_PRECOMPUTE_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/timeline.h"
+#include "model/build/model.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precomputed.h"
 
 /* When and how finely a model is looked at. */
 struct um_model_instants {
@@ -56,7 +56,7 @@ enum um_status um_model_precomputed_resample(struct um_context *context,
                                              struct um_model_precomputed *precomputed,
                                              struct um_model_sampling sampling);
 /* Keep the sunlight that mirrors throw on other surfaces as the model has it, for many runs of it
- * and of others that have the same mirrors (optics/photon_maps.h). Errors of
+ * and of others that have the same mirrors (optics/paths/photon_maps.h). Errors of
  * um_optics_photon_maps_create. */
 enum um_status um_model_precompute_photons(struct um_context *context, const struct um_model *model,
                                            struct um_model_precomputed *precomputed);

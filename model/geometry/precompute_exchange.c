@@ -1,17 +1,17 @@
 /* View factors between the surfaces of the satellite, for heat that they exchange, at the joint
  * angles of the loads. */
-#include "model/precompute_exchange_impl.h"
+#include "model/geometry/precompute_exchange_impl.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/file.h"
-#include "core/words.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
 #include "geometry/inside.h"
-#include "model/body_tables.h"
-#include "model/fail_impl.h"
-#include "model/mirrors.h"
-#include "model/view_factors_impl.h"
+#include "model/build/view_factors_group.h"
+#include "model/geometry/body_tables.h"
+#include "model/geometry/mirrors.h"
+#include "model/scenario/fail_group.h"
 
 /* [ntime][njoint] angles; one row where no joint moves. */
 static enum um_status angles_make(struct um_context *context, const struct um_model *model,

@@ -1,10 +1,10 @@
-/* View factors between the surfaces of the satellite. Private to model/. */
+/* View factors between the surfaces of the satellite. Private to model/geometry/. */
 #ifndef UMBRA_MODEL_PRECOMPUTE_EXCHANGE_IMPL_H
 #define UMBRA_MODEL_PRECOMPUTE_EXCHANGE_IMPL_H
 
 #include "geometry/view_factor_table.h"
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 /* Has the part inner surfaces that see each other? limit: patches of them, 0: no clusters. */
 bool um_model_room(const struct um_model *model, uint32_t part, size_t *limit);

@@ -1,10 +1,10 @@
-/* Times of observations and of loads. Private to model/. */
-#ifndef UMBRA_MODEL_PRECOMPUTE_IMPL_H
-#define UMBRA_MODEL_PRECOMPUTE_IMPL_H
+/* Times of observations and of loads. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_PRECOMPUTE_GROUP_H
+#define UMBRA_MODEL_PRECOMPUTE_GROUP_H
 
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precomputed.h"
 
 /* The time at which an observation of that tag was really made. */
 double um_model_true_time(const struct um_model *model, double tag);

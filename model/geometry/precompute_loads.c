@@ -1,17 +1,17 @@
 /* Loads along a timeline: at every time of the grid, or, of a body that turns faster than its walls
  * follow, means over its turns. What is observed then has loads at its own instants for the light,
  * and at each what the temperatures of that instant swing about those of the means. */
-#include "model/precompute_loads_impl.h"
+#include "model/geometry/precompute_loads_impl.h"
 
 #include <math.h>
 
 #include "environment/atmosphere.h"
-#include "model/body_tables.h"
-#include "model/effects_impl.h"
-#include "model/fail_impl.h"
-#include "model/precompute_exchange_impl.h"
-#include "model/timeline.h"
-#include "thermal/ripple.h"
+#include "model/build/effects_group.h"
+#include "model/build/timeline.h"
+#include "model/geometry/body_tables.h"
+#include "model/geometry/precompute_exchange_impl.h"
+#include "model/scenario/fail_group.h"
+#include "thermal/solver/ripple.h"
 
 #define GAS_THAT_SHOWS 0.5 /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
 #define MIRROR_POINTS  16  /* on each patch that sends sunlight on; a row in time has points anew */

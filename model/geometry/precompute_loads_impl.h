@@ -1,9 +1,10 @@
-/* Private to model/: loads along a timeline, resolved or as means over the turns of the body. */
+/* Private to model/geometry/: loads along a timeline, resolved or as means over the turns of the
+ * body. */
 #ifndef UMBRA_MODEL_PRECOMPUTE_LOADS_IMPL_H
 #define UMBRA_MODEL_PRECOMPUTE_LOADS_IMPL_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 #define UM_MODEL_LOADS_LONGEST_STEP 10.0 /* between rows [s]; the orbit turns by 0.6 deg */
 

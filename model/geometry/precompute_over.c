@@ -1,11 +1,11 @@
 /* Geometry precomputations by the instants that are asked for, and what they take. */
 #include "geometry/mirror_paths.h"
-#include "model/body_tables.h"
-#include "model/bounds_impl.h"
-#include "model/points_impl.h"
-#include "model/precompute.h"
-#include "model/precompute_impl.h"
-#include "model/precomputed_serves.h"
+#include "model/geometry/body_tables.h"
+#include "model/geometry/bounds_impl.h"
+#include "model/geometry/points_impl.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precompute_group.h"
+#include "model/geometry/precomputed_serves.h"
 
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,

@@ -7,9 +7,9 @@
 
 #include "environment/timeline.h"
 #include "geometry/view_factor_table.h"
-#include "irradiation/mirrored.h"
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 #include "orbit/observer.h"
+#include "thermal/loads/mirrored.h"
 
 /* How finely a body is looked at; 0: as the scenario of the model at hand has it. */
 struct um_model_sampling {

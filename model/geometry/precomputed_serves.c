@@ -1,19 +1,19 @@
 /* Which models a geometry precomputation serves: what it was traced of is compared, and nobody has
  * to know which key or effect changes what. */
-#include "model/precomputed_serves.h"
+#include "model/geometry/precomputed_serves.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "environment/map.h"
 #include "environment/shadow_light.h"
-#include "model/mirrors.h"
-#include "model/points_impl.h"
-#include "model/precompute.h"
-#include "model/precompute_exchange_impl.h"
-#include "model/precompute_impl.h"
-#include "model/precompute_loads_impl.h"
-#include "model/thermal_equal_impl.h"
+#include "model/geometry/mirrors.h"
+#include "model/geometry/points_impl.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precompute_exchange_impl.h"
+#include "model/geometry/precompute_group.h"
+#include "model/geometry/precompute_loads_impl.h"
+#include "model/geometry/thermal_equal_group.h"
 
 static bool same(const void *a, const void *b, size_t count, size_t size)
 {

@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_PRECOMPUTED_SERVES_H
 #define UMBRA_MODEL_PRECOMPUTED_SERVES_H
 
-#include "model/model.h"
-#include "model/precompute.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
 
 /* Would the Sun and the Earth of both models load the same surfaces alike, number for number? What
  * `made` has beyond what `model` asks for (angular moments, paths by mirrors) does not count. A

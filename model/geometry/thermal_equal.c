@@ -1,5 +1,5 @@
 /* What temperatures hang on beside the network, compared number for number. */
-#include "model/thermal_equal_impl.h"
+#include "model/geometry/thermal_equal_group.h"
 
 #include <math.h>
 #include <string.h>

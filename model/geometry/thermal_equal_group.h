@@ -1,9 +1,9 @@
-/* What temperatures hang on, compared number for number. Private to model/. */
-#ifndef UMBRA_MODEL_THERMAL_EQUAL_IMPL_H
-#define UMBRA_MODEL_THERMAL_EQUAL_IMPL_H
+/* What temperatures hang on, compared number for number. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_THERMAL_EQUAL_GROUP_H
+#define UMBRA_MODEL_THERMAL_EQUAL_GROUP_H
 
-#include "model/precomputed.h"
-#include "thermal/solve_options.h"
+#include "model/geometry/precomputed.h"
+#include "thermal/network/solve_options.h"
 
 /* NULL: none, here and below. */
 bool um_model_loads_equal(const struct um_irradiation_loads *a,

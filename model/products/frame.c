@@ -1,14 +1,14 @@
 /* From a run to a detector: the picture of an instant, turned into electrons and spread. */
-#include "model/frame.h"
+#include "model/products/frame.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "effects/effects.h"
 #include "environment/airmass.h"
-#include "model/counts.h"
-#include "model/effects_impl.h"
-#include "model/picture.h"
+#include "model/build/effects_group.h"
+#include "model/products/picture.h"
+#include "model/run/counts.h"
 
 #define ARCSEC (UM_DEG / 3600.0)
 

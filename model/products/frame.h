@@ -2,10 +2,10 @@
 #ifndef UMBRA_MODEL_FRAME_H
 #define UMBRA_MODEL_FRAME_H
 
-#include "instrument/frame.h"
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
+#include "optics/instrument/frame.h"
 
 /* How a point of light is spread, as a user says it. */
 enum um_model_spread {

@@ -1,8 +1,8 @@
 /* Phase vector to latitude, longitude, phase angle and plane, and back (D.10 of the physics notes;
  * Kucharski et al. and the Flying Laptop paper draw the first two). */
-#include "model/phase_vector.h"
+#include "model/products/phase_vector.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define OPPOSITE 1e-9 /* |s + o| below which there is no bisector */
 

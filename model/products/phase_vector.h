@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_PHASE_VECTOR_H
 #define UMBRA_MODEL_PHASE_VECTOR_H
 
-#include "core/vec.h"
+#include "base/core/vec.h"
 
 /* Where Sun and observer stand, as a map of a body has it. With p the phase vector, gamma the phase
  * angle and t a unit vector across p,
@@ -17,7 +17,7 @@ struct um_model_phase_vector {
 };
 
 /* Of unit directions in body axes. NaN but for the phase angle where Sun and observer are opposite.
- * Checks: tests/model/phase_vector.c. */
+ * Checks: tests/model/products/phase_vector.c. */
 struct um_model_phase_vector um_model_phase_vector(struct um_vec3 sun, struct um_vec3 observer);
 /* The way back: unit directions in body axes. */
 void um_model_phase_directions(const struct um_model_phase_vector *at, struct um_vec3 *sun,

@@ -1,10 +1,10 @@
 /* Pictures of the satellite at an observation. */
-#include "model/picture.h"
+#include "model/products/picture.h"
 
-#include "model/aging_impl.h"
-#include "model/model.h"
-#include "model/run_optics_impl.h"
-#include "model/timeline.h"
+#include "model/build/aging_group.h"
+#include "model/build/model.h"
+#include "model/build/timeline.h"
+#include "model/run/run_optics_group.h"
 
 /* Up is away from the Earth. */
 static struct um_optics_image_options options_of(const struct um_environment_sample *sample,

@@ -2,10 +2,10 @@
 #ifndef UMBRA_MODEL_PICTURE_H
 #define UMBRA_MODEL_PICTURE_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
-#include "optics/image.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
+#include "optics/image/image.h"
 
 /* Picture of observation k in bands [band, band + nband), up being away from the Earth; see
  * um_optics_image_render. UM_ERR_INPUT without an observer. */

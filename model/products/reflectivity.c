@@ -1,8 +1,8 @@
 /* Reflectivity by the renderer of light curves: a body in its own axes, a Sun at 1 au, nothing else
  * that shines. */
-#include "model/reflectivity.h"
+#include "model/products/reflectivity.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define BLOCK_BYTES 1e8 /* of lines of sight that are held at once */
 #define ROW_BYTES   64  /* of a surface at an instant: um_optics_view and the scene's arrays */

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_REFLECTIVITY_H
 #define UMBRA_MODEL_REFLECTIVITY_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Reflectivity of the body for n pairs of unit directions in body axes, to the Sun and to the
  * observer: radiant intensity of sunlight reflected once over the irradiance of the Sun, in each
@@ -13,7 +13,7 @@
  * time.start_utc. The Earth, light between surfaces and heat are not in it. Work is done in blocks
  * of bounded memory; progress: one step per pair, `task` names it. Directions that are opposite are
  * allowed. UM_ERR_INPUT, UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED. Checks:
- * tests/model/reflectivity.c. */
+ * tests/model/products/reflectivity.c. */
 enum um_status um_model_reflectivity(struct um_context *context, const struct um_model *model,
                                      const char *task, const struct um_vec3 *sun,
                                      const struct um_vec3 *observer, size_t n, double *value,

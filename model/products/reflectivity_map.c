@@ -1,11 +1,11 @@
 /* The nodes of a reflectivity map, and looking up between them. */
-#include "model/reflectivity_map.h"
+#include "model/products/reflectivity_map.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
-#include "model/reflectivity.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
+#include "model/products/reflectivity.h"
 
 #define NODES_MAX 2e7
 

@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_REFLECTIVITY_MAP_H
 #define UMBRA_MODEL_REFLECTIVITY_MAP_H
 
-#include "model/model.h"
-#include "model/phase_vector.h"
+#include "model/build/model.h"
+#include "model/products/phase_vector.h"
 
 /* What is to be mapped. */
 struct um_model_map_grid {

@@ -1,12 +1,12 @@
 /* Looking up a pass: L = M(p, gamma, plane) E_sun, beside the same without the map. */
-#include "model/reflectivity_pass.h"
+#include "model/products/reflectivity_pass.h"
 
 #include <string.h>
 
-#include "model/precompute.h"
-#include "model/precompute_impl.h"
-#include "model/reflectivity.h"
-#include "model/timeline.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precompute_group.h"
+#include "model/products/reflectivity.h"
 
 static enum um_status allocate(struct um_context *context, size_t n, size_t nband,
                                struct um_model_map_pass *p)

@@ -3,7 +3,7 @@
 #ifndef UMBRA_MODEL_REFLECTIVITY_PASS_H
 #define UMBRA_MODEL_REFLECTIVITY_PASS_H
 
-#include "model/reflectivity_map.h"
+#include "model/products/reflectivity_map.h"
 
 struct um_model_map_pass {
   size_t n, nband;

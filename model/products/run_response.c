@@ -1,11 +1,11 @@
 /* Derivatives of a run: of temperatures by small heat along the history that was found, and of
  * light by the temperature of surfaces. */
-#include "model/run_response.h"
+#include "model/products/run_response.h"
 
 #include <string.h>
 
-#include "model/run.h"
-#include "model/thermal_solution_impl.h"
+#include "model/run/run.h"
+#include "model/run/thermal_solution_group.h"
 
 enum um_status um_model_thermal_solution_response(struct um_context *context,
                                                   const struct um_model_thermal_solution *heat,

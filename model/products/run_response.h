@@ -2,10 +2,10 @@
 #ifndef UMBRA_MODEL_RUN_RESPONSE_H
 #define UMBRA_MODEL_RUN_RESPONSE_H
 
-#include "model/model.h"
-#include "model/result.h"
-#include "model/thermal_solution.h"
-#include "thermal/response.h"
+#include "model/build/model.h"
+#include "model/run/result.h"
+#include "model/run/thermal_solution.h"
+#include "thermal/tangent/response.h"
 
 /* um_model_run_with with the light of every surface made at its temperature plus offset[nsurface]
  * [K], for derivatives. Nodes and their places stay as they are, means of materials move along. */

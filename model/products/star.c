@@ -1,12 +1,12 @@
 /* A star of known magnitude through a scenario's air, effects and telescope. */
-#include "model/star.h"
+#include "model/products/star.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
-#include "model/bands.h"
-#include "model/run_optics_impl.h"
+#include "model/build/bands.h"
+#include "model/run/run_optics_group.h"
 
 #define JANSKY 1e-26 /* [W/m^2/Hz] */
 

@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_STAR_H
 #define UMBRA_MODEL_STAR_H
 
-#include "model/model.h"
+#include "model/build/model.h"
 
 /* Counts per second of a star of an AB magnitude that is the same at every wavelength, through the
  * air of the scenario at an airmass (NAN: none on the way) and the effects on what sensor s counts

@@ -1,19 +1,19 @@
 /* Sensitivities of a model's temperatures: networks, loads and exchange of the moved models become
- * variants of the base's (thermal/sensitivity.h). Start offsets are of both alike, so that of a
- * periodic start S is that of the periodic state. */
-#include "model/thermal_sensitivity.h"
+ * variants of the base's (thermal/tangent/sensitivity.h). Start offsets are of both alike, so that
+ * of a periodic start S is that of the periodic state. */
+#include "model/products/thermal_sensitivity.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/start_offset_impl.h"
-#include "model/thermal_equal_impl.h"
-#include "model/thermal_solution_impl.h"
-#include "thermal/sensitivity.h"
+#include "model/build/start_offset_group.h"
+#include "model/geometry/thermal_equal_group.h"
+#include "model/run/thermal_solution_group.h"
+#include "thermal/tangent/sensitivity.h"
 
 /* Of a step over the largest answer. Thin walls follow loads that are kinked at every row of their
  * grid, where a step's own error says less: 1e-4 leaves 5e-3 of what the capacity of such a wall
- * does, 2e-5 leaves 7e-4 (tests/model/thermal_sensitivity.c). */
+ * does, 2e-5 leaves 7e-4 (tests/model/products/thermal_sensitivity.c). */
 #define TOLERANCE 2e-5
 #define PATCHES   32 /* that exchange radiation, at most: for few it is measured (hidden-effect) */
 

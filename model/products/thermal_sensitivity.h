@@ -1,5 +1,5 @@
 /* How the temperatures of a run answer to parameters: forward sensitivities along the history that
- * was found (thermal/sensitivity.h), many at once, and the solution of a model that such a
+ * was found (thermal/tangent/sensitivity.h), many at once, and the solution of a model that such a
  * parameter has moved by any step,
  *
  *   T(p + h) = T(p) + h S(t),   S = dT/dp,
@@ -8,7 +8,7 @@
 #ifndef UMBRA_MODEL_THERMAL_SENSITIVITY_H
 #define UMBRA_MODEL_THERMAL_SENSITIVITY_H
 
-#include "model/thermal_solution.h"
+#include "model/run/thermal_solution.h"
 
 /* Can the answer of temperatures to what makes a model from heat's be a sensitivity? Not where
  * nodes, heaters or power histories come or go, times of the observations or of the loads move or
@@ -37,8 +37,8 @@ struct um_model_thermal_sensitivity;
 
 /* Of moves [nmove] that the function above lets pass: their periodic start, then the way through
  * the observations. Accuracy: 1e-3 of a parameter's largest answer
- * (tests/model/thermal_sensitivity.c). UM_ERR_INPUT where a move does not serve; UM_ERR_NUMERIC.
- * The caller destroys. */
+ * (tests/model/products/thermal_sensitivity.c). UM_ERR_INPUT where a move does not serve;
+ * UM_ERR_NUMERIC. The caller destroys. */
 enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
                                                    const struct um_model_thermal_solution *heat,
                                                    const struct um_model_thermal_move *move,

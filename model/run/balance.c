@@ -1,12 +1,12 @@
 /* Steady balances: of an instant, and of an orbit's mean. */
-#include "model/balance.h"
+#include "model/run/balance.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/interpolation.h"
-#include "model/heat_setting_impl.h"
-#include "thermal/solve.h"
+#include "base/core/interpolation.h"
+#include "model/run/heat_setting_impl.h"
+#include "thermal/solver/solve.h"
 
 /* What a node takes in whatever its temperature [W]. */
 static double absorbed(const struct um_thermal_heat *heat)

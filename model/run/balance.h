@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_BALANCE_H
 #define UMBRA_MODEL_BALANCE_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 /* temperature[nnode] [K] under the loads of the first observation. Thermostats by their mean power,
  * joints as they stand then. Errors of um_thermal_solve_steady. */

@@ -1,11 +1,11 @@
 /* Counts of an exposure by a run's sensors. */
-#include "model/counts.h"
+#include "model/run/counts.h"
 
 #include <math.h>
 
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "environment/airmass.h"
-#include "model/sky_light.h"
+#include "model/run/sky_light.h"
 
 struct um_instrument_bins um_model_bins(const struct um_model_result *result, size_t band,
                                         const double *efficiency)

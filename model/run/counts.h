@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_COUNTS_H
 #define UMBRA_MODEL_COUNTS_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 /* Observation k through sensor s: electrons and signal-to-noise of one exposure. What is not known
  * (hidden, no pixels) is NaN. */

@@ -1,13 +1,13 @@
 /* Temperature and infrared cross-section of every observation of a run, as an infrared observer
- * concludes them (instrument/grey_body.h): from the whole light of the thermal bands, what they
- * reflect counted as heat. */
-#include "model/grey_body.h"
+ * concludes them (optics/instrument/grey_body.h): from the whole light of the thermal bands, what
+ * they reflect counted as heat. */
+#include "model/run/grey_body.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/bands.h"
-#include "model/counts.h"
+#include "model/build/bands.h"
+#include "model/run/counts.h"
 
 #define SHARE 0.01 /* error of a band that nothing is stated of, of its light */
 

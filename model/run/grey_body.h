@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_GREY_BODY_H
 #define UMBRA_MODEL_GREY_BODY_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 /* Grey bodies of every observation, result->grey_body, from measured_intensity in the thermal bands
  * (um_model_band_is_thermal); nothing with fewer than three. A band is weighed by the error that

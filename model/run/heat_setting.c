@@ -1,10 +1,10 @@
 /* How the heat of a model is solved. */
-#include "model/heat_setting_impl.h"
+#include "model/run/heat_setting_impl.h"
 
-#include "model/mirrors.h"
-#include "model/thermal_equal_impl.h"
-#include "model/tolerances.h"
-#include "thermal/solve.h"
+#include "model/geometry/mirrors.h"
+#include "model/geometry/thermal_equal_group.h"
+#include "model/scenario/tolerances.h"
+#include "thermal/solver/solve.h"
 
 #define ROUNDS 10 /* of a start and its exchange, each of which leaves a tenth or less */
 

@@ -1,13 +1,13 @@
 /* How the heat of a model is solved: tolerances, switches, surfaces that age, radiation between
- * surfaces. Private to model/. */
+ * surfaces. Private to model/run/. */
 #ifndef UMBRA_MODEL_HEAT_SETTING_IMPL_H
 #define UMBRA_MODEL_HEAT_SETTING_IMPL_H
 
-#include "model/aging_impl.h"
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "thermal/exchange.h"
-#include "thermal/solve_options.h"
+#include "model/build/aging_group.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "thermal/exchange/exchange.h"
+#include "thermal/network/solve_options.h"
 
 struct um_model_heat_setting {
   struct um_thermal_solve_options options;

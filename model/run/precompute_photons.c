@@ -1,7 +1,7 @@
 /* Sunlight from mirror to mirror, once for many runs. */
-#include "model/precompute.h"
-#include "model/run_optics_impl.h"
-#include "optics/photon_maps.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run_optics_group.h"
+#include "optics/paths/photon_maps.h"
 
 enum um_status um_model_precompute_photons(struct um_context *context, const struct um_model *model,
                                            struct um_model_precomputed *precomputed)

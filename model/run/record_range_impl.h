@@ -1,10 +1,10 @@
-/* Temperatures against what material records hold for. Private to model/. */
+/* Temperatures against what material records hold for. Private to model/run/. */
 #ifndef UMBRA_MODEL_RECORD_RANGE_IMPL_H
 #define UMBRA_MODEL_RECORD_RANGE_IMPL_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 /* Every material whose record states a range and that leaves it at an observation: a warning, or
  * with thermal.outside_range: error UM_ERR_NUMERIC, with part, time and range. */

@@ -1,7 +1,7 @@
 /* The result of a run as it is kept. */
-#include "model/result.h"
+#include "model/run/result.h"
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 
 double um_model_result_intensity(const struct um_model_result *result, size_t k, size_t band,
                                  int mechanism)

@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_RESULT_H
 #define UMBRA_MODEL_RESULT_H
 
-#include "core/context.h"
-#include "instrument/grey_body.h"
-#include "thermal/solve.h"
+#include "base/core/context.h"
+#include "optics/instrument/grey_body.h"
+#include "thermal/solver/solve.h"
 
 /* Temperatures of one named place (part, side, group, interior, or "material:NAME") [K]. */
 struct um_model_place_history {
@@ -13,7 +13,8 @@ struct um_model_place_history {
   double drift; /* change of the mean over the last orbit before the window [K] */
 };
 
-/* What an infrared observer concludes from the thermal bands of an observation (model/grey_body.h).
+/* What an infrared observer concludes from the thermal bands of an observation
+ * (model/run/grey_body.h).
  */
 struct um_model_grey_body {
   struct um_instrument_grey_body one, two; /* n 0: none */

@@ -1,14 +1,14 @@
 /* One run in both bands on a precomputed geometry. */
-#include "model/run.h"
+#include "model/run/run.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/record_range_impl.h"
-#include "model/run_optics_impl.h"
-#include "model/run_places_impl.h"
-#include "model/thermal_solution.h"
-#include "optics/adapt.h"
+#include "model/run/record_range_impl.h"
+#include "model/run/run_optics_group.h"
+#include "model/run/run_places_impl.h"
+#include "model/run/thermal_solution.h"
+#include "optics/lightcurve/adapt.h"
 
 /* Surface and node temperatures of the observations, means over the exposure. */
 static enum um_status keep_temperatures(struct um_context *context, const struct um_model *model,

@@ -2,10 +2,10 @@
 #ifndef UMBRA_MODEL_RUN_H
 #define UMBRA_MODEL_RUN_H
 
-#include "model/model.h"
-#include "model/result.h"
-#include "model/run_light.h"
-#include "model/thermal_solution.h"
+#include "model/build/model.h"
+#include "model/run/result.h"
+#include "model/run/run_light.h"
+#include "model/run/thermal_solution.h"
 
 /* Run on a geometry precomputation made from the same model. Where the scenario asks for a relative
  * error (optics.relative_error), its lines of sight are traced again with the points that this

@@ -1,7 +1,7 @@
 /* Light of a run: what surfaces and their temperatures send to the observer. */
-#include "model/run_light.h"
+#include "model/run/run_light.h"
 
-#include "model/run_optics_impl.h"
+#include "model/run/run_optics_group.h"
 
 enum um_status um_model_run_light(struct um_context *context, const struct um_model *model,
                                   const struct um_model_precomputed *precomputed,

@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_RUN_LIGHT_H
 #define UMBRA_MODEL_RUN_LIGHT_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/thermal_solution.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/thermal_solution.h"
 
 /* Light toward the observer before air and instrument; *out NULL without an observer. Errors of
  * um_model_run_observed. The caller destroys by um_optics_lightcurve_destroy. */

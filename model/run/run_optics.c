@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "environment/airmass.h"
-#include "model/aging_impl.h"
-#include "model/counts.h"
-#include "model/effects_impl.h"
-#include "model/grey_body.h"
-#include "model/run_optics_impl.h"
-#include "model/sky_bands_impl.h"
+#include "model/build/aging_group.h"
+#include "model/build/effects_group.h"
+#include "model/run/counts.h"
+#include "model/run/grey_body.h"
+#include "model/run/run_optics_group.h"
+#include "model/run/sky_bands_impl.h"
 
 int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed)
 {

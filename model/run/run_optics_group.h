@@ -1,9 +1,9 @@
-/* Light of a run. Private to model/. */
-#ifndef UMBRA_MODEL_RUN_OPTICS_IMPL_H
-#define UMBRA_MODEL_RUN_OPTICS_IMPL_H
+/* Light of a run. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_RUN_OPTICS_GROUP_H
+#define UMBRA_MODEL_RUN_OPTICS_GROUP_H
 
-#include "model/result.h"
-#include "model/thermal_solution_impl.h"
+#include "model/run/result.h"
+#include "model/run/thermal_solution_group.h"
 
 /* What air and instrument make of a light curve (um_model_run_light); NULL: nothing. */
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,

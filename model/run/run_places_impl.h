@@ -1,9 +1,9 @@
-/* Places of a run. Private to model/. */
+/* Places of a run. Private to model/run/. */
 #ifndef UMBRA_MODEL_RUN_PLACES_IMPL_H
 #define UMBRA_MODEL_RUN_PLACES_IMPL_H
 
-#include "model/result.h"
-#include "model/thermal_solution_impl.h"
+#include "model/run/result.h"
+#include "model/run/thermal_solution_group.h"
 
 /* Histories of places and materials. */
 enum um_status um_model_run_histories(struct um_context *context, const struct um_model *model,

@@ -1,9 +1,9 @@
 /* Scattered light per observation and band, for effects that leave some of it in a reading. */
-#include "model/sky_bands_impl.h"
+#include "model/run/sky_bands_impl.h"
 
-#include "model/counts.h"
-#include "model/effects_impl.h"
-#include "model/sky_light.h"
+#include "model/build/effects_group.h"
+#include "model/run/counts.h"
+#include "model/run/sky_light.h"
 
 /* An effect that is not there by itself. */
 static bool is_asked(const struct um_model *model)

@@ -1,10 +1,10 @@
-/* Light of the sky for effects on observations. Private to model/. */
+/* Light of the sky for effects on observations. Private to model/run/. */
 #ifndef UMBRA_MODEL_SKY_BANDS_IMPL_H
 #define UMBRA_MODEL_SKY_BANDS_IMPL_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 /* Radiance of the scattered light behind the satellite through the filter [W/m^2/sr], of every
  * observation and band, out[nobs][nband], for effects that act on observations; NULL

@@ -1,9 +1,9 @@
 /* The sky behind the satellite: lamps and line of sight of environment/sky_light.h. */
-#include "model/sky_light.h"
+#include "model/run/sky_light.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "environment/moonlight.h"
 #include "environment/sky_light.h"

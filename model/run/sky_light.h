@@ -2,9 +2,9 @@
 #ifndef UMBRA_MODEL_SKY_LIGHT_H
 #define UMBRA_MODEL_SKY_LIGHT_H
 
-#include "instrument/photometry.h"
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "optics/instrument/photometry.h"
 
 #define UM_MODEL_SKY_NODES 91
 

@@ -1,14 +1,14 @@
 /* Temperatures: from the start through the observations. */
-#include "model/thermal_solution.h"
+#include "model/run/thermal_solution.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/heat_setting_impl.h"
-#include "model/start_offset_impl.h"
-#include "model/thermal_equal_impl.h"
-#include "model/thermal_solution_impl.h"
-#include "thermal/ripple.h"
+#include "model/build/start_offset_group.h"
+#include "model/geometry/thermal_equal_group.h"
+#include "model/run/heat_setting_impl.h"
+#include "model/run/thermal_solution_group.h"
+#include "thermal/solver/ripple.h"
 
 /* The paper's reduction: every surface of a material at the material's mean temperature. */
 static enum um_status to_material_means(struct um_context *context, const struct um_model *model,

@@ -2,8 +2,8 @@
 #ifndef UMBRA_MODEL_THERMAL_SOLUTION_H
 #define UMBRA_MODEL_THERMAL_SOLUTION_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
 
 #define UM_MODEL_PERIODIC_TOLERANCE 0.01 /* of the repeating state of a run [K] */
 

@@ -1,11 +1,11 @@
-/* Temperatures of a run. Private to model/. */
-#ifndef UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
-#define UMBRA_MODEL_THERMAL_SOLUTION_IMPL_H
+/* Temperatures of a run. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_THERMAL_SOLUTION_GROUP_H
+#define UMBRA_MODEL_THERMAL_SOLUTION_GROUP_H
 
-#include "model/heat_setting_impl.h"
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "thermal/solve.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/heat_setting_impl.h"
+#include "thermal/solver/solve.h"
 
 /* Temperatures at every instant of the geometry precomputation. history: rows
  * are an instant one orbit before the first (when `before`), then the geometry precomputation's

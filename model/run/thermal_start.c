@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/thermal_solution_impl.h"
+#include "model/run/thermal_solution_group.h"
 
 #define DRAFT_TOLERANCE 0.1   /* of a draft: a rough search while emittances are not known [K] */
 #define DRAFT_FACTOR    30.0  /* of a draft, on the tolerances of the integration */

@@ -1,5 +1,5 @@
 /* Messages with file, line and key, and what a name may be. */
-#include "model/fail_impl.h"
+#include "model/scenario/fail_group.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
-/* Messages with file, line and key, and what a name may be. Private to model/. */
-#ifndef UMBRA_MODEL_FAIL_IMPL_H
-#define UMBRA_MODEL_FAIL_IMPL_H
+/* Messages with file, line and key, and what a name may be. Private to the rooms of model/. */
+#ifndef UMBRA_MODEL_FAIL_GROUP_H
+#define UMBRA_MODEL_FAIL_GROUP_H
 
-#include "core/context.h"
-#include "document/schema.h"
+#include "base/core/context.h"
+#include "base/document/schema.h"
 
 /* Put "file:line: path.key: " before the recorded message, with the line of the key where the
  * mapping has it; key NULL: the mapping itself. Returns status. */

@@ -1,12 +1,12 @@
 /* The scenario as the user wrote it: one C struct per mapping of scenario.yaml, bound by the schema
- * table in scenario_schema.c. Values are in the units of the keys; model/build.c turns them into
- * SI. */
+ * table in scenario_schema.c. Values are in the units of the keys; model/build/build.c turns them
+ * into SI. */
 #ifndef UMBRA_MODEL_SCENARIO_H
 #define UMBRA_MODEL_SCENARIO_H
 
 #include <stdbool.h>
 
-#include "document/schema.h"
+#include "base/document/schema.h"
 
 struct um_scenario_time {
   struct um_mark at;
@@ -358,7 +358,7 @@ struct um_scenario_sensor {
   double noise_equivalent_irradiance_W_m2;
   double optics_emissivity, optics_temperature_K;
 };
-/* A file of instrument/sensors. */
+/* A file of optics/instrument/sensors. */
 struct um_scenario_preset {
   struct um_mark at;
   const char *summary, *source, *assumed;

@@ -1,17 +1,17 @@
 /* Reading a scenario: folder or file, overrides, and checks across mappings. */
-#include "model/scenario_read.h"
+#include "model/scenario/scenario_read.h"
 
-#include "model/scenario.h"
+#include "model/scenario/scenario.h"
 
 #include <errno.h>
 #include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "core/data.h"
-#include "core/file.h"
-#include "model/fail_impl.h"
-#include "model/scenario_schema.h"
+#include "base/core/data.h"
+#include "base/core/file.h"
+#include "model/scenario/fail_group.h"
+#include "model/scenario/scenario_schema.h"
 #include "orbit/time.h"
 
 static enum um_status check_time(struct um_context *context, const struct um_scenario *scenario)

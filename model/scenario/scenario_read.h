@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_SCENARIO_READ_H
 #define UMBRA_MODEL_SCENARIO_READ_H
 
-#include "model/scenario.h"
+#include "model/scenario/scenario.h"
 
 /* Read a scenario folder or file with overrides; checks what one mapping cannot know of another
  * (stop after start, names). text: its YAML, in place of the file at `path`; NULL: read. The

@@ -1,8 +1,8 @@
 /* The schema of scenario.yaml: every key with its type, bounds, default and meaning, once. The
  * checker, the reference page and the JSON Schema are all made from this table. */
-#include "model/scenario_schema.h"
+#include "model/scenario/scenario_schema.h"
 
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 /* --- time ----------------------------------------------------------------------------------- */
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_time, member, key, type, __VA_ARGS__)

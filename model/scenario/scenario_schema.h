@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_SCENARIO_SCHEMA_H
 #define UMBRA_MODEL_SCENARIO_SCHEMA_H
 
-#include "document/schema.h"
+#include "base/document/schema.h"
 
 extern const struct um_schema_object um_model_scenario_schema;
 

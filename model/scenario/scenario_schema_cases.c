@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: limits of temperatures, and the cases that are held against them. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_limit, member, key, type, __VA_ARGS__)
 static const struct um_schema_field limit_fields[] = {

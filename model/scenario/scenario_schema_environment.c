@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: the Sun, the Earth and its shadow. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 static const char *const spectrum_choices[] = {"e490", "black_body", NULL};
 static const char *const shadow_choices[] = {"none", "cylinder", "sphere", "oblate", NULL};

@@ -1,12 +1,12 @@
 /* Words of which the schema table of a scenario is written, and its parts: one file to a subject.
  */
-#ifndef UMBRA_MODEL_SCENARIO_SCHEMA_IMPL_H
-#define UMBRA_MODEL_SCENARIO_SCHEMA_IMPL_H
+#ifndef UMBRA_MODEL_SCENARIO_SCHEMA_GROUP_H
+#define UMBRA_MODEL_SCENARIO_SCHEMA_GROUP_H
 
 #include <math.h>
 
-#include "document/schema.h"
-#include "model/scenario.h"
+#include "base/document/schema.h"
+#include "model/scenario/scenario.h"
 #include "orbit/time.h"
 
 #define REQUIRED           .required = true

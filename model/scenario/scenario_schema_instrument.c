@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: bands, filters and sensors. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_band, member, key, type, __VA_ARGS__)
 static const struct um_schema_field band_fields[] = {

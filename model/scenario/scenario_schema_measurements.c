@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: what is known of measurements. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 static const char *const quantity_choices[] = {"band_irradiance",
                                                "radiant_intensity",

@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: orbit, attitude and observer. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 /* --- orbit ---------------------------------------------------------------------------------- */
 #define F(member, key, type, ...)                                                                  \

@@ -1,6 +1,6 @@
 /* Keys of scenario.yaml: parts: what they are made of, walls, insulation, what is inside; contacts.
  */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 static const int one[] = {1, 0};
 

@@ -1,5 +1,5 @@
 /* Keys of scenario.yaml: shapes of parts, where they stand and how they turn. */
-#include "model/scenario_schema_impl.h"
+#include "model/scenario/scenario_schema_group.h"
 
 #define F(member, key, type, ...) UM_FIELD(struct um_scenario_box, member, key, type, __VA_ARGS__)
 static const struct um_schema_field box_fields[] = {

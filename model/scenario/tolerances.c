@@ -2,7 +2,7 @@
  * pass against 1e-8 and 1e-6 K (docs/physics.md): tolerances of 1e-4 / K and 1e-2 of an accuracy
  * leave it in the worst facet within a factor of 1.4, from 0.002 K to 0.1 K, and a quarter of it
  * in the means of parts. */
-#include "model/tolerances.h"
+#include "model/scenario/tolerances.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* The orthographic camera of pictures. */
-#include "optics/camera_impl.h"
+#include "optics/image/camera_impl.h"
 
 #include <math.h>
 

@@ -1,13 +1,13 @@
 /* Picture of one instant, orthographic: lines are traced, then the surfaces that they saw get their
  * spectra. */
-#include "optics/image.h"
+#include "optics/image/image.h"
 
 #include <math.h>
 #include <string.h>
 #include <time.h>
 
-#include "optics/image_impl.h"
-#include "optics/stage_impl.h"
+#include "optics/image/image_impl.h"
+#include "optics/paths/stage_group.h"
 
 #define PROBE       24  /* lines that tell what the whole will cost, at most */
 #define PROBE_RAYS  4e6 /* of them together */

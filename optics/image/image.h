@@ -2,7 +2,7 @@
 #ifndef UMBRA_OPTICS_IMAGE_H
 #define UMBRA_OPTICS_IMAGE_H
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 
 #define UM_OPTICS_IMAGE_WIDTH   16384
 #define UM_OPTICS_IMAGE_SAMPLES 4096

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "optics/image.h"
+#include "optics/image/image.h"
 
 const struct um_optics_image_share *um_optics_image_shares(const struct um_optics_image *image,
                                                            int x, int y, size_t *count)

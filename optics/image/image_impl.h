@@ -2,10 +2,10 @@
 #ifndef UMBRA_OPTICS_IMAGE_IMPL_H
 #define UMBRA_OPTICS_IMAGE_IMPL_H
 
-#include "optics/camera_impl.h"
-#include "optics/image.h"
-#include "optics/radiance_impl.h"
-#include "optics/set_impl.h"
+#include "optics/image/camera_impl.h"
+#include "optics/image/image.h"
+#include "optics/radiance/radiance_group.h"
+#include "optics/radiance/set_group.h"
 
 /* What the lines of a picture are traced in. */
 struct um_optics_exposure {

@@ -4,10 +4,10 @@
 #include <omp.h>
 #include <string.h>
 
-#include "optics/coarse_impl.h"
-#include "optics/image_impl.h"
-#include "optics/interreflection_impl.h"
-#include "optics/photons_impl.h"
+#include "optics/image/image_impl.h"
+#include "optics/paths/interreflection_group.h"
+#include "optics/paths/photons_group.h"
+#include "optics/radiance/coarse_group.h"
 
 #define WHOLE  0.98 /* of a surface, seen: all of it */
 #define SLIVER 0.02 /* the smallest share that is told apart */

@@ -4,8 +4,8 @@
 #include <omp.h>
 #include <string.h>
 
-#include "optics/image_impl.h"
-#include "optics/sampling_impl.h"
+#include "optics/image/image_impl.h"
+#include "optics/paths/sampling_group.h"
 
 #define BLOCK_BYTES 67108864.0 /* of the shares of a block of lines */
 #define BLOCK_MOST  256        /* lines */

@@ -1,11 +1,11 @@
 /* Aperture photometry of a frame. */
-#include "instrument/aperture.h"
+#include "optics/instrument/aperture.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/order.h"
+#include "base/core/constants.h"
+#include "base/core/order.h"
 
 #define FEWEST   8   /* pixels of an annulus */
 #define SATURATE 5.0 /* sigma of the read noise below the saturation that counts as saturated */

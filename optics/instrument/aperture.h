@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Counts [height][width]; the middle of the first pixel is at 0, 0. */
 struct um_instrument_counts {

@@ -1,9 +1,9 @@
 /* Factor and extinction from stars of known magnitude. */
-#include "instrument/calibration.h"
+#include "optics/instrument/calibration.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define SPREAD          1e-3  /* of airmass, below which they are all the same */
 #define EXTINCTION_MOST 10.0  /* [mag per airmass] */

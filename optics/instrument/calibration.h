@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* One star in one frame. */
 struct um_instrument_star {

@@ -1,14 +1,14 @@
 /* Transmission curves from files. */
-#include "instrument/filter.h"
+#include "optics/instrument/filter.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/data.h"
-#include "core/interpolation.h"
-#include "core/listing.h"
-#include "core/words.h"
+#include "base/core/csv.h"
+#include "base/core/data.h"
+#include "base/core/interpolation.h"
+#include "base/core/listing.h"
+#include "base/core/words.h"
 
 #define SHORTEST 0.1e-6 /* [m] */
 #define LONGEST  100e-6 /* [m] */

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* Piecewise linear between its rows, zero outside them. */
 struct um_instrument_filter {

@@ -1,11 +1,11 @@
 /* Frames of a detector: a source in cells, its trail, the point spread function, pixels, noise. */
-#include "instrument/frame.h"
+#include "optics/instrument/frame.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 
 #define CELLS    3         /* of a pixel, an axis: its middle one is the pixel's */
 #define ENCLOSED 0.9999999 /* of a point's light within the kernel, where 512 cells hold it */

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "instrument/psf.h"
+#include "optics/instrument/psf.h"
 
 #define UM_INSTRUMENT_FRAME_SIDE 4096 /* pixels */
 

@@ -1,12 +1,12 @@
 /* Grey bodies behind the light of several bands: a scan over temperatures, at each of which the
  * areas are linear, then nonlinear least squares. */
-#include "instrument/grey_body.h"
+#include "optics/instrument/grey_body.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/planck.h"
-#include "inference/fit.h"
+#include "base/core/planck.h"
+#include "base/inference/fit.h"
 
 #define COLDEST 40.0   /* [K] */
 #define HOTTEST 1500.0 /* [K] */

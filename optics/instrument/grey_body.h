@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
-#include "instrument/photometry.h"
+#include "base/core/context.h"
+#include "optics/instrument/photometry.h"
 
 /* Grey bodies whose light together is that of the object. */
 struct um_instrument_grey_body {
@@ -45,7 +45,8 @@ enum um_status um_instrument_grey_body_try(struct um_context *context,
 
 /* Standard errors of temperature [K] and area of one grey body that was fitted with `sigma`, where
  * the intensities have the errors `error` [nband], independent of each other; to first order, so
- * that error = sigma gives what the fit states (tests/instrument/grey_body.c). Does not fail. */
+ * that error = sigma gives what the fit states (tests/optics/instrument/grey_body.c). Does not
+ * fail. */
 void um_instrument_grey_body_error(const struct um_instrument_grey_body *body,
                                    const struct um_instrument_bins *band, const double *sigma,
                                    const double *error, size_t nband, double *temperature,

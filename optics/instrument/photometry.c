@@ -2,11 +2,11 @@
  *   m_AB = -2.5 log10( sum E_i T_i int_i lambda d lambda / (F_0 c sum T_i int_i d lambda/lambda) )
  * F_0 = 3631 Jy. Over a bin of centre l and width w: int lambda = l w, int 1/lambda = ln(to/from).
  */
-#include "instrument/photometry.h"
+#include "optics/instrument/photometry.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define JANSKY 1e-26 /* [W/m^2/Hz] */
 

@@ -1,12 +1,12 @@
 /* Point spread functions and their integrals over cells. */
-#include "instrument/psf.h"
+#include "optics/instrument/psf.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/interpolation.h"
 
 #define HALF_MOST      512  /* cells */
 #define RING_STEP      0.05 /* of v in the quadrature of an obstructed aperture [1] */

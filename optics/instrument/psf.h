@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_INSTRUMENT_SEEING_BETA 4.765 /* of the Moffat function nearest to turbulence */
 

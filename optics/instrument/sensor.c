@@ -1,9 +1,9 @@
 /* Counts and noise of a detector behind a telescope. */
-#include "instrument/sensor.h"
+#include "optics/instrument/sensor.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define JANSKY       1e-26  /* [W/m^2/Hz] */
 #define DETECTED     5.0    /* SNR of the limiting magnitude [1] */

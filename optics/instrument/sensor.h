@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "instrument/photometry.h"
+#include "optics/instrument/photometry.h"
 
 struct um_instrument_sensor {
   double aperture;    /* diameter [m] */

@@ -8,8 +8,8 @@
  * are those of the spectrum itself within 0.002 mag (0.005 in SDSS u, across the Balmer jump). */
 #include <math.h>
 
-#include "core/interpolation.h"
-#include "instrument/photometry.h"
+#include "base/core/interpolation.h"
+#include "optics/instrument/photometry.h"
 
 static const double wavelength_um[] =
     {/* [um] */

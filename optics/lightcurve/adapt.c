@@ -6,12 +6,12 @@
  * is left: n' is the smallest number with q(n') <= q(n)/r^2, r the ratio of what is to what is
  * left. C and P are better known then: looks are repeated until no instant is more than SLACK above
  * what is asked. Numbers depend on the instant alone, not on threads. */
-#include "optics/adapt.h"
+#include "optics/lightcurve/adapt.h"
 
 #include <math.h>
 
 #include "geometry/scatter.h"
-#include "optics/coarse_impl.h"
+#include "optics/radiance/coarse_group.h"
 
 #define SLACK 1.05 /* of what is asked: no further look */
 #define LOOKS 8

@@ -2,7 +2,7 @@
 #ifndef UMBRA_OPTICS_ADAPT_H
 #define UMBRA_OPTICS_ADAPT_H
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 
 struct um_optics_adaptation {
   double largest; /* relative error stated of any instant and band afterwards [1] */

@@ -5,10 +5,10 @@
 #include <omp.h>
 #include <string.h>
 
-#include "optics/between_impl.h"
-#include "optics/coarse_impl.h"
-#include "optics/facing_impl.h"
-#include "optics/photon_maps_impl.h"
+#include "optics/paths/between_group.h"
+#include "optics/paths/photon_maps_group.h"
+#include "optics/radiance/coarse_group.h"
+#include "optics/radiance/facing_group.h"
 
 /* Tables in some bins, and scratch for them. */
 struct resolution {

@@ -1,10 +1,10 @@
 /* Sums of inter-reflection over surfaces: each sends the radiance of interreflection.c. */
-#include "optics/between_impl.h"
+#include "optics/paths/between_group.h"
 
 #include <string.h>
 
-#include "optics/interreflection_impl.h"
-#include "optics/photon_maps_impl.h"
+#include "optics/paths/interreflection_group.h"
+#include "optics/paths/photon_maps_group.h"
 
 enum um_status um_optics_between_create(struct um_context *context,
                                         const struct um_optics_spectra *spectra, size_t n,

@@ -1,9 +1,9 @@
 /* Light between surfaces as a light curve adds it up, of one instant after the other. */
-#ifndef UMBRA_OPTICS_BETWEEN_IMPL_H
-#define UMBRA_OPTICS_BETWEEN_IMPL_H
+#ifndef UMBRA_OPTICS_BETWEEN_GROUP_H
+#define UMBRA_OPTICS_BETWEEN_GROUP_H
 
-#include "optics/photons_impl.h"
-#include "optics/stage_impl.h"
+#include "optics/paths/photons_group.h"
+#include "optics/paths/stage_group.h"
 
 /* Of one thread. */
 struct um_optics_between {

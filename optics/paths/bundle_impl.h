@@ -1,9 +1,9 @@
-/* Paths of one surface that are traced together. Private to optics/. */
+/* Paths of one surface that are traced together. Private to optics/paths/. */
 #ifndef UMBRA_OPTICS_BUNDLE_IMPL_H
 #define UMBRA_OPTICS_BUNDLE_IMPL_H
 
-#include "core/sampling.h"
-#include "optics/photons_impl.h"
+#include "base/core/sampling.h"
+#include "optics/paths/photons_group.h"
 
 struct um_optics_bundle {
   struct um_optics_paths paths;

@@ -1,10 +1,10 @@
 /* What of a pose paths of light go by: from which surfaces none leaves, and how many each gets. */
 #include <math.h>
 
-#include "core/sampling.h"
-#include "optics/exchange_impl.h"
-#include "optics/paths_impl.h"
-#include "optics/sampling_impl.h"
+#include "base/core/sampling.h"
+#include "optics/paths/exchange_impl.h"
+#include "optics/paths/paths_impl.h"
+#include "optics/paths/sampling_group.h"
 
 #define RAYS           64   /* that all meet something: a surface inside a closed body */
 #define TOGETHER       8    /* of them; most surfaces are decided by the first */

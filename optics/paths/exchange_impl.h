@@ -1,9 +1,9 @@
-/* What of a pose paths go by, and where they begin. Private to optics/. */
+/* What of a pose paths go by, and where they begin. Private to optics/paths/. */
 #ifndef UMBRA_OPTICS_EXCHANGE_IMPL_H
 #define UMBRA_OPTICS_EXCHANGE_IMPL_H
 
 #include "geometry/visibility.h"
-#include "optics/set_impl.h"
+#include "optics/radiance/set_group.h"
 
 /* nsample: paths of a surface at an instant. */
 enum um_status um_optics_exchange_create(struct um_context *context,

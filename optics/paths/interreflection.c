@@ -17,16 +17,16 @@
  * A path ends where less than LEAST of any wavelength is left, or at its LONGEST. Numbers depend on
  * seed, surface, instant and sample alone. The variance of the mean is that of independent samples;
  * the points are of low discrepancy, so it is an upper estimate. */
-#include "optics/interreflection_impl.h"
+#include "optics/paths/interreflection_group.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/golden.h"
-#include "optics/bundle_impl.h"
-#include "optics/exchange_impl.h"
-#include "optics/sampling_impl.h"
+#include "base/core/constants.h"
+#include "base/core/golden.h"
+#include "optics/paths/bundle_impl.h"
+#include "optics/paths/exchange_impl.h"
+#include "optics/paths/sampling_group.h"
 
 #define LEAST   1e-5 /* [1] */
 #define LONGEST 256  /* surfaces of a path */

@@ -1,10 +1,10 @@
 /* Light that leaves one surface and is reflected by another, any number of times. */
-#ifndef UMBRA_OPTICS_INTERREFLECTION_IMPL_H
-#define UMBRA_OPTICS_INTERREFLECTION_IMPL_H
+#ifndef UMBRA_OPTICS_INTERREFLECTION_GROUP_H
+#define UMBRA_OPTICS_INTERREFLECTION_GROUP_H
 
-#include "optics/paths_impl.h"
+#include "optics/paths/paths_impl.h"
 
-struct um_optics_photons; /* photons_impl.h */
+struct um_optics_photons; /* photons_group.h */
 
 /* Mean radiance per bin that a surface of the set sends to the observer by this way, over the share
  * of its points that the observer sees (seen < 1: traced) times that share; work->reflected holds

@@ -1,5 +1,5 @@
 /* Sunlight at the vertices of paths. Straight from the Sun by a shadow ray to a point of its disc
- * (next-event estimation; f_r the disc's mean); by way of mirrors as photons (photons_impl.h):
+ * (next-event estimation; f_r the disc's mean); by way of mirrors as photons (photons_group.h):
  *
  *   f_r = flat parts + lobe:  all but a narrow lobe  <- the Sun, photons
  *                             a narrow lobe          <- the Sun, if the path met nothing else,
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "optics/bundle_impl.h"
+#include "optics/paths/bundle_impl.h"
 
 enum { KEY_DISC = 0x64697363, KEY_PICK = 0x7069636b };
 

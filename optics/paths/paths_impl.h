@@ -1,10 +1,10 @@
-/* Paths of light between surfaces: where they turn, and how. Private to optics/. */
+/* Paths of light between surfaces: where they turn, and how. Private to optics/paths/. */
 #ifndef UMBRA_OPTICS_PATHS_IMPL_H
 #define UMBRA_OPTICS_PATHS_IMPL_H
 
 #include "materials/lobe.h"
-#include "optics/radiance_impl.h"
-#include "optics/set_impl.h"
+#include "optics/radiance/radiance_group.h"
+#include "optics/radiance/set_group.h"
 
 #define UM_OPTICS_PATHS 16 /* that are traced together */
 

@@ -3,13 +3,13 @@
  * does: a way of several mirrors goes on as often as they reflect. Kept ways have gone on as those
  * of the scene that they were traced in, and count for those that have not: of other reflectances
  * light has the same mean, and moves smoothly with them. */
-#include "optics/photon_maps.h"
+#include "optics/paths/photon_maps.h"
 
 #include <string.h>
 
-#include "optics/coarse_impl.h"
-#include "optics/photon_maps_impl.h"
-#include "optics/stage_impl.h"
+#include "optics/paths/photon_maps_group.h"
+#include "optics/paths/stage_group.h"
+#include "optics/radiance/coarse_group.h"
 
 #define MOST ((size_t)256 << 20) /* [byte] */
 

@@ -1,9 +1,9 @@
-/* Sunlight that mirrors throw, kept: the photons of every instant (photons_impl.h), for many light
+/* Sunlight that mirrors throw, kept: the photons of every instant (photons_group.h), for many light
  * curves of scenes that differ in temperatures and in how much surfaces reflect. */
 #ifndef UMBRA_OPTICS_PHOTON_MAPS_H
 #define UMBRA_OPTICS_PHOTON_MAPS_H
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 
 /* What a light curve of the scene would trace in these bands; no temperature is looked at. *out
  * NULL: there is nothing to keep, as nothing is traced between surfaces or they age; or too much,

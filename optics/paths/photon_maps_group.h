@@ -1,9 +1,9 @@
-/* Taking kept photons. Private to optics/. */
-#ifndef UMBRA_OPTICS_PHOTON_MAPS_IMPL_H
-#define UMBRA_OPTICS_PHOTON_MAPS_IMPL_H
+/* Taking kept photons. Private to the rooms of optics/. */
+#ifndef UMBRA_OPTICS_PHOTON_MAPS_GROUP_H
+#define UMBRA_OPTICS_PHOTON_MAPS_GROUP_H
 
-#include "optics/photon_maps.h"
-#include "optics/photons_impl.h"
+#include "optics/paths/photon_maps.h"
+#include "optics/paths/photons_group.h"
 
 /* Do the scene's ways have the same mirrors, instants and numbers as those that are kept? Geometry
  * and view are the same for who asks. */

@@ -1,4 +1,4 @@
-/* Sunlight from mirror to mirror (photons_impl.h). Ways begin at points of sunlit mirrors that
+/* Sunlight from mirror to mirror (photons_group.h). Ways begin at points of sunlit mirrors that
  * others can see, each with flux
  *
  *   A cos_i/N f(s, o) cos_o/p(o),
@@ -6,13 +6,13 @@
  * f the mean of the lobe over the Sun's disc, and go on with f cos_o/p at each further mirror.
  * After ROULETTE of them a way goes on as often as the mirror reflects, CONTINUE at most, and then
  * counts for those that do not (Arvo & Kirk 1990): few photons hold all ways. */
-#include "optics/photons_impl.h"
+#include "optics/paths/photons_group.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "optics/exchange_impl.h"
-#include "optics/sampling_impl.h"
+#include "optics/paths/exchange_impl.h"
+#include "optics/paths/sampling_group.h"
 
 #define EACH     2    /* ways of a mirror, of the paths of a surface */
 #define ROULETTE 2    /* mirrors */

@@ -1,14 +1,15 @@
 /* Sunlight that mirrors throw on other surfaces, traced from the Sun (photon mapping, Jensen 1996):
- * from the observer it would be found by chance, as rare large values. Private to optics/.
+ * from the observer it would be found by chance, as rare large values. Private to the rooms of
+ * optics/.
  *
  * A mirror is a lobe of alpha below 0.15 or a true one. What falls on a surface after one mirror or
  * more is a photon; what that surface scatters of it, by its flat parts or a wide lobe, comes from
  * here alone, what a further mirror makes of it is its next photon. Sunlight that mirrors throw to
  * the observer himself is none of this: paths find it. */
-#ifndef UMBRA_OPTICS_PHOTONS_IMPL_H
-#define UMBRA_OPTICS_PHOTONS_IMPL_H
+#ifndef UMBRA_OPTICS_PHOTONS_GROUP_H
+#define UMBRA_OPTICS_PHOTONS_GROUP_H
 
-#include "optics/paths_impl.h"
+#include "optics/paths/paths_impl.h"
 
 struct um_optics_photon {
   uint32_t surface;  /* that it falls on */

@@ -1,9 +1,9 @@
 /* Points in more dimensions than core offers, for rays that need a place and a direction at once.
  */
-#ifndef UMBRA_OPTICS_SAMPLING_IMPL_H
-#define UMBRA_OPTICS_SAMPLING_IMPL_H
+#ifndef UMBRA_OPTICS_SAMPLING_GROUP_H
+#define UMBRA_OPTICS_SAMPLING_GROUP_H
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
 /* Point `index` of the four-dimensional additive sequence (Roberts 2018: steps 1/g^k, g^5 = g + 1),
  * shifted modulo 1 by values hashed from `key`; in [0, 1)^4. Two two-dimensional sequences with the

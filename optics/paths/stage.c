@@ -1,9 +1,9 @@
 /* Poses and ray-tracing scenes for a block of times. */
-#include "optics/stage_impl.h"
+#include "optics/paths/stage_group.h"
 
 #include <string.h>
 
-#include "optics/exchange_impl.h"
+#include "optics/paths/exchange_impl.h"
 
 static void set_clear(struct um_context *context, struct um_optics_set *set)
 {

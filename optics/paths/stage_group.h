@@ -1,9 +1,9 @@
 /* Poses and ray-tracing scenes for a block of times. A body without moving joints has one for all
  * times; with moving joints neighbouring times share one while the angles are equal. */
-#ifndef UMBRA_OPTICS_STAGE_IMPL_H
-#define UMBRA_OPTICS_STAGE_IMPL_H
+#ifndef UMBRA_OPTICS_STAGE_GROUP_H
+#define UMBRA_OPTICS_STAGE_GROUP_H
 
-#include "optics/set_impl.h"
+#include "optics/radiance/set_group.h"
 
 #define UM_OPTICS_BLOCK 32 /* times that are worked on between two reports of progress */
 

@@ -7,9 +7,9 @@
  * parameter that is moved moves paths smoothly. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
-#include "optics/paths_impl.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
+#include "optics/paths/paths_impl.h"
 
 #define NARROW 0.15 /* alpha below which a lobe is a mirror to paths */
 

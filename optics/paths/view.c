@@ -2,9 +2,9 @@
 #include <math.h>
 #include <omp.h>
 
-#include "core/constants.h"
-#include "optics/radiance_impl.h"
-#include "optics/stage_impl.h"
+#include "base/core/constants.h"
+#include "optics/paths/stage_group.h"
+#include "optics/radiance/radiance_group.h"
 
 static enum um_status check_number(struct um_context *context, int nsample)
 {

@@ -1,5 +1,5 @@
 /* Bands in few bins. */
-#include "optics/coarse_impl.h"
+#include "optics/radiance/coarse_group.h"
 
 #include <math.h>
 #include <string.h>

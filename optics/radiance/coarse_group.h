@@ -1,9 +1,9 @@
 /* Bands in few bins, for what then does not cost by theirs: 0.5 % of an error, and light between
  * surfaces. */
-#ifndef UMBRA_OPTICS_COARSE_IMPL_H
-#define UMBRA_OPTICS_COARSE_IMPL_H
+#ifndef UMBRA_OPTICS_COARSE_GROUP_H
+#define UMBRA_OPTICS_COARSE_GROUP_H
 
-#include "optics/spectra_impl.h"
+#include "optics/radiance/spectra_impl.h"
 
 #define UM_OPTICS_COARSE_BINS 16 /* of a band, at most */
 

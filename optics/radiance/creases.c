@@ -1,9 +1,9 @@
 /* Skins of creased surfaces, and which of them are drawn patch by patch. */
-#include "optics/creases.h"
+#include "optics/radiance/creases.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe.h"
 
 /* Patches of a surface that mirror at once, N_eff: the mean of N patches varies by 1/sqrt(N_eff) of

@@ -10,13 +10,13 @@
  * The Earth is the cap i.nadir > cos(rho), sin(rho) = R/r. The Sun's zenith angle is that at the
  * place p = -nadir r/R + t i that the ray meets, t = (r cos(eta) - sqrt(R^2 - r^2 sin^2(eta)))/R.
  */
-#include "optics/earth_lobe_impl.h"
+#include "optics/radiance/earth_lobe_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/vec.h"
+#include "base/core/constants.h"
+#include "base/core/vec.h"
 
 #define NEAR    -0.2 /* cosine outside the Earth beyond which no part of a cell is inside */
 #define UPRIGHT 1e-9 /* sine of an angle of which the azimuth does not matter */

@@ -55,7 +55,7 @@ struct um_optics_earth_lobe {
 
 /* The edge of the Earth is put between facets linearly: with 8 x
  * 16 of them shares of the Earth are within 0.02 of the lobe's albedo, 0.004 rms; test:
- * optics/earth_lobe. Zero for a surface that the observer does not see. */
+ * optics/radiance/earth_lobe. Zero for a surface that the observer does not see. */
 void um_optics_earth_lobe(const struct um_optics_earth_before *before,
                           const struct um_optics_lobe_facets *facets,
                           struct um_optics_earth_lobe *out);

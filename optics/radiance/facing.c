@@ -1,5 +1,5 @@
 /* Surfaces by how they face. */
-#include "optics/facing_impl.h"
+#include "optics/radiance/facing_group.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* Surfaces that an instant sees, by how they face. */
-#ifndef UMBRA_OPTICS_FACING_IMPL_H
-#define UMBRA_OPTICS_FACING_IMPL_H
+#ifndef UMBRA_OPTICS_FACING_GROUP_H
+#define UMBRA_OPTICS_FACING_GROUP_H
 
-#include "optics/radiance_impl.h"
+#include "optics/radiance/radiance_group.h"
 
 /* Surfaces of one skin whose normals make the same angles with observer, lamp, their bisector and
  * nadir, and whose grain runs the same way: on the facets of a wall all that depends on directions

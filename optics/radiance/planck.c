@@ -5,14 +5,14 @@
  * h C2/lambda_min = 0.02 makes it 3.7e-9. Where lambda T is large B goes like T instead, with the
  * error (9/16) (h/x)^4; h/x <= 0.008 makes it 2.3e-9. Where a band sees next to nothing of the
  * hottest surface, h C2/lambda_min = 0.2 makes it 3.7e-5. Entries are exact means over the bin. */
-#include "optics/spectra_impl.h"
+#include "optics/radiance/spectra_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "optics/lagrange_impl.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "optics/radiance/lagrange_impl.h"
 
 #define PLANCK_STEP       0.02 /* h C2 / lambda_min [1] */
 #define PLANCK_STEP_FAINT 0.2

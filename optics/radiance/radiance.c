@@ -14,12 +14,12 @@
  * incidence is half the phase angle, the same for every surface, so that geometry and spectra
  * factor: one lobe weight per material carries all wavelengths. It is the mean of the lobe over the
  * Sun's disc (`sunlit` of materials/lobe.h). */
-#include "optics/radiance_impl.h"
+#include "optics/radiance/radiance_group.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 static struct um_optics_lamp lamp_of(enum um_optics_lamp_name name, struct um_vec3 observer,
                                      struct um_vec3 body, double radius, bool shines)

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "optics/radiance_impl.h"
+#include "base/core/constants.h"
+#include "optics/radiance/radiance_group.h"
 
 #define ALL_OF_IT (1.0 - 1e-9) /* view factor of a surface that sees nothing but the Earth */
 

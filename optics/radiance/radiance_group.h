@@ -1,9 +1,9 @@
 /* Radiance of surfaces toward the observer at one instant. Light curve and picture share it: the
  * one sums many surfaces of a material before it multiplies by spectra, the other asks for one. */
-#ifndef UMBRA_OPTICS_RADIANCE_IMPL_H
-#define UMBRA_OPTICS_RADIANCE_IMPL_H
+#ifndef UMBRA_OPTICS_RADIANCE_GROUP_H
+#define UMBRA_OPTICS_RADIANCE_GROUP_H
 
-#include "optics/spectra_impl.h"
+#include "optics/radiance/spectra_impl.h"
 
 /* Sun or Moon at one time, as surfaces reflect it once. */
 struct um_optics_lamp {

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "optics/radiance_impl.h"
+#include "base/core/constants.h"
+#include "optics/radiance/radiance_group.h"
 
 void um_optics_sum_clear(const struct um_optics_spectra *spectra, struct um_optics_sum *sum)
 {

@@ -1,8 +1,8 @@
-/* A pose with its ray-tracing scene. Private to optics/. */
-#ifndef UMBRA_OPTICS_SET_IMPL_H
-#define UMBRA_OPTICS_SET_IMPL_H
+/* A pose with its ray-tracing scene. Private to the rooms of optics/. */
+#ifndef UMBRA_OPTICS_SET_GROUP_H
+#define UMBRA_OPTICS_SET_GROUP_H
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 
 struct um_optics_exchange; /* paths_impl.h */
 

@@ -1,10 +1,10 @@
 /* Wavelength bins and the tables of sources and materials on them; black bodies: planck.c.
  * Emissivities are interpolated in u = sqrt(cos), which is dense where metals peak. */
-#include "optics/spectra_impl.h"
+#include "optics/radiance/spectra_impl.h"
 
 #include <math.h>
 
-#include "optics/lagrange_impl.h"
+#include "optics/radiance/lagrange_impl.h"
 
 #define BINS_MAX 100000
 

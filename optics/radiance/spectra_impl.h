@@ -3,9 +3,9 @@
 #ifndef UMBRA_OPTICS_SPECTRA_IMPL_H
 #define UMBRA_OPTICS_SPECTRA_IMPL_H
 
-#include "optics/creases.h"
-#include "optics/earth_lobe_impl.h"
-#include "optics/optics.h"
+#include "optics/radiance/creases.h"
+#include "optics/radiance/earth_lobe_impl.h"
+#include "optics/radiance/optics.h"
 
 /* Nodes of the emissivity tables, uniform in the square root of the cosine, like those of records.
  */

@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "tests/app/command.h"
 #include "tests/app/small.h"
 #include "tests/support/whole.h"

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "tests/app/command.h"
 #include "tests/app/table.h"
 #include "tests/support/whole.h"

@@ -1,6 +1,6 @@
 /* Exit status of umbra validate: 0 where all cases are met, 4 where one misses its tolerance, 1
  * where they could not be computed. The cases are made here. */
-#include "validate/validate.h"
+#include "app/validate/validate.h"
 
 #include <math.h>
 

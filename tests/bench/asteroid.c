@@ -2,7 +2,7 @@
  * radii of 400 m (1 + 0.12 sin(4 x) sin(5 y) cos(3 z)), x to z of the unit vector: it has valleys
  * that shade and heat themselves. It turns in 7.6 h, its skin of 13 kJ/m2/K does not conduct along
  * it; Sun at 1 au, 30 deg from the equator. */
-#include "bench/asteroid.h"
+#include "tests/bench/asteroid.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,11 +10,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "irradiation/loads.h"
-#include "thermal/body.h"
-#include "thermal/exchange.h"
-#include "thermal/solve.h"
+#include "base/core/constants.h"
+#include "thermal/exchange/exchange.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/body.h"
+#include "thermal/solver/solve.h"
 
 #define RADIUS  400.0
 #define PERIOD  (7.6 * 3600.0)

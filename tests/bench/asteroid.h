@@ -3,7 +3,7 @@
 #ifndef UMBRA_BENCH_ASTEROID_H
 #define UMBRA_BENCH_ASTEROID_H
 
-#include "bench/bench.h"
+#include "tests/bench/bench.h"
 
 /* The stages of one computation [s], and what it takes. */
 struct asteroid_cost {

@@ -1,5 +1,5 @@
 /* Clocks, medians, table and JSON of the benchmarks. */
-#include "bench/bench.h"
+#include "tests/bench/bench.h"
 
 #include <math.h>
 #include <stdio.h>

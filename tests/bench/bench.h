@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define BENCH_RUNS    64
 #define BENCH_FIGURES 96

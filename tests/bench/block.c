@@ -1,5 +1,5 @@
 /* Mesh, network and CalculiX's input of the block that cools. */
-#include "bench/block.h"
+#include "tests/bench/block.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,8 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "thermal/solid_impl.h"
+#include "base/core/constants.h"
+#include "thermal/network/solid_impl.h"
 
 #define MOVED 0.15 /* of a cell, either way */
 

@@ -3,9 +3,9 @@
 #ifndef UMBRA_BENCH_BLOCK_H
 #define UMBRA_BENCH_BLOCK_H
 
-#include "bench/bench.h"
-#include "core/vec.h"
-#include "thermal/solve.h"
+#include "base/core/vec.h"
+#include "tests/bench/bench.h"
+#include "thermal/solver/solve.h"
 
 /* 1 m by 0.5 m by 0.25 m of k 5 W/m/K, 500 kg/m^3, 900 J/kg/K, emittance 0.9 all around, from 400 K
  * beneath a sky of 3 K. Biot number 0.08 to 0.3: gradients inside and slopes at the skin both

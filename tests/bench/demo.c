@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/bench.h"
+#include "tests/bench/bench.h"
 
 #define SCENARIO   "envisat-graz-2016"
 #define TIME_LIMIT 60.0   /* [s] */

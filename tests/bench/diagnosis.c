@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/bench.h"
+#include "tests/bench/bench.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 #define OUT      "out/bench/diagnosis"

@@ -26,12 +26,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/bench.h"
-#include "core/constants.h"
-#include "thermal/body.h"
-#include "thermal/sensitivity.h"
-#include "thermal/solve.h"
-#include "thermal/system_impl.h"
+#include "base/core/constants.h"
+#include "tests/bench/bench.h"
+#include "thermal/network/body.h"
+#include "thermal/solver/solve.h"
+#include "thermal/solver/system_group.h"
+#include "thermal/tangent/sensitivity.h"
 
 #define ROWS       632 /* of the loads: 0.08 rad of spin apart */
 #define TURNS      8.0

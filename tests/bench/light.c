@@ -19,11 +19,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/bench.h"
-#include "model/build.h"
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "tests/bench/bench.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 #define RUNS     5

@@ -7,11 +7,11 @@
  * that of the observer; both sides sum radiance to intensity over irradiance [m^2/sr]. Direct
  * light, for Lambert that of two surfaces together, and all reflections of both materials.
  *
- * bench/render_mitsuba.py runs in an environment of its own below the build folder; without it the
- * benchmark says so and fails. Goal: the root mean square of the twelve differences is at most
- * twice that of both standard errors together. Mitsuba approximates Smith's masking of a Beckmann
- * surface by a rational function (Walter et al. 2007, good to 0.35 %), ours is exact. Our Sun is a
- * disc, theirs a direction: edges of shadows are blurred alike on both sides. */
+ * tests/bench/render_mitsuba.py runs in an environment of its own below the build folder; without
+ * it the benchmark says so and fails. Goal: the root mean square of the twelve differences is at
+ * most twice that of both standard errors together. Mitsuba approximates Smith's masking of a
+ * Beckmann surface by a rational function (Walter et al. 2007, good to 0.35 %), ours is exact. Our
+ * Sun is a disc, theirs a direction: edges of shadows are blurred alike on both sides. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,11 +19,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/bench.h"
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/model.h"
-#include "model/precompute.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "tests/bench/bench.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 #define INSTANTS 12
@@ -171,15 +171,16 @@ static void theirs(const struct bench *bench, const char *folder, struct pair al
   pid_t child = fork();
   if (child == 0) {
     execl(UMBRA_MITSUBA "/bin/python", UMBRA_MITSUBA "/bin/python",
-          UMBRA_SOURCE_DIR "/bench/render_mitsuba.py", folder, path, (char *)NULL);
+          UMBRA_SOURCE_DIR "/tests/bench/render_mitsuba.py", folder, path, (char *)NULL);
     _exit(127);
   }
   int end = 0;
   if (child < 0 || waitpid(child, &end, 0) != child || end != 0)
-    bench_must(bench,
-               um_core_fail(bench->context, UM_ERR_INPUT,
-                            "Mitsuba did not run (" UMBRA_MITSUBA
-                            "/bin/python bench/render_mitsuba.py); tools/bench installs it there"));
+    bench_must(
+        bench,
+        um_core_fail(bench->context, UM_ERR_INPUT,
+                     "Mitsuba did not run (" UMBRA_MITSUBA
+                     "/bin/python tests/bench/render_mitsuba.py); tools/bench installs it there"));
   FILE *f = fopen(path, "r");
   int k;
   double value, error;

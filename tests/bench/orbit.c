@@ -14,13 +14,13 @@
 
 #include <erfa.h>
 
-#include "bench/bench.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/frames.h"
 #include "orbit/sgp4.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"
 #include "orbit/trajectory.h"
+#include "tests/bench/bench.h"
 
 #define RUNS   9
 #define STATES 20000

@@ -18,10 +18,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/bench.h"
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "geometry/visibility.h"
+#include "tests/bench/bench.h"
 
 #if UM_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>

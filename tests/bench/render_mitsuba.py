@@ -1,4 +1,4 @@
-"""Intensity over irradiance [m^2/sr] of the facets that bench/mitsuba.c has written.
+"""Intensity over irradiance [m^2/sr] of the facets that tests/bench/mitsuba.c has written.
 
 render_mitsuba.py FOLDER OUT: lines `case instant value error`. Orthographic camera in the observer's direction,
 film as large as the satellite; the intensity is the sum of pixels' radiance times their area. The error is that

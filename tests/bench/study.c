@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/bench.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "study/identity.h"
 #include "study/result.h"
 #include "study/study_impl.h"
+#include "tests/bench/bench.h"
 
 #define STUDY      UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016/study.yaml"
 #define POINTS     20 /* that are held against runs of their own, and solved exactly, too */

@@ -23,9 +23,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/asteroid.h"
-#include "bench/block.h"
-#include "thermal/body.h"
+#include "tests/bench/asteroid.h"
+#include "tests/bench/block.h"
+#include "thermal/network/body.h"
 
 #define SOLIDS      5
 #define SHELLS      5

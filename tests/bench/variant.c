@@ -1,9 +1,9 @@
 /* What a change of ENVISAT's pass costs over a run of its own from the model on, in processor time
  * of one thread. Some three minutes. */
-#include "bench/bench.h"
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/run/run.h"
+#include "tests/bench/bench.h"
 #include "variant/evaluator.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"

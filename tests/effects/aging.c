@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 

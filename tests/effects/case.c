@@ -5,10 +5,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 
 /* At the equinox the Sun stands along +x of GCRS, within 0.2 deg at noon. */

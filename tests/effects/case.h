@@ -3,9 +3,9 @@
 #ifndef UMBRA_TESTS_EFFECTS_CASE_H
 #define UMBRA_TESTS_EFFECTS_CASE_H
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 
 struct case_run {
   struct um_model *model;

@@ -11,8 +11,8 @@
  *   laboratory  it is hidden in a world */
 #include "effects/effects.h"
 
+#include "tests/evidence/sensitivity/forward_test.h"
 #include "tests/lab/lab.h"
-#include "tests/sensitivity/forward_test.h"
 
 #define ROWS 60 /* of the measurements, in use */
 

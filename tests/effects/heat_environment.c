@@ -1,9 +1,9 @@
 /* Effects on Sun, Earth and shadow. The steady satellite radiates what it absorbs and 20 W. */
 #include <stdlib.h>
 
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "heat_help.h"
-#include "model/timeline.h"
+#include "model/build/timeline.h"
 
 static void check_balance(const struct heat_run *run)
 {

@@ -1,9 +1,9 @@
 /* A small satellite in steady state: see heat_help.h. */
 #include "heat_help.h"
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 
 static const char *const scenario =
     "schema: 1\n"

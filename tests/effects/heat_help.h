@@ -4,7 +4,8 @@
  *        Sun  <---- +x                    panel: 2 m x 1 m, front to the Sun, two layers
  *   (                |panel|  [bus]       bus:   1 m cube in its shade, MLI over walls, interior
  *   ( Earth                               contact panel.back - bus.+x, 2 W/K; surfaces do
- *   (                                      not exchange radiation (tests/thermal/exchange.c)
+ *   (                                      not exchange radiation
+ * (tests/thermal/exchange/exchange.c)
  *   (
  */
 #ifndef UMBRA_TESTS_EFFECTS_HEAT_HELP_H
@@ -15,10 +16,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "base/core/constants.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 #include "tests/support/cmocka_all.h"
 
 struct heat_run {

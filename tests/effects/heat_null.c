@@ -3,7 +3,7 @@
  * value is not zero and the same from both sides. */
 #include "effects/effects.h"
 #include "heat_help.h"
-#include "model/result.h"
+#include "model/run/result.h"
 
 enum { T = 1, V = 2, L = 4 }; /* temperatures, visible, thermal infrared */
 

@@ -1,5 +1,5 @@
 /* Effects on the surfaces of materials: what they absorb, reflect and emit. */
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "heat_help.h"
 
 /* The panel's back is white paint, Lambert with rho_d = 1 - alpha = 0.8, lit by the Earth alone and

@@ -2,7 +2,7 @@
  * is too weak, that at power 0 it is not there, and that what cannot carry one says so. */
 #include "effects/effects.h"
 #include "heat_help.h"
-#include "model/result.h"
+#include "model/run/result.h"
 
 /* In the Earth's shadow from 280 K on for an hour, a row every 20 s. */
 #define DARK                                                                                       \

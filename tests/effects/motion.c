@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/timeline.h"
+#include "base/core/constants.h"
+#include "model/build/timeline.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "core/held_files.h"
+#include "base/core/held_files.h"
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/effect_files.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/build/effect_files.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"

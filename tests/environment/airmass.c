@@ -4,7 +4,7 @@
  * through our own air and against printed tables. */
 #include "environment/airmass.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/standard_air.h"
 #include "tests/environment/check.h"
 

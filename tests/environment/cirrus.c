@@ -2,8 +2,8 @@
  * cloud in the sky against closed forms. */
 #include "environment/cirrus.h"
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/clear_sky.h"
 #include "tests/environment/check.h"
 

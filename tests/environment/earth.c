@@ -1,7 +1,7 @@
 /* What the Earth sends to plates: view factors and albedo against tables, quadrature and laws. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 static struct um_environment unit_environment(void)

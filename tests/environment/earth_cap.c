@@ -1,7 +1,7 @@
 /* The visible cap as directions: what it must add up to. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 static size_t cap_at(double altitude, struct um_vec3 sun, struct um_environment_cap_point *cap,

@@ -2,7 +2,7 @@
  * isotropic light, and what a Schlick surface absorbs. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 #include "environment/ground_view.h"
 

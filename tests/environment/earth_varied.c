@@ -7,8 +7,8 @@
 
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
 

@@ -7,7 +7,7 @@
  *   phi = acos(cos(b + k a) / cos(beta)),  sin(b) = R/r,  k = -1, 0, 1 */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 struct orbit {

@@ -2,7 +2,7 @@
  * (docs/physics.md, C.6), calendar, window temperatures, and the region that differs. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
 

@@ -6,7 +6,7 @@
  * light. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 #include "orbit/frames.h"
 #include "orbit/sun.h"

@@ -1,7 +1,7 @@
 /* The air at the Earth's limb: density, bending and columns of a ray. */
 #include "environment/limb_air.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/standard_air.h"
 #include "tests/environment/check.h"
 

@@ -6,8 +6,8 @@
  *   (    Earth      )             */
 #include "check.h"
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "environment/environment.h"
 
 #define LINES  400

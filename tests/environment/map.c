@@ -10,8 +10,8 @@
 
 #include "check.h"
 
-#include "core/constants.h"
-#include "core/held_files.h"
+#include "base/core/constants.h"
+#include "base/core/held_files.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
 

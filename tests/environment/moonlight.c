@@ -3,7 +3,7 @@
  * the Earth hides of it. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/moonlight.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"

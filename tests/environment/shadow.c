@@ -7,7 +7,7 @@
  *             :  o satellite, r = 7136 km */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 static const struct um_vec3 north = {0.0, 0.0, 1.0};

@@ -1,7 +1,7 @@
 /* Sunlight through the Earth's limb, against the closed forms of PHYSICS B.4. */
 #include "environment/shadow_light.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/shadow_impl.h"
 #include "tests/environment/check.h"
 

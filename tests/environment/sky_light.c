@@ -2,7 +2,7 @@
  * one through the same air, and zeniths that were measured by day and at twilight. */
 #include "environment/sky_light.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/shadow_light.h"
 #include "tests/environment/check.h"
 #include "tests/support/reference.h"

@@ -2,7 +2,7 @@
  * ray, the whole rays of limb_air.h and published airmass. */
 #include "environment/slant_air.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "environment/limb_air.h"
 #include "tests/environment/check.h"

@@ -1,8 +1,8 @@
 /* Sunlight: irradiance with distance, black body and ASTM E490 bands. */
 #include <string.h>
 
+#include "base/core/constants.h"
 #include "check.h"
-#include "core/constants.h"
 #include "environment/environment.h"
 #include "tests/support/reference.h"
 

@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "core/context.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/context.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

@@ -2,12 +2,12 @@
 #ifndef UMBRA_TESTS_COMPARE_COMPARED_H
 #define UMBRA_TESTS_COMPARE_COMPARED_H
 
-#include "compare/compare.h"
-#include "compare/measurements.h"
 #include "compare_test.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 
 #define SCENARIO "scenario.yaml"
 

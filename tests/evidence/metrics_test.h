@@ -3,8 +3,8 @@
 #ifndef UMBRA_TESTS_COMPARE_METRICS_H
 #define UMBRA_TESTS_COMPARE_METRICS_H
 
-#include "compare/metrics.h"
 #include "compare_test.h"
+#include "evidence/comparison/metrics.h"
 
 static inline enum um_status metrics_of(enum um_compare_quantity quantity, size_t count,
                                         const double *y, const double *m, const double *s,

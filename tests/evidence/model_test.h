@@ -4,13 +4,13 @@
 #ifndef UMBRA_TESTS_COMPARE_MODEL_H
 #define UMBRA_TESTS_COMPARE_MODEL_H
 
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "compare/synth.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "tests/compare/compare_test.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "tests/evidence/compare_test.h"
 
 static const char *const scenario_text =
     "schema: 1\n"

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/forecast_write.h"
+#include "forecast/forecast_write.h"
 #include "tests/support/cmocka_all.h"
 
 static void test_fold(void **state)
@@ -14,7 +14,7 @@ static void test_fold(void **state)
   for (int i = 0; i < 120; i++) strcat(line, "\xc3\xa9");
   FILE *file = tmpfile();
   assert_non_null(file);
-  um_study_ics_line(file, line);
+  um_forecast_ics_line(file, line);
   rewind(file);
   size_t n = fread(text, 1, sizeof text - 1, file), lines = 0;
   text[n] = '\0';

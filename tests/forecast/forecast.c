@@ -1,17 +1,17 @@
 /* Passes of a forecast by themselves: their times and shadow against the geometry of each instant,
  * their numbers against the light and the temperatures of a run of the same instants. */
-#include "study/forecast.h"
+#include "forecast/forecast.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/timeline.h"
-#include "study/forecast_impl.h"
+#include "base/core/constants.h"
+#include "forecast/forecast_impl.h"
+#include "model/build/build.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"
@@ -72,24 +72,24 @@ static bool sunlit(const struct um_model *model, double t)
 static void test_shadow(void **state)
 {
   (void)state;
-  const struct um_study_station station[2] = {{"Graz", 47.067 * UM_DEG, 15.493 * UM_DEG, 495.0},
-                                              {"South", -60.0 * UM_DEG, 40.0 * UM_DEG, 0.0}};
+  const struct um_forecast_station station[2] = {{"Graz", 47.067 * UM_DEG, 15.493 * UM_DEG, 495.0},
+                                                 {"South", -60.0 * UM_DEG, 40.0 * UM_DEG, 0.0}};
   struct um_model_options options = {0};
-  struct um_study_forecast_ask ask = {.path = path,
-                                      .options = &options,
-                                      .from = NAN,
-                                      .days = 0.5,
-                                      .minimum_elevation = 5.0 * UM_DEG,
-                                      .station = station,
-                                      .nstation = 2};
+  struct um_forecast_ask ask = {.path = path,
+                                .options = &options,
+                                .from = NAN,
+                                .days = 0.5,
+                                .minimum_elevation = 5.0 * UM_DEG,
+                                .station = station,
+                                .nstation = 2};
   struct um_batch_task task = {0};
-  struct um_study_forecast *f;
+  struct um_forecast *f;
   struct um_model *model;
   size_t rises[2] = {0, 0}, sets[2] = {0, 0}, edges = 0;
   OK(um_model_create_orbit(context, path, &options, &model));
-  OK(um_study_forecast_create(context, &ask, &task, &f));
+  OK(um_forecast_create(context, &ask, &task, &f));
   for (size_t i = 0; i < f->npass; i++) {
-    const struct um_study_forecast_pass *p = &f->pass[i];
+    const struct um_forecast_pass *p = &f->pass[i];
     bool at_rise = sunlit(model, p->pass.rise), at_set = sunlit(model, p->pass.set);
     assert_true(i == 0 || p->pass.rise >= f->pass[i - 1].pass.rise);
     assert_int_equal(p->sunlit_at_rise, at_rise);
@@ -115,14 +115,14 @@ static void test_shadow(void **state)
   print_message("%zu passes: %zu rise in the Sun, %zu set there, %zu cross the edge\n", f->npass,
                 rises[1], sets[1], edges);
   assert_true(rises[0] > 0 && rises[1] > 0 && sets[0] > 0 && sets[1] > 0 && edges > 0);
-  um_study_forecast_destroy(context, &f);
+  um_forecast_destroy(context, &f);
   um_model_destroy(context, &model);
 }
 
 /* What is brightest, largest and nearest of a run's instants; the error is how far the magnitude
  * moves by a small part of the flux's. */
 static void check_band(const struct um_model_precomputed *p, const struct um_model_result *r,
-                       size_t b, double culmination, const struct um_study_forecast_band *band)
+                       size_t b, double culmination, const struct um_forecast_band *band)
 {
   size_t best = 0, largest = 0, middle = 0;
   double intensity = 0.0;
@@ -155,9 +155,9 @@ static void test_run(void **state)
   const char *const when[] = {"time.start_utc=2016-09-06T18:09:00Z",
                               "time.stop_utc=2016-09-06T18:13:00Z"};
   struct um_model_options none = {0}, options = {.overrides = when, .noverride = 2};
-  const struct um_study_forecast_ask ask = {.path = path, .options = &none};
+  const struct um_forecast_ask ask = {.path = path, .options = &none};
   static const size_t place[] = {0, 1};
-  struct um_study_forecast_work work = {.ask = &ask, .nband = 2, .nplace = 2, .place = place};
+  struct um_forecast_work work = {.ask = &ask, .nband = 2, .nplace = 2, .place = place};
   const struct um_variant_settings settings = {.base = {1.0, 0.01}};
   struct um_model *model, *stands;
   struct um_model_precomputed *p;
@@ -168,14 +168,14 @@ static void test_run(void **state)
   OK(um_model_create(context, path, &options, &model));
   OK(um_model_precompute(context, model, &p));
   OK(um_model_run(context, model, p, &r));
-  size_t nvalue = um_study_forecast_values(2, 2), last = r->nobs - 1;
+  size_t nvalue = um_forecast_values(2, 2), last = r->nobs - 1;
   double culmination = p->t_obs[last] - 57.0, *value, *curve;
-  const double at[UM_STUDY_FORECAST_COORDINATES] = {0.0, p->t_obs[0], p->t_obs[last], culmination};
+  const double at[UM_FORECAST_COORDINATES] = {0.0, p->t_obs[0], p->t_obs[last], culmination};
   OK(um_core_allocate(context, nvalue, sizeof *value, &value));
-  OK(um_study_forecast_compute(context, &work, at, value));
+  OK(um_forecast_compute(context, &work, at, value));
   assert_close(value[0], model->orbit_delay, 0.0);
   for (size_t b = 0; b < 2; b++) {
-    struct um_study_forecast_band band;
+    struct um_forecast_band band;
     memcpy(&band, value + 1 + b * sizeof band / sizeof *value, sizeof band);
     check_band(p, r, b, culmination, &band);
   }
@@ -193,14 +193,14 @@ static void test_run(void **state)
     assert_close(of[2], high, 0.0);
     assert_true(high > low);
   }
-  curve = value + nvalue - 5 * UM_STUDY_FORECAST_CURVE;
+  curve = value + nvalue - 5 * UM_FORECAST_CURVE;
   assert_close(curve[0], p->t_obs[0], 0.0);
-  assert_close(curve[UM_STUDY_FORECAST_CURVE - 1], p->t_obs[last], 0.0);
+  assert_close(curve[UM_FORECAST_CURVE - 1], p->t_obs[last], 0.0);
   for (size_t c = 0; c < 4; c++) { /* magnitude and irradiance of each band */
     const double *of = c % 2 == 0 ? r->magnitude_ab : r->irradiance;
-    const double *here = curve + (1 + c) * UM_STUDY_FORECAST_CURVE;
+    const double *here = curve + (1 + c) * UM_FORECAST_CURVE;
     assert_close(here[0], of[c / 2], 0.0);
-    assert_close(here[UM_STUDY_FORECAST_CURVE - 1], of[last * 2 + c / 2], 0.0);
+    assert_close(here[UM_FORECAST_CURVE - 1], of[last * 2 + c / 2], 0.0);
   }
   um_core_free(context, value);
   um_model_result_destroy(context, &r);

@@ -1,5 +1,5 @@
 /* Any CSV. */
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef UMBRA_TESTS_FUZZ_DOCUMENTS_H
 #define UMBRA_TESTS_FUZZ_DOCUMENTS_H
 
-#include "model/scenario_schema.h"
+#include "model/scenario/scenario_schema.h"
 #include "tests/fuzz/fuzz.h"
 
 static inline void documents_try(struct um_context *context, const char *text,

@@ -2,7 +2,7 @@
 #ifndef UMBRA_TESTS_FUZZ_EARTH_H
 #define UMBRA_TESTS_FUZZ_EARTH_H
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/map.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,5 +1,5 @@
 /* A curve between 0 and 1 by wavelength: a filter, a quantum efficiency. */
-#include "instrument/filter.h"
+#include "optics/instrument/filter.h"
 
 #include <math.h>
 

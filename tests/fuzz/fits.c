@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "compare/photometry.h"
+#include "evidence/inversion/photometry.h"
 #include "tests/fuzz/fuzz.h"
 
 /* As `umbra photometry` measures it, and the row that comes of it. */

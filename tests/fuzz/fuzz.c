@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "tests/support/allocator.h"
 
 #define LARGEST_BLOCK                                                                              \

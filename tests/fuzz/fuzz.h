@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* The target: read this input and let go of everything again. */
 void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size);
@@ -34,9 +34,9 @@ const char *um_fuzz_out_file(const void *data, size_t size);
  * free(). NUL bytes end it early. */
 char *um_fuzz_text(const uint8_t *data, size_t size);
 
-/* For readers that work in a child process (core/child.h): call before an input, and after it. What
- * a sanitizer said of our code in a child is a finding. A crash inside a foreign library is none:
- * the child is there for it, and the reader has to refuse the file. */
+/* For readers that work in a child process (base/core/child.h): call before an input, and after it.
+ * What a sanitizer said of our code in a child is a finding. A crash inside a foreign library is
+ * none: the child is there for it, and the reader has to refuse the file. */
 void um_fuzz_children_watch(void);
 void um_fuzz_children_judge(void);
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/held_files.h"
-#include "model/build.h"
+#include "base/core/held_files.h"
+#include "model/build/build.h"
 #include "study/identity.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/wing.h"

@@ -1,18 +1,18 @@
 /* The whole model: each line of the input is one --set on a small scenario (a line "0", "1", "2"
  * chooses which), which is then built, traced, run and written. model_mutate.c makes the lines from
  * the scenario's own schema, so that most get past it. */
-#include "model/model.h"
+#include "model/build/model.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/scenario_read.h"
-#include "model/tolerances.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "model/scenario/scenario_read.h"
+#include "model/scenario/tolerances.h"
 #include "output/output.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "effects/effects.h"
-#include "model/scenario_schema.h"
+#include "model/scenario/scenario_schema.h"
 #include "tests/fuzz/fuzz.h"
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);

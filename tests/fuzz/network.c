@@ -1,5 +1,5 @@
 /* A heat network as nodes.csv and conductors.csv, a line of "%%" between the two. */
-#include "thermal/network.h"
+#include "thermal/network/network.h"
 
 #include <string.h>
 

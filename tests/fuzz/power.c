@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/wing.h"
 

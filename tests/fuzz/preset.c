@@ -1,5 +1,5 @@
 /* A sensor of the program's own folder. */
-#include "model/sensor_preset.h"
+#include "model/build/sensor_preset.h"
 
 #include "tests/fuzz/fuzz.h"
 

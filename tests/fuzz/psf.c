@@ -1,5 +1,5 @@
 /* A table of a point spread function. */
-#include "instrument/psf.h"
+#include "optics/instrument/psf.h"
 
 #include <math.h>
 

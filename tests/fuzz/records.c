@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "batch/batch.h"
+#include "base/batch/batch.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { COORDINATES = 2, VALUES = 3, POINTS = 3, HEADER = 48, HEAD = 8, LONGEST = 4096 };

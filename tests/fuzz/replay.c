@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/cmocka_all.h"
 

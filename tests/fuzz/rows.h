@@ -2,9 +2,9 @@
 #ifndef UMBRA_TESTS_FUZZ_ROWS_H
 #define UMBRA_TESTS_FUZZ_ROWS_H
 
-#include "compare/measurements.h"
-#include "compare/period_report.h"
-#include "compare/write.h"
+#include "evidence/inversion/period_report.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
 #include "tests/fuzz/fuzz.h"
 
 #define ROWS_FREQUENCIES 2000.0 /* of a period search that is tried */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/photometry.h"
-#include "model/build.h"
+#include "evidence/inversion/photometry.h"
+#include "model/build/build.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char text[] =

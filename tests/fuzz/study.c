@@ -2,9 +2,9 @@
  * whose values lie between their ends. */
 #include <stdlib.h>
 
+#include "base/uncertainty/distribution.h"
 #include "study/file.h"
 #include "tests/fuzz/fuzz.h"
-#include "uncertainty/distribution.h"
 
 static void try_parameter(const struct um_study_file_parameter *p)
 {

@@ -1,5 +1,5 @@
 /* A survey track of Mini-MegaTORTORA. */
-#include "compare/mmt.h"
+#include "evidence/measurements/mmt.h"
 #include "tests/fuzz/rows.h"
 
 void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)

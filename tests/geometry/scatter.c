@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "geometry/scatter.h"
 #include "geometry/visibility.h"
 #include "tests/geometry/support.h"

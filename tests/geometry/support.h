@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/context.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/context.h"
+#include "base/core/sampling.h"
 #include "geometry/geometry.h"
 #include "geometry/visibility.h"
 #include "tests/support/cmocka_all.h"

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "core/csv.h"
-#include "core/file.h"
-#include "core/held_files.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
 #include "geometry/inside.h"
 #include "tests/geometry/support.h"
 #include "tests/support/allocator.h"

@@ -1,7 +1,7 @@
 /* What an analyst makes once for a world: the candidates and their signatures. */
 #include <math.h>
 
-#include "sensitivity/candidates.h"
+#include "evidence/sensitivity/candidates.h"
 #include "tests/lab/lab.h"
 
 enum um_status lab_desk_create(struct um_context *context, const struct lab_world *world,

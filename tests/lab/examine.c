@@ -4,9 +4,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/words.h"
-#include "diagnosis/diagnose.h"
-#include "diagnosis/request.h"
+#include "base/core/words.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "evidence/diagnosis/request.h"
 #include "tests/lab/lab.h"
 
 /* Time that this process computed [s]: others on the machine do not count. */

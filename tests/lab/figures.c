@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/json.h"
+#include "base/core/json.h"
 #include "tests/lab/lab.h"
 
 void lab_figures_add(struct lab_figures *figures, const char *name, const char *unit, double value,

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "tests/lab/lab.h"
 
 static const char *const columns[] = {

@@ -13,8 +13,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "model/model.h"
-#include "sensitivity/candidates.h"
+#include "evidence/sensitivity/candidates.h"
+#include "model/build/model.h"
 
 #define LAB_TEXT     256
 #define LAB_KEYS     8

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/diagnose.h"
-#include "diagnosis/request.h"
 #include "effects/effects.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "evidence/diagnosis/request.h"
 #include "tests/lab/lab.h"
 
 struct question {

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/synth.h"
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "evidence/inversion/synth.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "tests/lab/lab.h"
 

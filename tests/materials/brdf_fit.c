@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/brdf_fit.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"

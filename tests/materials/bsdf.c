@@ -2,7 +2,7 @@
  * and independent quadrature. */
 #include "check.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 
 static double cos_deg(double angle) { return cos(angle * UM_DEG); }

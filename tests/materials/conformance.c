@@ -7,8 +7,8 @@
  * and gives none, and widens by what it must A new kind is held to them by its line in the list. */
 #include "check.h"
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "materials/bsdf.h"
 #include "materials/lobe.h"
 #include "tests/materials/table.h"

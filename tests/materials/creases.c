@@ -1,8 +1,8 @@
 /* Lobes on creased surfaces: the roughness that patches add up to, and the patches themselves. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "materials/lobe.h"
 #include "tests/support/near.h"
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
 #include "materials/bsdf.h"
 #include "materials/materials.h"
 #include "tests/support/reference.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 #include "tests/support/temporary.h"
 

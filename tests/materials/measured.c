@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "tests/materials/table.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "materials/profile.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"

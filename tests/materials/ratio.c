@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/ratio.h"
 #include "tests/support/temporary.h"
 

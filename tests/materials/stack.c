@@ -3,8 +3,8 @@
  * laws: energy, order of what is not there, reciprocity of what passes. */
 #include "check.h"
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "materials/bsdf.h"
 
 static const double l = 0.55e-6;

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "materials/lobe.h"
 #include "materials/measured.h"
 

@@ -3,8 +3,8 @@
  * where they hang on nothing that was changed. */
 #include <stdio.h>
 
-#include "model/build.h"
-#include "model/precompute.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
 #include "tests/model/traced_help.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"

@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-#include "model/precompute.h"
-#include "model/thermal_equal_impl.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/thermal_equal_group.h"
 
 static bool same(const void *a, const void *b, size_t count, size_t size)
 {

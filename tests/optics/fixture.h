@@ -2,7 +2,7 @@
 #ifndef UMBRA_TESTS_OPTICS_FIXTURE_H
 #define UMBRA_TESTS_OPTICS_FIXTURE_H
 
-#include "optics/optics.h"
+#include "optics/radiance/optics.h"
 #include "tests/support/cmocka_all.h"
 
 #define FIXTURE_MATERIALS 16

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/constants.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 

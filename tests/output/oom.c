@@ -3,17 +3,17 @@
  * sweep takes the first forty and every ninth of the others, and of these every fourth.) Each time
  * the answer is "out of memory", nothing is left allocated, and of the results there is not even
  * the folder. (What libfyaml, Embree, SUNDIALS and HDF5 allocate does not pass through the context.
- * Lines of the log, which are lost without a word, are swept in tests/core/oom.c.) */
+ * Lines of the log, which are lost without a word, are swept in tests/base/core/oom.c.) */
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/picture.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/timeline.h"
+#include "model/build/build.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precompute.h"
+#include "model/products/picture.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "output/output.h"
 #include "tests/support/allocator.h"

@@ -2,10 +2,10 @@
 #include <netcdf.h>
 #include <stdlib.h>
 
-#include "model/build.h"
+#include "model/build/build.h"
 #include "output/output.h"
 #include "tests/effects/heat_help.h"
-#include "thermal/tetgen_impl.h"
+#include "thermal/network/tetgen_impl.h"
 
 #define FILE_NAME "output_solids.nc"
 #define TEXT      65536

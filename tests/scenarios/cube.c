@@ -14,7 +14,8 @@
  * 4 sigma T^3 = 10.3 W/K is 0.6 K; 2.6 % of 190 W/m2 on a side face over 8.8 W/K as much.
  *
  * With the three in it, the repeated computation meets all six temperatures to 0.03 K (rms 0.008).
- * S and the albedo coefficient are those of ESATAN's flux files (tests/irradiation/loads_esatan.c).
+ * S and the albedo coefficient are those of ESATAN's flux files
+ * (tests/thermal/loads/loads_esatan.c).
  */
 #include "tests/scenarios/support.h"
 #include "tests/support/reference.h"

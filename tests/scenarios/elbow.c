@@ -6,7 +6,7 @@
  * is reflected is compared with facets of 0.1 m. */
 #include <stdlib.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "orbit/time.h"
 #include "tests/scenarios/support.h"
 #include "tests/support/reference.h"

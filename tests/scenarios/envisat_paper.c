@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-#include "thermal/tetgen_impl.h"
+#include "thermal/network/tetgen_impl.h"
 
 #define SCENARIO     UMBRA_SOURCE_DIR "/scenarios/envisat-paper"
 #define CONDUCTIVITY "parts.bus.interior.conductivity_W_m_K="

@@ -2,14 +2,14 @@
  * and the detector, and the materials have the slopes of the paper's Table 1. */
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "core/interpolation.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "base/core/interpolation.h"
 #include "environment/airmass.h"
 #include "tests/scenarios/support.h"
 
 #define SCENARIO           UMBRA_SOURCE_DIR "/scenarios/flying-laptop"
-#define QUANTUM_EFFICIENCY UMBRA_SOURCE_DIR "/instrument/sensors/zyla-5.5.csv"
+#define QUANTUM_EFFICIENCY UMBRA_SOURCE_DIR "/optics/instrument/sensors/zyla-5.5.csv"
 
 /* Raxus Prime, Table 1, printed to three digits; below 0.8 %: rounding of Rq and tau (D.2). */
 static void slopes(void **state)

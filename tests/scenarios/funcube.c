@@ -7,12 +7,12 @@
  * Each withheld effect must cost at least 3 K, more than the model is off in all: 4.5 K (power) to
  * 14.7 K (Earth infrared) are measured. What is withheld and added again as an effect must give the
  * complete model back to 1 mK, the integrator's tolerance. */
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "core/csv.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/core/csv.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/scenarios/support.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"

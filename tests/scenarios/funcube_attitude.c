@@ -12,8 +12,8 @@
  * axis that stands still, must miss by more than twice that. */
 #include <complex.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "tests/scenarios/support.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"

@@ -11,7 +11,7 @@
  * a tenth of what the sum of as many noise terms wanders by (sqrt(2 n), n = 242). */
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/lab/lab.h"
 #include "tests/scenarios/support.h"
 

@@ -6,12 +6,12 @@
  * the view factors by rays: 5e-4 of up to 200 W/m2 over 10 W/m2/K. */
 #include <string.h>
 
-#include "model/build.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/run/run.h"
 #include "tests/scenarios/support.h"
 #include "tests/support/view_factor_forms.h"
-#include "thermal/body.h"
-#include "thermal/network.h"
+#include "thermal/network/body.h"
+#include "thermal/network/network.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/tests/scenarios/data/box_inside.yaml"
 #define WALLS    6

@@ -17,9 +17,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "model/bands.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "model/build/bands.h"
 #include "tests/scenarios/support.h"
 #include "tests/support/temporary.h"
 

@@ -2,10 +2,10 @@
  * second law without Sun and power, and the balance of energy with everything on. */
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/scenarios/support.h"
 
 /* Coarse facets, few rows: the laws hold on any mesh. ten: followed over ten orbits; the others are

@@ -15,9 +15,9 @@
  * list of cases: 299.527 and 230.836 K. */
 #include "tests/scenarios/support.h"
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "model/bands.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "model/build/bands.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/sphere"
 #define TEXTS(...)                                                                                 \

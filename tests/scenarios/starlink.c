@@ -13,15 +13,15 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "core/constants.h"
-#include "core/csv.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/measurements/measurements.h"
 #include "materials/bsdf.h"
 #include "materials/materials.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/materials/check.h"
 #include "tests/materials/table.h"
 #include "tests/scenarios/support.h"

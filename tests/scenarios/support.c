@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 
 static void need(struct um_context *context, enum um_status status)
 {

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "model/model.h"
-#include "model/precomputed.h"
-#include "model/result.h"
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+#include "model/run/result.h"
 #include "tests/support/cmocka_all.h"
 
 struct support_run {

@@ -5,11 +5,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "batch/batch.h"
-#include "batch/records.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/batch/batch.h"
+#include "base/batch/records.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

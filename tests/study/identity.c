@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/held_files.h"
-#include "model/build.h"
+#include "base/core/held_files.h"
+#include "model/build/build.h"
 #include "tests/fuzz/wing.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "orbit/time.h"
 #include "study/per_point.h"
-#include "tests/inference/observations_test.h"
+#include "tests/base/inference/observations_test.h"
 #include "tests/study/pass_test.h"
 #include "tests/support/temporary.h"
 

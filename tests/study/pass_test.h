@@ -6,11 +6,11 @@
 
 #include <string.h>
 
+#include "base/uncertainty/design.h"
+#include "base/uncertainty/surrogate.h"
 #include "study/result.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
-#include "uncertainty/design.h"
-#include "uncertainty/surrogate.h"
 
 enum { PASS_NTIME = 121, PASS_NPARAMETER = 3, PASS_NVALUE = 3 * PASS_NTIME + 1 };
 #define PASS_EDGE 0.55 /* of the pass: the shadow's */

@@ -8,10 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/uncertainty/statistics.h"
 #include "study/report.h"
 #include "tests/study/pass_test.h"
 #include "tests/support/temporary.h"
-#include "uncertainty/statistics.h"
 
 /* A picture is there and no bare frame: more than `least` bytes. */
 static void drawn(const char *folder, const char *name, long least)

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 /* All zero: never fails. A test sets `calls` back to 0 and `fail_call` as it likes. */
 struct um_test_memory {

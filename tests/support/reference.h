@@ -5,8 +5,8 @@
 
 #include <stdio.h>
 
-#include "core/context.h"
-#include "core/csv.h"
+#include "base/core/context.h"
+#include "base/core/csv.h"
 #include "tests/support/cmocka_all.h"
 
 /* Open tests/reference/NAME.csv; the caller destroys it. */

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* C-11: rectangles a x b, aligned, c apart. */
 static inline double forms_opposite(double a, double b, double c)

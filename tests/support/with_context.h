@@ -3,7 +3,7 @@
 #ifndef UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
 #define UMBRA_TESTS_SUPPORT_WITH_CONTEXT_H
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 static struct um_context *context;
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "tests/thermal/network_help.h"
-#include "thermal/body.h"
-#include "thermal/network_impl.h"
+#include "thermal/network/body.h"
+#include "thermal/network/network_group.h"
 
 #define HELP_PARTS     12
 #define HELP_INTERIORS 3

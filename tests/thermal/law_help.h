@@ -3,9 +3,9 @@
 #ifndef UMBRA_TESTS_THERMAL_LAW_HELP_H
 #define UMBRA_TESTS_THERMAL_LAW_HELP_H
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/thermal/box_help.h"
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 /* 1 + slope (T - 300 K): a line through the rows, no kinks. */
 static inline struct um_thermal_ratio law_line(double slope)

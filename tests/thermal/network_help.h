@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/near.h"
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 #define OK(call)                                                                                   \
   do {                                                                                             \

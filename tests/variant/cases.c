@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "variant/cases.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/near.h"
 #include "tests/support/with_context.h"
+#include "variant/cases.h"
 
 #define FILE_NAME "model_cases.yaml"
 
@@ -52,7 +52,8 @@ static struct um_variant_cases *compute(const char *more)
   return cases;
 }
 
-static const struct um_variant_case_place *place_of(const struct um_variant_case *c, const char *name)
+static const struct um_variant_case_place *place_of(const struct um_variant_case *c,
+                                                    const char *name)
 {
   for (size_t p = 0; p < c->nplace; p++)
     if (strcmp(c->place[p].name, name) == 0) return &c->place[p];

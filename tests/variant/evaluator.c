@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -1,13 +1,13 @@
 /* Exchange between patches from view factors, optics and loads; equations in exchange.h. */
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_maker_impl.h"
-#include "thermal/network_impl.h"
-#include "thermal/surface_aging_impl.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_maker_impl.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/surface_aging_group.h"
 
 static enum um_status mirrored_check(const struct um_thermal_exchange_maker *m)
 {

@@ -21,14 +21,14 @@
  * add up to (1 - rho_s) A, stand in place of S, (1 - rho_s) A of A, eps / (1 - rho_s) of eps: the
  * equations above for J / (1 - rho_s). The two bands have rho_s of their own. E then is all that
  * falls in before it is scattered: loads by way of mirrors too. Of sunlight that is the share of
- * each mirrored ray that arrives (irradiation/mirrored.h); of the Earth, what a patch's own rays
+ * each mirrored ray that arrives (thermal/loads/mirrored.h); of the Earth, what a patch's own rays
  * see of it behind mirrors. */
 #ifndef UMBRA_THERMAL_EXCHANGE_H
 #define UMBRA_THERMAL_EXCHANGE_H
 
 #include "geometry/view_factor_table.h"
-#include "irradiation/mirrored.h"
-#include "thermal/network.h"
+#include "thermal/loads/mirrored.h"
+#include "thermal/network/network.h"
 
 struct um_thermal_exchange;
 
@@ -62,7 +62,7 @@ struct um_thermal_exchange_options {
  * reflected, NULL: none; their times are those of the table, which has 1 where nothing moves. *out
  * is NULL where no surface sees another, or nothing is on. UM_ERR_INPUT: sizes that do not agree;
  * UM_ERR_NUMERIC: a room without a way out whose walls absorb nothing. The caller destroys. Tests:
- * thermal/exchange, thermal/exchange_reference. */
+ * thermal/exchange/exchange, thermal/exchange_reference. */
 enum um_status um_thermal_exchange_create(struct um_context *context,
                                           const struct um_thermal_network *network,
                                           const struct um_irradiation_loads *loads,

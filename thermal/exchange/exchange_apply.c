@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/network_impl.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/network/network_group.h"
 
 double um_thermal_exchange_area(const struct um_thermal_exchange *exchange, size_t pose, size_t p,
                                 size_t q)

@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_maker_impl.h"
-#include "thermal/network_impl.h"
-#include "thermal/surface_aging_impl.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_maker_impl.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/surface_aging_group.h"
 
 /* Of what a patch emits, in small exchange areas: below 10 mK at 300 K [1]; and in Newton's matrix,
  * whose iteration converges by so much a round. */

@@ -1,8 +1,8 @@
-/* Private to thermal/: exchange between patches as numbers. */
-#ifndef UMBRA_THERMAL_EXCHANGE_IMPL_H
-#define UMBRA_THERMAL_EXCHANGE_IMPL_H
+/* Private to the rooms of thermal/: exchange between patches as numbers. */
+#ifndef UMBRA_THERMAL_EXCHANGE_GROUP_H
+#define UMBRA_THERMAL_EXCHANGE_GROUP_H
 
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #define UM_THERMAL_NO_PATCH UINT32_MAX
 

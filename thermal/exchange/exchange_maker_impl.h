@@ -1,10 +1,10 @@
-/* An exchange while it is made. Private to thermal/exchange*.c. */
+/* An exchange while it is made. Private to thermal/exchange/exchange*.c. */
 #ifndef UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 #define UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 
 #include "geometry/view_factor_table.h"
-#include "irradiation/mirrored.h"
-#include "thermal/surface_reflectance_impl.h"
+#include "thermal/loads/mirrored.h"
+#include "thermal/network/surface_reflectance_group.h"
 
 struct um_thermal_aging;
 struct um_thermal_between;

@@ -1,8 +1,8 @@
 /* Optics and reflections of patches of which some are mirrors; equations in exchange.h. */
 #include <math.h>
 
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_maker_impl.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_maker_impl.h"
 
 #define MOST                                                                                       \
   0.999 /* of what falls in that a mirror sends on [1]: the rest of its equations has              \

@@ -3,11 +3,11 @@
  * long. So both are tried, TRIAL products each, and what was faster is kept for a while, longer
  * each time that one thread was; a product far slower than it should be ends the threads at once.
  */
-#include "thermal/exchange_pace_impl.h"
+#include "thermal/exchange/exchange_pace_group.h"
 
 #include <omp.h>
 
-#include "thermal/exchange_impl.h"
+#include "thermal/exchange/exchange_group.h"
 
 #define TRIAL      8
 #define FIRST_HOLD 256u   /* products until the next trial */

@@ -1,7 +1,7 @@
-/* Private to thermal/: on how many threads patches exchange radiation. What comes out does not
- * depend on it: every sum is one thread's. */
-#ifndef UMBRA_THERMAL_EXCHANGE_PACE_IMPL_H
-#define UMBRA_THERMAL_EXCHANGE_PACE_IMPL_H
+/* Private to the rooms of thermal/: on how many threads patches exchange radiation. What comes out
+ * does not depend on it: every sum is one thread's. */
+#ifndef UMBRA_THERMAL_EXCHANGE_PACE_GROUP_H
+#define UMBRA_THERMAL_EXCHANGE_PACE_GROUP_H
 
 #include <stdbool.h>
 

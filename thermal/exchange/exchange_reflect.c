@@ -8,11 +8,11 @@
 #include <omp.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/wide.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_maker_impl.h"
-#include "thermal/network_impl.h"
+#include "base/core/constants.h"
+#include "base/core/wide.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_maker_impl.h"
+#include "thermal/network/network_group.h"
 
 /* What is incident by way of mirrors, of the band in hand. */
 struct mirrored_incident {

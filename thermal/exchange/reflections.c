@@ -6,7 +6,7 @@
  * every room or into one of its walls. With L L^T = 1 - R S R and Y = L^-1 R S: B = S + Y^T Y. */
 #include <math.h>
 
-#include "thermal/exchange_impl.h"
+#include "thermal/exchange/exchange_group.h"
 
 #define WHITEST (1.0 - 1e-9) /* largest reflectance: a white room has no balance */
 #define COLUMNS 64           /* solved at a time */

@@ -9,12 +9,12 @@
  * go from points of the facet toward the cap. Surfaces before which nothing stands need neither.
  * The solar factor is geometric (the shadow of the Earth is in `sunlit`); in deep eclipse, farther
  * than 120 s and one sample from sunlight, it is left 0. */
-#include "irradiation/loads.h"
+#include "thermal/loads/loads.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "irradiation/loads_impl.h"
+#include "thermal/loads/loads_impl.h"
 
 #define DARK_MARGIN 120.0 /* [s] */
 #define BATCH       32    /* times whose scenes are alive together */

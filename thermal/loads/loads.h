@@ -6,7 +6,7 @@
 #include "environment/environment.h"
 #include "environment/timeline.h"
 #include "geometry/visibility.h"
-#include "irradiation/sky.h"
+#include "thermal/loads/sky.h"
 
 #define UM_IRRADIATION_COSINES 9
 
@@ -40,8 +40,8 @@ struct um_irradiation_loads {
  * sky; moving joints: rays in the pose of the sample; about 1 % of the hemisphere on covered
  * surfaces, exact on open ones); nothing of it is traced and left 0 where albedo, longwave and
  * brightness temperature are. Moments are there where the environment has absorptance_by_angle, of
- * what is free of the Earth as its loads are (test: irradiation/angles). Sun: rays, left 0 farther
- * than 120 s and one sample from sunlight. Parallel over times. Progress is reported. */
+ * what is free of the Earth as its loads are (test: thermal/loads/angles). Sun: rays, left 0
+ * farther than 120 s and one sample from sunlight. Parallel over times. Progress is reported. */
 enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const struct um_geometry *geometry,
                                           const struct um_environment *environment,
@@ -75,7 +75,7 @@ struct um_irradiation_loads_options {
  *   ripple_k = integral (u / P - 1/2) q(u) du   [s] times the unit of the load.
  *
  * With a turn no joint may move. Errors of um_irradiation_loads_trace and of `attitude`. Test:
- * irradiation/turn. */
+ * thermal/loads/turn. */
 enum um_status um_irradiation_loads_make(struct um_context *context,
                                          const struct um_geometry *geometry,
                                          const struct um_environment *environment,

@@ -7,8 +7,8 @@
  * so that those of a surface with nothing before it are the plate's, and with all hidden 0. */
 #include <math.h>
 
-#include "core/wide.h"
-#include "irradiation/loads_impl.h"
+#include "base/core/wide.h"
+#include "thermal/loads/loads_impl.h"
 
 #define MOMENTS UM_ANGULAR_MOMENTS
 

@@ -3,10 +3,10 @@
  *   share = sum(w L cos free) / sum(w L cos)   over the directions of the cap, w [sr], L [W/m^2/sr]
  *
  * free comes from the sky of a rigid body, or from rays where joints move. */
-#include "core/sampling.h"
-#include "core/wide.h"
+#include "base/core/sampling.h"
+#include "base/core/wide.h"
 #include "geometry/cube.h"
-#include "irradiation/loads_impl.h"
+#include "thermal/loads/loads_impl.h"
 
 #define CAP_RAYS 2 /* per direction of the cap where joints move */
 #define LANES    UM_IRRADIATION_LANES

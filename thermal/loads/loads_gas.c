@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "environment/atmosphere.h"
-#include "irradiation/loads_impl.h"
+#include "thermal/loads/loads_impl.h"
 
 void um_irradiation_gas_trace(const struct um_environment *environment,
                               const struct um_environment_sample *sample,

@@ -1,9 +1,9 @@
-/* Private to irradiation: how orbital loads see the Earth past the satellite itself. */
+/* Private to thermal/loads/: how orbital loads see the Earth past the satellite itself. */
 #ifndef UMBRA_IRRADIATION_LOADS_IMPL_H
 #define UMBRA_IRRADIATION_LOADS_IMPL_H
 
-#include "irradiation/loads.h"
-#include "irradiation/sky_impl.h"
+#include "thermal/loads/loads.h"
+#include "thermal/loads/sky_impl.h"
 
 /* One time of a table. */
 struct um_irradiation_row {

@@ -1,5 +1,5 @@
 /* Storage of a table of incident loads; loads.c fills it by rays. */
-#include "irradiation/loads_impl.h"
+#include "thermal/loads/loads_impl.h"
 
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,

@@ -7,8 +7,8 @@
  * is 0. What is absorbed at an angle is not linear in the cosine, so sunlight is kept by cosine. */
 #include <math.h>
 
-#include "core/golden.h"
-#include "irradiation/loads_impl.h"
+#include "base/core/golden.h"
+#include "thermal/loads/loads_impl.h"
 
 void um_irradiation_turn_node(const struct um_irradiation_turn *turn, size_t k, size_t j, double *u,
                               double *weight)

@@ -1,16 +1,16 @@
 /* Sunlight by way of mirrors: from points spread over every mirror that has something before it,
  * where the Sun is seen from there, along the mirrored ray, on from mirror to mirror. Every time
  * has rays of its own, so threads do not matter. */
-#include "irradiation/mirrored.h"
+#include "thermal/loads/mirrored.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/sampling.h"
-#include "core/sort.h"
+#include "base/core/sampling.h"
+#include "base/core/sort.h"
 #include "geometry/cube.h"
-#include "irradiation/loads_impl.h"
-#include "irradiation/mirrored_impl.h"
+#include "thermal/loads/loads_impl.h"
+#include "thermal/loads/mirrored_impl.h"
 
 #define BATCH  32 /* times on their way together */
 #define BUNDLE 256

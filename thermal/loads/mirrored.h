@@ -5,7 +5,7 @@
 #define UMBRA_IRRADIATION_MIRRORED_H
 
 #include "geometry/mirror_paths.h"
-#include "irradiation/loads.h"
+#include "thermal/loads/loads.h"
 
 /* Of the sunlight that falls on patch `from`, a mirror, the share whose mirrored ray comes upon
  * patch `to`, directly or behind the further mirrors of a set. */
@@ -35,7 +35,7 @@ struct um_irradiation_mirrored_options {
  * the cap (um_environment_earth_cap), times the share of the cell that it fills by nine of its
  * directions: rms 0.04 of the cell, 1/6 at most. Progress is reported; the same bits for any number
  * of threads. UM_ERR_INPUT: no points; errors of um_irradiation_loads_trace. The caller destroys.
- * Test: irradiation/mirrored. */
+ * Test: thermal/loads/mirrored. */
 enum um_status um_irradiation_mirrored_trace(
     struct um_context *context, const struct um_geometry *geometry,
     const struct um_environment *environment, const struct um_environment_sample *samples,

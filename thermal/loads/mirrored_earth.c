@@ -1,12 +1,12 @@
 /* The Earth in cells of a cube: the radiance of the nearest direction of its cap where a point of
  * the cell lies on its disc, mean over points of the cell. No cell is brighter than the brightest
  * point of the Earth, so that no mirror makes it warmer. */
-#include "irradiation/mirrored_impl.h"
+#include "thermal/loads/mirrored_impl.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/wide.h"
+#include "base/core/constants.h"
+#include "base/core/wide.h"
 #include "geometry/cube.h"
 #include "geometry/mirror_paths.h"
 

@@ -1,4 +1,4 @@
-/* Private to irradiation: the Earth as the body's cube of directions has it. */
+/* Private to thermal/loads/: the Earth as the body's cube of directions has it. */
 #ifndef UMBRA_IRRADIATION_MIRRORED_IMPL_H
 #define UMBRA_IRRADIATION_MIRRORED_IMPL_H
 

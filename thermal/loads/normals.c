@@ -1,5 +1,5 @@
 /* Surfaces that share a normal, found by a table of hashes. */
-#include "irradiation/normals_impl.h"
+#include "thermal/loads/normals_impl.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* Private to irradiation: surfaces that share a normal. */
+/* Private to thermal/loads/: surfaces that share a normal. */
 #ifndef UMBRA_IRRADIATION_NORMALS_IMPL_H
 #define UMBRA_IRRADIATION_NORMALS_IMPL_H
 

@@ -1,12 +1,12 @@
 /* The sky of every covered surface, in cells of a cube, from the finer question that geometry
  * answers by rays. Surfaces of one normal lie side by side, since they look at the same cells. */
-#include "irradiation/sky.h"
+#include "thermal/loads/sky.h"
 
 #include <math.h>
 
 #include "geometry/cube.h"
 #include "geometry/visibility.h"
-#include "irradiation/sky_impl.h"
+#include "thermal/loads/sky_impl.h"
 
 #define SAMPLES 4 /* rays in a cell of the finer sky */
 #define LANES   UM_IRRADIATION_LANES

@@ -1,9 +1,9 @@
-/* Private to irradiation: what a sky holds. */
+/* Private to thermal/loads/: what a sky holds. */
 #ifndef UMBRA_IRRADIATION_SKY_IMPL_H
 #define UMBRA_IRRADIATION_SKY_IMPL_H
 
-#include "irradiation/normals_impl.h"
-#include "irradiation/sky.h"
+#include "thermal/loads/normals_impl.h"
+#include "thermal/loads/sky.h"
 
 #define UM_IRRADIATION_CUBE_SIDE  32 /* 2.8 deg: the sky's own cells have 6.3 deg */
 #define UM_IRRADIATION_CUBE_CELLS (6 * UM_IRRADIATION_CUBE_SIDE * UM_IRRADIATION_CUBE_SIDE)

@@ -5,19 +5,19 @@
  * The inner side of the walls of a closed body radiates where its part says so; else heat crosses a
  * body only through conduction, its interiors and contacts. */
 #include "geometry/inside.h"
-#include "thermal/body_check_impl.h"
-#include "thermal/bulk_law_impl.h"
-#include "thermal/contact_impl.h"
-#include "thermal/graft_impl.h"
-#include "thermal/heat_pipe_impl.h"
-#include "thermal/heater_impl.h"
-#include "thermal/interior_impl.h"
-#include "thermal/lump_impl.h"
-#include "thermal/mli_impl.h"
-#include "thermal/place_impl.h"
-#include "thermal/shell_impl.h"
-#include "thermal/solid_impl.h"
-#include "thermal/tetgen.h"
+#include "thermal/network/body_check_impl.h"
+#include "thermal/network/bulk_law_impl.h"
+#include "thermal/network/contact_impl.h"
+#include "thermal/network/graft_impl.h"
+#include "thermal/network/heat_pipe_impl.h"
+#include "thermal/network/heater_impl.h"
+#include "thermal/network/interior_impl.h"
+#include "thermal/network/lump_impl.h"
+#include "thermal/network/mli_impl.h"
+#include "thermal/network/place_impl.h"
+#include "thermal/network/shell_impl.h"
+#include "thermal/network/solid_impl.h"
+#include "thermal/network/tetgen.h"
 
 /* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
  * whose angle is the same for three Sun directions does not follow the Sun. */

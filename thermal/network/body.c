@@ -1,5 +1,5 @@
 /* A body as it is kept: its network and its places. */
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 #include <string.h>
 

@@ -4,9 +4,9 @@
 #define UMBRA_THERMAL_BODY_H
 
 #include "geometry/geometry.h"
-#include "thermal/mli_law.h"
-#include "thermal/network.h"
-#include "thermal/solids.h"
+#include "thermal/network/mli_law.h"
+#include "thermal/network/network.h"
+#include "thermal/network/solids.h"
 
 /* What a wall or solid is made of goes with temperature; the ratios outlive the body. */
 struct um_thermal_bulk_law {
@@ -89,8 +89,9 @@ enum um_thermal_part_kind {
 };
 /* Where a closed part radiates inside, every facet has an inner surface (geometry/inside.h), on its
  * inner layer. It comes blocked, all that it emits comes back: who makes the exchange of the room
- * (um_geometry_inside_add, thermal/exchange.h) takes that off (um_thermal_network_surface_block).
- * The interior has no surface and takes part by contacts only. */
+ * (um_geometry_inside_add, thermal/exchange/exchange.h) takes that off
+ * (um_thermal_network_surface_block). The interior has no surface and takes part by contacts only.
+ */
 struct um_thermal_part_spec {
   uint32_t part;
   enum um_thermal_part_kind kind;

@@ -1,5 +1,5 @@
 /* What the walls, blankets and heaters of a body ask of it while it is built. */
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 enum um_status um_thermal_builder_node(struct um_thermal_builder *b, const char *name,
                                        double capacity, double temperature, double power,

@@ -1,8 +1,8 @@
-/* Private to thermal/: a body while it is being built. */
+/* Private to thermal/network/: a body while it is being built. */
 #ifndef UMBRA_THERMAL_BUILDER_IMPL_H
 #define UMBRA_THERMAL_BUILDER_IMPL_H
 
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 /* Laws of the network that a wall or solid follows, or UM_THERMAL_NO_LAW. */
 struct um_thermal_bulk_index {

@@ -6,9 +6,9 @@
  * exact to second order in their difference, as the elements are. */
 #include <math.h>
 
-#include "thermal/bulk_law_impl.h"
+#include "thermal/network/bulk_law_impl.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define LEAST 0.05 /* what a slope leaves of a capacity [1] */
 

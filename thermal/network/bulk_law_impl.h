@@ -1,8 +1,8 @@
-/* Private to thermal/: capacities and conduction of walls and solids by temperature. */
+/* Private to thermal/network/: capacities and conduction of walls and solids by temperature. */
 #ifndef UMBRA_THERMAL_BULK_LAW_IMPL_H
 #define UMBRA_THERMAL_BULK_LAW_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* The network's laws for `law`, UM_THERMAL_NO_LAW where it is constant. */
 enum um_status um_thermal_bulk_laws(struct um_thermal_builder *b,

@@ -17,16 +17,16 @@
  * A radiative contact carries sigma E (T_a^4 - T_b^4), E an exchange area [m^2]. It is shared in
  * the same way, but all of both places takes part, every node with the nearest point of the other.
  */
-#include "core/sort.h"
-#include "thermal/contact_impl.h"
-#include "thermal/place_impl.h"
-#include "thermal/solid_impl.h"
+#include "base/core/sort.h"
+#include "thermal/network/contact_impl.h"
+#include "thermal/network/place_impl.h"
+#include "thermal/network/solid_impl.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/words.h"
+#include "base/core/words.h"
 
 struct sample {
   uint32_t vertex, node;

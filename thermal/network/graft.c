@@ -4,12 +4,12 @@
  *
  *   C_i dT_i/dt = P_i + sum GL_ij (T_j - T_i) + s sum GR_ij (T_j^4 - T_i^4) + loads of its
  * surfaces. */
-#include "thermal/graft_impl.h"
+#include "thermal/network/graft_impl.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 #define NONE ((size_t)-1)
 

@@ -1,8 +1,8 @@
-/* Private to thermal/: parts that are stated as nodes and conductors. */
+/* Private to thermal/network/: parts that are stated as nodes and conductors. */
 #ifndef UMBRA_THERMAL_GRAFT_IMPL_H
 #define UMBRA_THERMAL_GRAFT_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Nodes of the groups of a part of kind NODES. */
 enum um_status um_thermal_graft_assemble(struct um_thermal_builder *b, size_t part);

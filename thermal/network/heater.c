@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/heater_impl.h"
-#include "thermal/interior_impl.h"
-#include "thermal/place_impl.h"
-#include "thermal/solid_impl.h"
+#include "thermal/network/heater_impl.h"
+#include "thermal/network/interior_impl.h"
+#include "thermal/network/place_impl.h"
+#include "thermal/network/solid_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
 struct share {

@@ -12,8 +12,8 @@
  *
  * With a conductivity it is a solid that fills the part (solid.c): each facet holds the nodes at
  * its corners. */
-#include "thermal/interior_impl.h"
-#include "thermal/solid_impl.h"
+#include "thermal/network/interior_impl.h"
+#include "thermal/network/solid_impl.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,8 @@
-/* Private to thermal/: what is inside parts. */
+/* Private to thermal/network/: what is inside parts. */
 #ifndef UMBRA_THERMAL_INTERIOR_IMPL_H
 #define UMBRA_THERMAL_INTERIOR_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Names and ranges of the interiors of a part. */
 enum um_status um_thermal_interiors_check(const struct um_thermal_builder *b,

@@ -2,9 +2,9 @@
  * temperature_law.h). */
 #include <math.h>
 
-#include "thermal/link_law_impl.h"
+#include "thermal/network/link_law_group.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 #define COLDEST 1.0 /* [K] of a mean temperature: powers below 0 have no value at 0 K */
 
@@ -32,7 +32,7 @@ double um_thermal_link_law_ratio(const struct um_thermal_link_law *law, double m
   return ratio;
 }
 
-/* |T|^(power - 1) T (300 K)^(4 - power), odd as T^4 is in system_impl.h, and its derivative. */
+/* |T|^(power - 1) T (300 K)^(4 - power), odd as T^4 is in system_group.h, and its derivative. */
 static double potential(double power, double t, double *slope)
 {
   double a = fabs(t);

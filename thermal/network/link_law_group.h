@@ -1,8 +1,8 @@
-/* Private to thermal/: links that go with temperature. */
-#ifndef UMBRA_THERMAL_LINK_LAW_IMPL_H
-#define UMBRA_THERMAL_LINK_LAW_IMPL_H
+/* Private to the rooms of thermal/: links that go with temperature. */
+#ifndef UMBRA_THERMAL_LINK_LAW_GROUP_H
+#define UMBRA_THERMAL_LINK_LAW_GROUP_H
 
-#include "thermal/temperature_law.h"
+#include "thermal/network/temperature_law.h"
 
 /* r at the mean temperature of the ends [1], and its derivative [1/K]. */
 double um_thermal_link_law_ratio(const struct um_thermal_link_law *law, double mean, double *slope);

@@ -1,5 +1,5 @@
-/* See load_angle_impl.h. */
-#include "thermal/load_angle_impl.h"
+/* See load_angle_group.h. */
+#include "thermal/network/load_angle_group.h"
 
 double um_thermal_load_angle(const struct um_thermal_surface_law *law,
                              const struct um_irradiation_loads *loads, size_t at)

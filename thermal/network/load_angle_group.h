@@ -1,9 +1,9 @@
-/* How angles of incidence act on what a surface absorbs. Private to thermal/. */
-#ifndef UMBRA_THERMAL_LOAD_ANGLE_IMPL_H
-#define UMBRA_THERMAL_LOAD_ANGLE_IMPL_H
+/* How angles of incidence act on what a surface absorbs. Private to the rooms of thermal/. */
+#ifndef UMBRA_THERMAL_LOAD_ANGLE_GROUP_H
+#define UMBRA_THERMAL_LOAD_ANGLE_GROUP_H
 
-#include "irradiation/loads.h"
-#include "thermal/network.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/network.h"
 
 /* Absorptance of the direct sunlight at entry `at`, row * nsurface + surface, of the table, over
  * that at normal incidence [1]; over a turn its mean by what falls in. */

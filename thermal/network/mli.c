@@ -9,13 +9,13 @@
  *
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
  * is the wall (e* A / 3 to each corner) or, where the wall is left out, an interior. */
-#include "thermal/mli_impl.h"
-#include "thermal/solid_impl.h"
+#include "thermal/network/mli_impl.h"
+#include "thermal/network/solid_impl.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 /* A link between skin and what is wrapped that may follow a law; value [W/K] or [m^2]. */
 static enum um_status link(struct um_thermal_builder *b, bool conducts, uint32_t skin,

@@ -1,9 +1,9 @@
 /* Blankets of published laws (mli_law.h), stated at 300 K. */
-#include "thermal/mli_law.h"
+#include "thermal/network/mli_law.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 
 struct um_thermal_mli_slope um_thermal_mli_doenecke(double factor)
 {

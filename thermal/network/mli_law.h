@@ -14,7 +14,7 @@
 #ifndef UMBRA_THERMAL_MLI_LAW_H
 #define UMBRA_THERMAL_MLI_LAW_H
 
-#include "thermal/temperature_law.h"
+#include "thermal/network/temperature_law.h"
 
 enum um_thermal_mli_law { UM_MLI_CONSTANT, UM_MLI_DOENECKE, UM_MLI_LOCKHEED };
 

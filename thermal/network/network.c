@@ -1,13 +1,13 @@
 /* Building a thermal network: nodes, conductors, radiators and the surfaces that lie on nodes.
- * Nothing is solved here; thermal/system_build.c turns a network into equations. */
-#include "thermal/network.h"
+ * Nothing is solved here; thermal/solver/system_build.c turns a network into equations. */
+#include "thermal/network/network.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 enum um_status um_thermal_network_grow(struct um_context *context, void *block, size_t count,
                                        size_t *room, size_t size)

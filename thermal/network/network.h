@@ -13,9 +13,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
-#include "thermal/surface_law.h"
-#include "thermal/temperature_law.h"
+#include "base/core/context.h"
+#include "thermal/network/surface_law.h"
+#include "thermal/network/temperature_law.h"
 
 enum um_thermal_node_kind { UM_NODE_DIFFUSIVE, UM_NODE_ARITHMETIC, UM_NODE_BOUNDARY };
 

@@ -1,7 +1,7 @@
 /* Two networks compared number for number; names are not compared. */
 #include <string.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 static bool numbers_equal(const double *a, const double *b, size_t n)
 {

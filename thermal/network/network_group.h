@@ -1,8 +1,8 @@
-/* Private to thermal/: what a network holds while it is being built. */
-#ifndef UMBRA_THERMAL_NETWORK_IMPL_H
-#define UMBRA_THERMAL_NETWORK_IMPL_H
+/* Private to the rooms of thermal/: what a network holds while it is being built. */
+#ifndef UMBRA_THERMAL_NETWORK_GROUP_H
+#define UMBRA_THERMAL_NETWORK_GROUP_H
 
-#include "thermal/network.h"
+#include "thermal/network/network.h"
 
 struct um_thermal_link {
   uint32_t a, b; /* nodes; of a radiator b may be UM_THERMAL_SPACE */

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 #define WEIGHTS_OFF 1e-9 /* of 1 */
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 static enum um_status ratio_check(struct um_context *context, const char *of,
                                   const struct um_thermal_ratio *ratio)

@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/sort.h"
-#include "core/words.h"
-#include "thermal/network_impl.h"
+#include "base/core/csv.h"
+#include "base/core/sort.h"
+#include "base/core/words.h"
+#include "thermal/network/network_group.h"
 
 /* Column or 0 when the field is empty. */
 static enum um_status number_or_zero(struct um_context *context, const struct um_core_csv *csv,

@@ -1,8 +1,8 @@
-/* Private to thermal/: places by name. */
+/* Private to thermal/network/: places by name. */
 #ifndef UMBRA_THERMAL_PLACE_IMPL_H
 #define UMBRA_THERMAL_PLACE_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Where a name points inside a part: what follows the part's name, "", ".group", ".group.back",
  * ".front", ".back" or that of an interior, ".NAME"; ".inside" is ".back" of a part that radiates

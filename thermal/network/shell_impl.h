@@ -1,8 +1,8 @@
-/* Private to thermal/: walls as shells. */
+/* Private to thermal/network/: walls as shells. */
 #ifndef UMBRA_THERMAL_SHELL_IMPL_H
 #define UMBRA_THERMAL_SHELL_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Linear triangle: conductances [W/K] between the corners, out[e] opposite corner e, for in-plane
  * conductance kt [W/K]: kt cot(angle e) / 2. */

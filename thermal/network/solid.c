@@ -3,11 +3,11 @@
  *   rho c dT/dt = div(k grad T),  K_ij = k V grad(N_i) . grad(N_j),  C_i = rho c V / 4 (lumped)
  *
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
- * A linear field is reproduced exactly (test thermal/solid). Heat made inside is a volume source,
- * spread by volume: node i takes V_i / V of it. */
-#include "thermal/bulk_law_impl.h"
-#include "thermal/solid_impl.h"
-#include "thermal/tetgen.h"
+ * A linear field is reproduced exactly (test thermal/network/solid). Heat made inside is a volume
+ * source, spread by volume: node i takes V_i / V of it. */
+#include "thermal/network/bulk_law_impl.h"
+#include "thermal/network/solid_impl.h"
+#include "thermal/network/tetgen.h"
 
 #include <string.h>
 

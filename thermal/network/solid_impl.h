@@ -1,8 +1,8 @@
-/* Private to thermal/: parts filled with tetrahedra. */
+/* Private to thermal/network/: parts filled with tetrahedra. */
 #ifndef UMBRA_THERMAL_SOLID_IMPL_H
 #define UMBRA_THERMAL_SOLID_IMPL_H
 
-#include "thermal/builder_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Linear tetrahedron: conductances [W/K] of the edges 01 02 03 12 13 23 for conductivity k
  * [W/m/K], -k V grad(N_i) . grad(N_j); returns the volume V [m^3]. */

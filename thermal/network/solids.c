@@ -1,7 +1,7 @@
 /* Parts that are filled with tetrahedra, as a body keeps them. */
-#include "thermal/solids.h"
+#include "thermal/network/solids.h"
 
-#include "thermal/tetgen.h"
+#include "thermal/network/tetgen.h"
 
 void um_thermal_solids_destroy(struct um_context *context, struct um_thermal_solid **solid,
                                size_t nsolid)

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 struct um_thermal_tetrahedra;
 

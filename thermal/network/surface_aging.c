@@ -1,5 +1,5 @@
-/* See surface_aging_impl.h. */
-#include "thermal/surface_aging_impl.h"
+/* See surface_aging_group.h. */
+#include "thermal/network/surface_aging_group.h"
 
 double um_thermal_aged_absorptance(const struct um_thermal_network *network,
                                    const struct um_thermal_aging *aging, size_t row, size_t s)

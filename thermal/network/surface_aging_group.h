@@ -1,9 +1,9 @@
-/* Optics of surfaces that age. Private to thermal/. */
-#ifndef UMBRA_THERMAL_SURFACE_AGING_IMPL_H
-#define UMBRA_THERMAL_SURFACE_AGING_IMPL_H
+/* Optics of surfaces that age. Private to the rooms of thermal/. */
+#ifndef UMBRA_THERMAL_SURFACE_AGING_GROUP_H
+#define UMBRA_THERMAL_SURFACE_AGING_GROUP_H
 
-#include "thermal/network_impl.h"
-#include "thermal/solve_options.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/solve_options.h"
 
 /* At a row of the loads: absorptance of a surface, factor on its emittance; aging NULL: as stated.
  */

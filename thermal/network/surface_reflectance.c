@@ -1,8 +1,8 @@
-/* See surface_reflectance_impl.h. */
-#include "thermal/surface_reflectance_impl.h"
+/* See surface_reflectance_group.h. */
+#include "thermal/network/surface_reflectance_group.h"
 
-#include "thermal/load_angle_impl.h"
-#include "thermal/surface_aging_impl.h"
+#include "thermal/network/load_angle_group.h"
+#include "thermal/network/surface_aging_group.h"
 
 /* 1 - absorbed / incident, where something falls in, kept within 0 and 1. */
 static double reflected(double absorbed, double incident, double otherwise)

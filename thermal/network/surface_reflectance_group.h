@@ -1,10 +1,10 @@
-/* What a surface does not absorb. Private to thermal/. */
-#ifndef UMBRA_THERMAL_SURFACE_REFLECTANCE_IMPL_H
-#define UMBRA_THERMAL_SURFACE_REFLECTANCE_IMPL_H
+/* What a surface does not absorb. Private to the rooms of thermal/. */
+#ifndef UMBRA_THERMAL_SURFACE_REFLECTANCE_GROUP_H
+#define UMBRA_THERMAL_SURFACE_REFLECTANCE_GROUP_H
 
-#include "irradiation/loads.h"
-#include "thermal/network_impl.h"
-#include "thermal/solve_options.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/solve_options.h"
 
 /* The loads that are reflected. */
 enum um_thermal_load { UM_THERMAL_SUN, UM_THERMAL_ALBEDO, UM_THERMAL_PLANET };

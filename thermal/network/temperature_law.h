@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "thermal/surface_law.h"
+#include "thermal/network/surface_law.h"
 
 #define UM_THERMAL_LAW_STEP                                                                        \
   (UM_THERMAL_LAW_HOTTEST / (UM_THERMAL_LAW_TEMPERATURES - 1)) /* [K] between nodes of a table */

@@ -1,13 +1,13 @@
 /* TetGen in a child process: it crashes, aborts or runs on where a surface displeases it, so it
  * works in a fork with limits on memory and time, and sends its result through a pipe. */
-#include "thermal/tetgen.h"
+#include "thermal/network/tetgen.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "core/child.h"
-#include "thermal/tetgen_check_impl.h"
-#include "thermal/tetgen_impl.h"
+#include "base/core/child.h"
+#include "thermal/network/tetgen_check_impl.h"
+#include "thermal/network/tetgen_impl.h"
 
 /* First on the pipe; then points, tetrahedra, flagged facets. */
 struct header {

@@ -1,6 +1,6 @@
 // The only place that knows TetGen 1.5 (Si 2015, ACM TOMS 41, 11), which has no C interface.
 // Compiled without UMBRA_TETGEN it says that TetGen is absent.
-#include "thermal/tetgen_impl.h"
+#include "thermal/network/tetgen_impl.h"
 
 #ifdef UMBRA_TETGEN
 

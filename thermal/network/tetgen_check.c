@@ -4,8 +4,8 @@
  * inward) get a seed so that they stay empty. */
 #include <stdlib.h>
 
-#include "core/sort.h"
-#include "thermal/tetgen_check_impl.h"
+#include "base/core/sort.h"
+#include "thermal/network/tetgen_check_impl.h"
 
 #define TOLERANCE 1e-9 /* of the size of the body: below TetGen's own 1e-8 */
 

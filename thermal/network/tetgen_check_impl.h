@@ -1,12 +1,12 @@
-/* Private to thermal/: what TetGen cannot stand. */
+/* Private to thermal/network/: what TetGen cannot stand. */
 #ifndef UMBRA_THERMAL_TETGEN_CHECK_IMPL_H
 #define UMBRA_THERMAL_TETGEN_CHECK_IMPL_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/context.h"
-#include "core/vec.h"
+#include "base/core/context.h"
+#include "base/core/vec.h"
 
 struct um_thermal_tetgen_surface {
   const char *name;

@@ -1,4 +1,4 @@
-/* Private to thermal: the pieces around TetGen. Read by C and C++. */
+/* Private to thermal/network/: the pieces around TetGen. Read by C and C++. */
 #ifndef UMBRA_THERMAL_TETGEN_IMPL_H
 #define UMBRA_THERMAL_TETGEN_IMPL_H
 
@@ -32,7 +32,7 @@ int um_thermal_tetgen_present(void);
 }
 #else
 
-#include "thermal/tetgen.h"
+#include "thermal/network/tetgen.h"
 
 struct um_thermal_tetgen_limits {
   double seconds;  /* of processor and of wall clock */

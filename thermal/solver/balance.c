@@ -1,6 +1,6 @@
 /* Evaluation of the heat balance at a state: net heat, rate of change (equation in system_build.c).
  */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
  * again where memory is short: a process that never ends. Here it is told beforehand to have no
  * threads, and gets its buffer only where there is one. */
 #define _DEFAULT_SOURCE /* setenv, MAP_ANONYMOUS */
-#include "thermal/cholmod_library_impl.h"
+#include "thermal/solver/cholmod_library_impl.h"
 
 #include <dlfcn.h>
 #include <stdlib.h>

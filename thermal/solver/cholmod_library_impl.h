@@ -1,10 +1,10 @@
-/* Private to thermal/: the functions of CHOLMOD. */
+/* Private to thermal/solver/: the functions of CHOLMOD. */
 #ifndef UMBRA_THERMAL_CHOLMOD_LIBRARY_IMPL_H
 #define UMBRA_THERMAL_CHOLMOD_LIBRARY_IMPL_H
 
 #include <cholmod.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 
 #define UM_THERMAL_CHOLMOD_LIST(X)                                                                 \
   X(start) X(finish) X(analyze) X(factorize) X(solve2) X(free_factor) X(free_dense)

@@ -5,7 +5,7 @@
  *
  * which the Jacobian of the unknowns needs. Groups are small (a skin node, a fitting); one of more
  * than 512 nodes is refused: give those nodes a capacity. */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Flexible GMRES about the exchange between surfaces. What is emitted is in A, what comes back in
  * E, and less comes back than goes: 1 - s E A^-1 has its eigenvalues in (0, 1], so that a few
  * products suffice unless a room is closed. */
-#include "thermal/exchange_solve_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
 
 #include <math.h>
 #include <string.h>

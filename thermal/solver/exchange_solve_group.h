@@ -1,11 +1,12 @@
-/* Private to thermal/: linear equations (A - s E) x = b, A on the pattern of the Jacobian with a
- * solver of its own, E the derivative of the exchange between surfaces, which is full. */
-#ifndef UMBRA_THERMAL_EXCHANGE_SOLVE_IMPL_H
-#define UMBRA_THERMAL_EXCHANGE_SOLVE_IMPL_H
+/* Private to the rooms of thermal/: linear equations (A - s E) x = b, A on the pattern of the
+ * Jacobian with a solver of its own, E the derivative of the exchange between surfaces, which is
+ * full. */
+#ifndef UMBRA_THERMAL_EXCHANGE_SOLVE_GROUP_H
+#define UMBRA_THERMAL_EXCHANGE_SOLVE_GROUP_H
 
 #include <sundials/sundials_linearsolver.h>
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 /* What solves with A alone: x[nunknown] <- A^-1 x. */
 struct um_thermal_inner {

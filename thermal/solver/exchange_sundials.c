@@ -5,7 +5,7 @@
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
-#include "thermal/exchange_solve_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
 
 struct content {
   struct um_thermal_system *system; /* borrowed */

@@ -2,11 +2,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "thermal/load_row_impl.h"
-#include "thermal/solve.h"
-#include "thermal/surface_aging_impl.h"
-#include "thermal/system_impl.h"
+#include "base/core/constants.h"
+#include "thermal/network/surface_aging_group.h"
+#include "thermal/solver/load_row_impl.h"
+#include "thermal/solver/solve.h"
+#include "thermal/solver/system_group.h"
 
 /* u times the emission to space at a row. */
 static void emission_add(const struct um_thermal_network *network,

@@ -12,8 +12,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/integrator_data_impl.h"
-#include "thermal/integrator_impl.h"
+#include "thermal/solver/integrator_data_impl.h"
+#include "thermal/solver/integrator_group.h"
 
 #define STEPS_LIMIT  50000000u /* of one run: an end for what would never come to one */
 #define SHORTEST_GAP 1e-9      /* [s] a switching this near to a stop happens there */

@@ -1,10 +1,10 @@
 /* The making of an integration: vectors, solvers, CVODES and its settings. */
 #include <nvector/nvector_serial.h>
 
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/integrator_data_impl.h"
-#include "thermal/integrator_impl.h"
-#include "thermal/vector_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/solver/integrator_data_impl.h"
+#include "thermal/solver/integrator_group.h"
+#include "thermal/solver/vector_impl.h"
 
 #define NEWTON_SHARE   1e-4
 #define LINEAR_SHARE   1e-5 /* of a right side that iterated linear solutions leave */

@@ -1,4 +1,4 @@
-/* What an integration (integrator_impl.h) holds, and its parts: what CVODES asks of it
+/* What an integration (integrator_group.h) holds, and its parts: what CVODES asks of it
  * (integrator_equations.c), where it stops (integrator_stops.c), its making (integrator_create.c)
  * and its words when it fails (integrator_fault.c). Private to integrator*.c. */
 #ifndef UMBRA_THERMAL_INTEGRATOR_DATA_IMPL_H
@@ -6,8 +6,8 @@
 
 #include <cvodes/cvodes.h>
 
-#include "thermal/linear_impl.h"
-#include "thermal/system_impl.h"
+#include "thermal/solver/linear_group.h"
+#include "thermal/solver/system_group.h"
 
 struct um_thermal_integrator {
   struct um_thermal_system *system; /* borrowed */

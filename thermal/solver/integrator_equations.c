@@ -5,8 +5,8 @@
 
 #include <sunmatrix/sunmatrix_sparse.h>
 
-#include "thermal/integrator_data_impl.h"
-#include "thermal/integrator_impl.h"
+#include "thermal/solver/integrator_data_impl.h"
+#include "thermal/solver/integrator_group.h"
 
 int um_thermal_integrator_rate(realtype t, N_Vector y, N_Vector rate, void *self)
 {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "thermal/integrator_data_impl.h"
+#include "thermal/solver/integrator_data_impl.h"
 
 void um_thermal_integrator_words(int code, const char *module, const char *function, char *message,
                                  void *self)

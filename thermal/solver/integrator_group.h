@@ -1,8 +1,9 @@
-/* Private to thermal/: one CVODES integration of a system, the only place that knows CVODES. */
-#ifndef UMBRA_THERMAL_INTEGRATOR_IMPL_H
-#define UMBRA_THERMAL_INTEGRATOR_IMPL_H
+/* Private to the rooms of thermal/: one CVODES integration of a system, the only place that knows
+ * CVODES. */
+#ifndef UMBRA_THERMAL_INTEGRATOR_GROUP_H
+#define UMBRA_THERMAL_INTEGRATOR_GROUP_H
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 struct um_thermal_integrator;
 

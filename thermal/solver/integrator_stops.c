@@ -6,9 +6,9 @@
  * many more as the loads are smooth over (system_smooth.c). */
 #include <math.h>
 
-#include "core/order.h"
-#include "core/sort.h"
-#include "thermal/integrator_data_impl.h"
+#include "base/core/order.h"
+#include "base/core/sort.h"
+#include "thermal/solver/integrator_data_impl.h"
 
 #define MAX_STEP_INTERVALS 2.0
 #define SHORTEST_SEGMENT   1e-6 /* [s] stops closer than this are one */

@@ -7,7 +7,7 @@
  * w_i v_j / C_i dP/dT of a thermostat taken by its mean power, weights w where it heats and v where
  * it senses. Links by temperature have slopes of their own (link_law.c), and where capacities go
  * with it column j is times dT_j over the change of its unknown (system_store.c). */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -18,7 +18,7 @@
  * Sci. Stat. Comput. 7:856) solves P^-1 D A x = P^-1 D b. A matrix whose neighbour is not positive
  * definite, or that GMRES does not solve in KRYLOV products, is KLU's from then on. Sums are in
  * fixed order: a solution does not depend on threads. */
-#include "thermal/linear_impl.h"
+#include "thermal/solver/linear_group.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -8,8 +8,8 @@
 #include <omp.h>
 #include <string.h>
 
-#include "thermal/cholmod_library_impl.h"
-#include "thermal/linear_impl.h"
+#include "thermal/solver/cholmod_library_impl.h"
+#include "thermal/solver/linear_group.h"
 
 struct um_thermal_cholmod {
   const struct um_thermal_cholmod_library *library;

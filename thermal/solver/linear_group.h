@@ -1,11 +1,11 @@
-/* Private to thermal/: linear equations A x = b on the pattern of a system's Jacobian, A = I - g J
- * or a multiple of J. Who solves them is found from the structure (linear.c). */
-#ifndef UMBRA_THERMAL_LINEAR_IMPL_H
-#define UMBRA_THERMAL_LINEAR_IMPL_H
+/* Private to the rooms of thermal/: linear equations A x = b on the pattern of a system's Jacobian,
+ * A = I - g J or a multiple of J. Who solves them is found from the structure (linear.c). */
+#ifndef UMBRA_THERMAL_LINEAR_GROUP_H
+#define UMBRA_THERMAL_LINEAR_GROUP_H
 
 #include <sundials/sundials_linearsolver.h>
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 struct um_thermal_linear;
 

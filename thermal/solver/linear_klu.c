@@ -4,7 +4,7 @@
 #include <klu.h>
 #include <string.h>
 
-#include "thermal/linear_impl.h"
+#include "thermal/solver/linear_group.h"
 
 #define WORST_PIVOT 1e-14 /* reciprocal condition at which pivots are chosen anew */
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
-#include "thermal/linear_impl.h"
+#include "thermal/solver/linear_group.h"
 
 #define AGAIN    1    /* a shorter step may help */
 #define FOR_GOOD (-1) /* nothing will */

@@ -1,12 +1,12 @@
 /* See load_row_impl.h. */
-#include "thermal/load_row_impl.h"
+#include "thermal/solver/load_row_impl.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
-#include "thermal/load_angle_impl.h"
-#include "thermal/surface_aging_impl.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
+#include "thermal/network/load_angle_group.h"
+#include "thermal/network/surface_aging_group.h"
 
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,

@@ -1,17 +1,17 @@
-/* One row of the heat loads as heat of the nodes. Private to thermal/. */
+/* One row of the heat loads as heat of the nodes. Private to thermal/solver/. */
 #ifndef UMBRA_THERMAL_LOAD_ROW_IMPL_H
 #define UMBRA_THERMAL_LOAD_ROW_IMPL_H
 
-#include "irradiation/loads.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/network_impl.h"
-#include "thermal/solve_options.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/solve_options.h"
 
 /* Sums over the surfaces of each node [nnode], set:
  *
  *   sun_i    = sum_s w_is A_s (alpha_s - x_s) k_s(theta) sun_s   per unit of irradiance [m^2]
  *   albedo_i = sum_s w_is A_s alpha_s k_s,albedo albedo_s        [W], and by angle
- *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W], alike (load_angle_impl.h)
+ *   planet_i = sum_s w_is A_s eps_s k_s,planet planet_s          [W], alike (load_angle_group.h)
  *   gas_i    = sum_s w_is A_s gas_s   (NULL where loads have none) [W]
  *
  * with x the extraction, k the surface's law (surface_law.h), theta the angle of incidence, and

@@ -10,8 +10,8 @@
  * with it where slow nodes start. What fast nodes do is not asked here. */
 #include <string.h>
 
-#include "thermal/solve.h"
-#include "thermal/steady_impl.h"
+#include "thermal/solver/solve.h"
+#include "thermal/solver/steady_impl.h"
 
 #define ROWS 512 /* of the loads that a mean is made of, at most */
 

@@ -4,8 +4,8 @@
  *
  * within 0.00075 for every x > 0, the nearest function of that form. What it misses of fast nodes,
  * which start far from where an orbit leaves them, is why five terms pay: a sparse solve each. */
-#ifndef UMBRA_THERMAL_ORBIT_RETURN_IMPL_H
-#define UMBRA_THERMAL_ORBIT_RETURN_IMPL_H
+#ifndef UMBRA_THERMAL_ORBIT_RETURN_GROUP_H
+#define UMBRA_THERMAL_ORBIT_RETURN_GROUP_H
 
 #define UM_THERMAL_RETURN_SHIFT  3.84 /* b */
 #define UM_THERMAL_RETURN_TERMS  5

@@ -8,7 +8,7 @@
  *
  * with J the orbit mean of the Jacobian (|T|^3 averaged over the orbit, so that fast nodes count
  * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J, a rational function of
- * which sparse solves give (orbit_return_impl.h). KINSOL's fixed point with Anderson acceleration
+ * which sparse solves give (orbit_return_group.h). KINSOL's fixed point with Anderson acceleration
  * takes care of what that leaves. The correction dT estimates how far T is from the periodic state,
  * dT - r how far G(T) is; G(T) is what is taken, so dT - r is judged, and with it the function's
  * error of r, which may hide as much again.
@@ -35,11 +35,11 @@
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/integrator_impl.h"
-#include "thermal/linear_impl.h"
-#include "thermal/orbit_return_impl.h"
-#include "thermal/solve.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/solver/integrator_group.h"
+#include "thermal/solver/linear_group.h"
+#include "thermal/solver/orbit_return_group.h"
+#include "thermal/solver/solve.h"
 
 #define ORBITS_LIMIT   40
 #define ANDERSON_DEPTH 1

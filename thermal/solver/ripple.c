@@ -1,10 +1,10 @@
 /* See ripple.h. */
-#include "thermal/ripple.h"
+#include "thermal/solver/ripple.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "thermal/load_row_impl.h"
+#include "base/core/constants.h"
+#include "thermal/solver/load_row_impl.h"
 
 #define HALF_WAVE   0.55  /* half the swing of the integral of max(cos, 0) - 1/pi over the angle */
 #define TEMPERATURE 300.0 /* at which what a node gives away is taken [K] */

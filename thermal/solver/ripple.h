@@ -3,9 +3,9 @@
 #ifndef UMBRA_THERMAL_RIPPLE_H
 #define UMBRA_THERMAL_RIPPLE_H
 
-#include "irradiation/loads.h"
-#include "thermal/network.h"
-#include "thermal/solve_options.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/network.h"
+#include "thermal/network/solve_options.h"
 
 struct um_thermal_ripple {
   double amplitude; /* half the largest swing of a node within a turn [K] */
@@ -22,7 +22,7 @@ struct um_thermal_ripple {
  * what it gives away meanwhile, G = K + 4 sigma R T^3 at 300 K over all its links and to space,
  * changes that by a share of G P / (2 pi C), in the swing at the start and in that of an instant,
  * and the mean by 3/4 a^2 / T, since T^4 is not linear: error is the sum. Infinite for what absorbs
- * and has no capacity. UM_ERR_MEMORY. Test: thermal/ripple. */
+ * and has no capacity. UM_ERR_MEMORY. Test: thermal/solver/ripple. */
 enum um_status um_thermal_ripple_bound(struct um_context *context,
                                        const struct um_thermal_network *network, double period,
                                        double sun, double albedo, double longwave,

@@ -3,12 +3,12 @@
  *   in - out - stored = 0,   stored = sum_i C_i (T_i(end) - T_i(start)),
  *
  * where in and out are integrals over the satellite's border made along the way. */
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "thermal/integrator_impl.h"
+#include "base/core/constants.h"
+#include "thermal/solver/integrator_group.h"
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
 {

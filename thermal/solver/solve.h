@@ -3,9 +3,9 @@
 #ifndef UMBRA_THERMAL_SOLVE_H
 #define UMBRA_THERMAL_SOLVE_H
 
-#include "irradiation/loads.h"
-#include "thermal/network.h"
-#include "thermal/solve_options.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/network.h"
+#include "thermal/network/solve_options.h"
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 

@@ -11,10 +11,10 @@
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/linear_impl.h"
-#include "thermal/solve.h"
-#include "thermal/steady_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/solver/linear_group.h"
+#include "thermal/solver/solve.h"
+#include "thermal/solver/steady_impl.h"
 
 #define RESIDUAL     1e-9 /* [K] */
 #define ITERATIONS   400

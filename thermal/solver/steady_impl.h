@@ -1,8 +1,8 @@
-/* The steady balance of a system whose loads are held (steady.c). Private to thermal/. */
+/* The steady balance of a system whose loads are held (steady.c). Private to thermal/solver/. */
 #ifndef UMBRA_THERMAL_STEADY_IMPL_H
 #define UMBRA_THERMAL_STEADY_IMPL_H
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 /* temperature[n] [K] at which every node of a steady system keeps rest[n] of the heat that reaches
  * it [W], NULL: nothing, from the system's own temperatures; loads are those at its time 0.

@@ -5,7 +5,7 @@
  *
  * is C_i dT_i/dt for an unknown and 0 for an eliminated node. Emission of the surfaces is part of
  * R_i,space: a surface adds w A eps for its share w. */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * the sums are those of the instant. Without laws and ageing space is made once. */
 #include <string.h>
 
-#include "core/constants.h"
-#include "thermal/load_row_impl.h"
-#include "thermal/system_impl.h"
+#include "base/core/constants.h"
+#include "thermal/solver/load_row_impl.h"
+#include "thermal/solver/system_group.h"
 
 /* Surfaces' shares in rows per node, with one entry for each law that a node has. */
 static enum um_status collect(struct um_thermal_system *system)

@@ -6,13 +6,13 @@
  * Everyone feels everyone, so its derivative is not in the Jacobian's pattern: it is applied as it
  * stands here, three thin matrices, and linear equations are iterated with it (exchange_solve.c).
  */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "thermal/load_row_impl.h"
+#include "base/core/constants.h"
+#include "thermal/solver/load_row_impl.h"
 
 #define ROUNDS  100
 #define SETTLED 1e-10 /* change of an eliminated node, of the largest of the unknowns [1] */

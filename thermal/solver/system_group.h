@@ -1,17 +1,17 @@
-/* Private to thermal/: the network as equations, ready to be evaluated fast.
+/* Private to the rooms of thermal/: the network as equations, ready to be evaluated fast.
  *
  * Nodes are split into unknowns (diffusive; in a steady system also arithmetic), eliminated
  * (arithmetic: their temperatures follow from the unknowns at every instant) and fixed (boundary).
  * Parallel conductors and radiators are merged into one symmetric list in rows per node. */
-#ifndef UMBRA_THERMAL_SYSTEM_IMPL_H
-#define UMBRA_THERMAL_SYSTEM_IMPL_H
+#ifndef UMBRA_THERMAL_SYSTEM_GROUP_H
+#define UMBRA_THERMAL_SYSTEM_GROUP_H
 
-#include "irradiation/loads.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_pace_impl.h"
-#include "thermal/link_law_impl.h"
-#include "thermal/network_impl.h"
-#include "thermal/solve_options.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_pace_group.h"
+#include "thermal/loads/loads.h"
+#include "thermal/network/link_law_group.h"
+#include "thermal/network/network_group.h"
+#include "thermal/network/solve_options.h"
 
 #define UM_THERMAL_NONE UINT32_MAX
 

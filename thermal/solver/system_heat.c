@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #define AT_ONCE 1e-6 /* [s] rows this near a stop are passed there */
 #define UNEVEN  2.0  /* intervals whose ratio is larger are a change of spacing */

@@ -1,11 +1,11 @@
 /* Conductors and radiators merged into one symmetric list, rows per node, neighbours ascending;
  * what goes with temperature by its law. */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/sort.h"
+#include "base/core/constants.h"
+#include "base/core/sort.h"
 
 struct half_link {
   uint32_t node, other;

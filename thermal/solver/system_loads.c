@@ -5,12 +5,12 @@
  * and what the atmosphere brings, with planet_i. S irradiance, nu sunlit fraction, the sums over
  * surfaces those of load_row_impl.h. They are linear in the table, so they are made once per grid
  * row and interpolated as sums. Where surfaces age, so is what they emit to space. */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "thermal/load_row_impl.h"
+#include "thermal/solver/load_row_impl.h"
 
 #define ROUNDING 1e-12 /* of absorptances and emittances that reached 0 or 1 */
 

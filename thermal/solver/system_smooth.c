@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #define UNSEEN 0.01 /* of the largest load of any node */
 #define MOST   16   /* rows that a step may count as one interval */

@@ -1,6 +1,6 @@
 /* The state of a heat balance: temperatures of the unknowns, and all that follows from them at a
  * time. */
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #include <math.h>
 

@@ -13,7 +13,7 @@
  */
 #include <math.h>
 
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
 
 #define ROWS       UM_THERMAL_LAW_TEMPERATURES
 #define ITERATIONS 100

@@ -1,6 +1,6 @@
 /* SUNDIALS' serial vectors are built for any machine and any size, without vector instructions:
  * a quarter of a run with many nodes passed in their loops. */
-#include "thermal/vector_impl.h"
+#include "thermal/solver/vector_impl.h"
 
 #include <math.h>
 #include <nvector/nvector_serial.h>

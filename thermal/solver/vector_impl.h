@@ -1,4 +1,4 @@
-/* CVODES' vectors with loops of our own. Private to thermal/. */
+/* CVODES' vectors with loops of our own. Private to thermal/solver/. */
 #ifndef UMBRA_THERMAL_VECTOR_IMPL_H
 #define UMBRA_THERMAL_VECTOR_IMPL_H
 

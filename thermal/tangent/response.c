@@ -10,13 +10,13 @@
  * and its own temperature is the elimination's answer to the unknowns plus dT_a. Columns are in the
  * order in which sources begin, so those that have not begun are left alone. Wanted times need not
  * end a step. */
-#include "thermal/response.h"
+#include "thermal/tangent/response.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "thermal/response_impl.h"
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
+#include "thermal/tangent/response_impl.h"
 
 static enum um_status sources_check(const struct um_thermal_response_run *r)
 {

@@ -7,7 +7,7 @@
 #ifndef UMBRA_THERMAL_RESPONSE_H
 #define UMBRA_THERMAL_RESPONSE_H
 
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 /* One watt from t_from to t_to, shared among nodes. */
 struct um_thermal_response_source {
@@ -35,7 +35,7 @@ typedef enum um_status um_thermal_response_take(void *user, size_t k, const doub
  * that are not there, with weights that are not finite, or that end before they begin.
  * Accuracy: order 5 in steps over time constants of what is heated (4 at wanted times inside),
  * order 2 in the change of H over a step; 1e-5 of the answer where steps are half a time constant
- * (tests/thermal/response.c). */
+ * (tests/thermal/tangent/response.c). */
 enum um_status um_thermal_response(struct um_context *context,
                                    const struct um_thermal_network *network,
                                    const struct um_irradiation_loads *loads,

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/order.h"
-#include "core/sort.h"
-#include "thermal/response_impl.h"
+#include "base/core/order.h"
+#include "base/core/sort.h"
+#include "thermal/tangent/response_impl.h"
 
 #define SHARE_OF_TIME 0.25 /* of the shortest source: the default step */
 

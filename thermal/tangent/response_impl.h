@@ -1,10 +1,10 @@
-/* Private to thermal/: a run of responses; its steps of dS/dt = J S + b for many columns with one
- * factorisation. */
+/* Private to thermal/tangent/: a run of responses; its steps of dS/dt = J S + b for many columns
+ * with one factorisation. */
 #ifndef UMBRA_THERMAL_RESPONSE_IMPL_H
 #define UMBRA_THERMAL_RESPONSE_IMPL_H
 
-#include "thermal/response.h"
-#include "thermal/system_impl.h"
+#include "thermal/solver/system_group.h"
+#include "thermal/tangent/response.h"
 
 #define UM_THERMAL_ONE_TIME 1e-9 /* [s] nearer times are one */
 

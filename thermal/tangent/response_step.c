@@ -20,13 +20,13 @@
  * instant.
  *
  * Columns go four at a time: the factors are read once for them. */
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/response_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/tangent/response_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "thermal/linear_impl.h"
+#include "thermal/solver/linear_group.h"
 
 #define STAGES       5
 #define POLE         0.27805384

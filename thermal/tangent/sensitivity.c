@@ -7,12 +7,12 @@
  *
  * v the sensor's weights, theta_m the threshold that was passed, dP_m = +-P_m, w where it heats.
  */
-#include "thermal/sensitivity.h"
+#include "thermal/tangent/sensitivity.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "thermal/sensitivity_impl.h"
+#include "thermal/tangent/sensitivity_impl.h"
 
 #define TOLERANCE  1e-4
 #define ONE_TIME   1e-9 /* [s] nearer times are one */

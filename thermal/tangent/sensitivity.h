@@ -9,7 +9,7 @@
 #ifndef UMBRA_THERMAL_SENSITIVITY_H
 #define UMBRA_THERMAL_SENSITIVITY_H
 
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 /* One parameter moved by `step` [its unit], not 0. Same nodes of the same kinds in the same order,
  * as many thermostats and power histories, and loads with the same times and edges: what moves an
@@ -43,7 +43,8 @@ typedef enum um_status um_thermal_sensitivity_take(void *user, size_t k, const d
  * -(dg/dT S + dg/dp) / (dg/dt), g = sensor - threshold, and S jumps by the change of dT/dt times
  * that. UM_ERR_INPUT as um_thermal_solve, and for variants as above; UM_ERR_NUMERIC. Accuracy: 1e-3
  * of the largest answer with the default tolerance, against central differences of tight runs
- * (tests/thermal/sensitivity.c). Twenty parameters cost 3 to 8 runs (bench/thermal.c). */
+ * (tests/thermal/tangent/sensitivity.c). Twenty parameters cost 3 to 8 runs
+ * (tests/bench/thermal.c). */
 enum um_status um_thermal_sensitivity(struct um_context *context,
                                       const struct um_thermal_network *network,
                                       const struct um_irradiation_loads *loads,

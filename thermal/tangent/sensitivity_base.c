@@ -7,8 +7,8 @@
  * steps that meet 2e-7. Only what the present step needs is kept. */
 #include <string.h>
 
-#include "core/interpolation.h"
-#include "thermal/sensitivity_impl.h"
+#include "base/core/interpolation.h"
+#include "thermal/tangent/sensitivity_impl.h"
 
 #define POINTS 64 /* kept at first */
 

@@ -2,8 +2,8 @@
  * exchanged, which is full. Equations (A - s E) x = b are iterated with A's factors
  * (exchange_solve.c); E x is a product (system_exchange.c). What a parameter does to the exchange
  * itself is in its forcing, by the exchange of its own variant. */
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/sensitivity_impl.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/tangent/sensitivity_impl.h"
 
 enum um_status
 um_thermal_sensitivity_exchange_check(const struct um_thermal_sensitivity_subject *of,

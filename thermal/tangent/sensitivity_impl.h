@@ -1,11 +1,11 @@
-/* Private to thermal/: a run of sensitivities. */
+/* Private to thermal/tangent/: a run of sensitivities. */
 #ifndef UMBRA_THERMAL_SENSITIVITY_IMPL_H
 #define UMBRA_THERMAL_SENSITIVITY_IMPL_H
 
-#include "thermal/exchange_solve_impl.h"
-#include "thermal/integrator_impl.h"
-#include "thermal/linear_impl.h"
-#include "thermal/sensitivity.h"
+#include "thermal/solver/exchange_solve_group.h"
+#include "thermal/solver/integrator_group.h"
+#include "thermal/solver/linear_group.h"
+#include "thermal/tangent/sensitivity.h"
 
 /* --- sensitivity_base.c: the base's temperatures along one stretch between stops and switchings --
  */

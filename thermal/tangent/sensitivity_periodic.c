@@ -1,12 +1,12 @@
 /* Sensitivities of the periodic state, S(0) = S(P), sought as in periodic.c: with r = S(P) - S(0)
- * and X = -P J of the orbit's mean, S(0) takes the rational function of orbit_return_impl.h of r,
+ * and X = -P J of the orbit's mean, S(0) takes the rational function of orbit_return_group.h of r,
  * which leaves what J does within the orbit. S(P) is linear in S(0): only the first orbit has the
  * forcing, the others follow what was taken, to a tenth of its size. */
 #include <math.h>
 #include <string.h>
 
-#include "thermal/orbit_return_impl.h"
-#include "thermal/sensitivity_impl.h"
+#include "thermal/solver/orbit_return_group.h"
+#include "thermal/tangent/sensitivity_impl.h"
 
 #define TOLERANCE    1e-4
 #define ORBITS       20

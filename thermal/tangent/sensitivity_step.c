@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/sensitivity_impl.h"
+#include "thermal/tangent/sensitivity_impl.h"
 
 #define STAGES       4
 #define POLE         (1767732205903.0 / 4055673282236.0)

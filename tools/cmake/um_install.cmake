@@ -1,6 +1,6 @@
 # What `cmake --install` puts in place, beside the headers (effects/), the material records
 # (materials/) and the library (library/): the program, scenarios, documents, man page, completions. The tree may be moved: the
-# program finds its files from its own folder (core/data.h).
+# program finds its files from its own folder (base/core/data.h).
 include(GNUInstallDirs)
 
 install(TARGETS umbra RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")

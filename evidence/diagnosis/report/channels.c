@@ -1,11 +1,11 @@
 /* Observations and metrics of a diagnosis by channel. */
-#include "diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/channels.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "compare/metrics.h"
+#include "evidence/comparison/metrics.h"
 
 const struct um_compare_channel *um_diagnosis_report_channel(const struct um_diagnosis *diagnosis,
                                                              size_t c)

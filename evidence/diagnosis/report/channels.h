@@ -2,8 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_CHANNELS_H
 #define UMBRA_DIAGNOSIS_REPORT_CHANNELS_H
 
-#include "compare/metrics.h"
-#include "diagnosis/diagnosis.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* Channel c of the measurements. */
 const struct um_compare_channel *um_diagnosis_report_channel(const struct um_diagnosis *diagnosis,

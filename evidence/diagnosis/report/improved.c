@@ -2,17 +2,17 @@
  *
  * The text is the user's own with its comments; --set, --with and --without stand in it, names of
  * files lead from the new folder, fitted nuisances and effects are entries of `effects`. */
-#include "diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/improved_impl.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "core/file.h"
-#include "core/words.h"
-#include "model/effect_files.h"
-#include "model/scenario_text.h"
+#include "base/core/file.h"
+#include "base/core/words.h"
+#include "model/build/effect_files.h"
+#include "model/build/scenario_text.h"
 
 /* ---- the effects as they are at the end ---- */
 

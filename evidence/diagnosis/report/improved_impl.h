@@ -1,8 +1,8 @@
-/* The scenario with what was found. Private to diagnosis/report/. */
+/* The scenario with what was found. Private to evidence/diagnosis/report/. */
 #ifndef UMBRA_DIAGNOSIS_REPORT_IMPROVED_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_IMPROVED_IMPL_H
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* improved/scenario.yaml into the folder at `path`. */
 enum um_status um_diagnosis_report_improved_write(struct um_context *context,

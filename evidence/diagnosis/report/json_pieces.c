@@ -1,11 +1,11 @@
 /* Pieces of diagnosis.json: texts, times, uses of effects with their values. */
-#include "diagnosis/report/json_pieces_impl.h"
+#include "evidence/diagnosis/report/json_pieces_impl.h"
 
 #include <math.h>
 
-#include "compare/time_text.h"
-#include "core/json.h"
-#include "diagnosis/value_text.h"
+#include "base/core/json.h"
+#include "evidence/diagnosis/value_text.h"
+#include "evidence/measurements/time_text.h"
 
 void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
                                    const char *text)

@@ -1,10 +1,10 @@
-/* Members that diagnosis.json is made of. Private to diagnosis/report/. */
+/* Members that diagnosis.json is made of. Private to evidence/diagnosis/report/. */
 #ifndef UMBRA_DIAGNOSIS_REPORT_JSON_PIECES_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_JSON_PIECES_IMPL_H
 
 #include <stdio.h>
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* before, "key": value; a text NULL or a time that is not finite is null. */
 void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,

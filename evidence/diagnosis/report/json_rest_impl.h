@@ -1,10 +1,10 @@
-/* What stands in diagnosis.json beside steps and ranking. Private to diagnosis/report/. */
+/* What stands in diagnosis.json beside steps and ranking. Private to evidence/diagnosis/report/. */
 #ifndef UMBRA_DIAGNOSIS_REPORT_JSON_REST_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_JSON_REST_IMPL_H
 
 #include <stdio.h>
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* Members of the whole object, each with its comma before. */
 void um_diagnosis_report_json_missed(FILE *file, const struct um_diagnosis *d);

@@ -1,6 +1,6 @@
 /* Pictures of a diagnosis by gnuplot: per channel data with the model before and after and the
  * residuals of both. The script is kept beside them. */
-#include "diagnosis/report/plot.h"
+#include "evidence/diagnosis/report/plot.h"
 
 #include <errno.h>
 #include <math.h>
@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/figures.h"
-#include "compare/shade.h"
-#include "diagnosis/report/channels.h"
-#include "diagnosis/report/plot_frame_impl.h"
-#include "diagnosis/report/plot_ranking_impl.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/comparison/shade.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/plot_frame_impl.h"
+#include "evidence/diagnosis/report/plot_ranking_impl.h"
 #include "orbit/time.h"
 
 #define FEW 300 /* observations up to which they are drawn over the curves */

@@ -2,7 +2,7 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_H
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* Pictures by gnuplot: per channel data with model before and after and residuals of both below;
  * the ranking, fits beside linear models; heat where reconstructed. */

@@ -1,11 +1,11 @@
 /* The axis of time of a diagnosis, and its verdict as a title. */
-#include "diagnosis/report/plot_frame_impl.h"
+#include "evidence/diagnosis/report/plot_frame_impl.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/channels.h"
 #include "orbit/time.h"
 
 #define NAMES 3 /* of a group that are said */

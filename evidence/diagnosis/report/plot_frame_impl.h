@@ -1,11 +1,11 @@
 /* What the pictures of a diagnosis share: size, axis of time, verdict. Private to
- * diagnosis/report/.
+ * evidence/diagnosis/report/.
  */
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_FRAME_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "plot/plot.h"
+#include "base/plot/plot.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* Pixels. */
 #define UM_DIAGNOSIS_PLOT_WIDTH 1000

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/shade.h"
-#include "diagnosis/report/channels.h"
-#include "diagnosis/report/plot_frame_impl.h"
-#include "diagnosis/report/plot_ranking_impl.h"
-#include "inference/distributions.h"
+#include "base/inference/distributions.h"
+#include "evidence/comparison/shade.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/plot_frame_impl.h"
+#include "evidence/diagnosis/report/plot_ranking_impl.h"
 
 #define BARS 15
 

@@ -1,9 +1,9 @@
-/* The ranking and the missing heat in pictures. Private to diagnosis/report/. */
+/* The ranking and the missing heat in pictures. Private to evidence/diagnosis/report/. */
 #ifndef UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
 #define UMBRA_DIAGNOSIS_REPORT_PLOT_RANKING_IMPL_H
 
-#include "diagnosis/diagnosis.h"
-#include "plot/plot.h"
+#include "base/plot/plot.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* ranking.png: chi-square that the best candidates explain of the baseline, by a fit or by a
  * linear model; there is a ranking. */

@@ -1,17 +1,17 @@
 /* The files of a diagnosis: diagnosis.json, ranking.csv, fit.csv, heat.csv, improved/. */
-#include "diagnosis/report/write.h"
+#include "evidence/diagnosis/report/write.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/figures.h"
-#include "compare/time_text.h"
-#include "core/constants.h"
-#include "core/file.h"
-#include "diagnosis/report/channels.h"
-#include "diagnosis/report/improved_impl.h"
-#include "diagnosis/report/write_json.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/write_json.h"
+#include "evidence/measurements/time_text.h"
 
 static const char *state_of(const struct um_sensitivity_candidate *candidate,
                             const struct um_inference_score *score)

@@ -2,8 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_REPORT_WRITE_H
 #define UMBRA_DIAGNOSIS_REPORT_WRITE_H
 
-#include "core/file.h"
-#include "diagnosis/diagnosis.h"
+#include "base/core/file.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* diagnosis.json, ranking.csv, fit.csv (observations: time_utc, quantity, of, measured, sigma,
  * before, after), improved/scenario.yaml (runs in place: the user's scenario with its paths made to

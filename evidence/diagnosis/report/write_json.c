@@ -1,13 +1,13 @@
 /* diagnosis.json. */
-#include "diagnosis/report/write_json.h"
+#include "evidence/diagnosis/report/write_json.h"
 
 #include <math.h>
 
-#include "compare/figures.h"
-#include "core/json.h"
-#include "diagnosis/report/channels.h"
-#include "diagnosis/report/json_pieces_impl.h"
-#include "diagnosis/report/json_rest_impl.h"
+#include "base/core/json.h"
+#include "evidence/comparison/figures.h"
+#include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/json_pieces_impl.h"
+#include "evidence/diagnosis/report/json_rest_impl.h"
 
 /* By channel; value NULL: null. */
 static enum um_status json_metrics(struct um_context *context, FILE *file,

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "diagnosis/diagnosis.h"
+#include "evidence/diagnosis/diagnosis.h"
 
 /* diagnosis.json to a stream; the caller looks for its errors. UM_ERR_MEMORY. */
 enum um_status um_diagnosis_report_write_json(struct um_context *context,

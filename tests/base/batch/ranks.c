@@ -10,9 +10,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "batch/batch.h"
-#include "batch/records.h"
-#include "core/file.h"
+#include "base/batch/batch.h"
+#include "base/batch/records.h"
+#include "base/core/file.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "batch/batch.h"
-#include "batch/records.h"
+#include "base/batch/batch.h"
+#include "base/batch/records.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"

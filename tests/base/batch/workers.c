@@ -12,8 +12,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "batch/batch.h"
-#include "batch/records.h"
+#include "base/batch/batch.h"
+#include "base/batch/records.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 
@@ -364,7 +364,7 @@ static bool note_done(void *self, const char *task, size_t done, size_t total)
   return true;
 }
 
-/* The points that the file holds, by its layout, as documented in batch/records_impl.h. */
+/* The points that the file holds, by its layout, as documented in base/batch/records_impl.h. */
 static size_t read_recorded(bool recorded[NPOINT])
 {
   unsigned char record[8 + 8 * (2 + NVALUE) + 4];

@@ -1,5 +1,5 @@
 /* Work in a child: what it says comes back whole, and however it ends, it has ended. */
-#include "core/child.h"
+#include "base/core/child.h"
 
 #include <errno.h>
 #include <math.h>
@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/sort.h"
+#include "base/core/sort.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

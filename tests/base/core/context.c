@@ -1,5 +1,5 @@
 /* The context: memory, messages, log, progress. */
-#include "core/context.h"
+#include "base/core/context.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* The CSV reader. Expected fields are read off the texts by hand; refusals are compared as whole
  * messages, because the message is the contract: file, line, what is wrong, what is accepted. */
-#include "core/csv.h"
+#include "base/core/csv.h"
 
 #include <locale.h>
 #include <math.h>

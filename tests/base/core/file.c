@@ -1,8 +1,8 @@
 /* Whole files, names, and output folders that appear whole or not at all. Everything happens in a
  * fresh folder below the working folder of the test. */
 #define _GNU_SOURCE /* flock */
-#include "core/file.h"
-#include "core/held_files.h"
+#include "base/core/file.h"
+#include "base/core/held_files.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/sampling.h"
-#include "tests/document/sample_schema.h"
+#include "base/core/csv.h"
+#include "base/core/sampling.h"
+#include "tests/base/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -1,5 +1,5 @@
 /* Interpolation: exact for the functions each rule stands for, so tolerances are rounding. */
-#include "core/interpolation.h"
+#include "base/core/interpolation.h"
 
 #include <math.h>
 

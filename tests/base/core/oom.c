@@ -3,9 +3,9 @@
  * (Allocations inside libfyaml do not pass through the context and do not fail here.) */
 #include <string.h>
 
-#include "core/csv.h"
-#include "core/file.h"
-#include "tests/document/sample_schema.h"
+#include "base/core/csv.h"
+#include "base/core/file.h"
+#include "tests/base/document/sample_schema.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
 

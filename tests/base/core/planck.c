@@ -3,14 +3,14 @@
  *
  * The printed table (8-12 um, 150 to 400 K) has 6 decimals of L and 7 digits of the photon
  * radiance: half a unit of the last place is its tolerance. */
-#include "core/planck.h"
+#include "base/core/planck.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 
 #define FROM 8e-6

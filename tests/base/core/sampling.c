@@ -1,9 +1,9 @@
 /* Sampling. Statistical bounds: 5 standard errors, i.e. a false alarm once in 1.7e6 comparisons;
  * the sequences are fixed, so a test that passes passes always. The R2 sequence itself must beat
  * random points by its order: its integration error falls nearly as 1/N. */
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 
 #define N 20000

@@ -1,10 +1,10 @@
 /* Vectors, rotations. Expected values from the definitions: a passive rotation by +90 deg about z
  * turns the axes, so that the x axis of A reads (0, -1, 0) in B. Tolerances are a few units of the
  * last place of numbers of order one. */
-#include "core/vec.h"
+#include "base/core/vec.h"
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 
 #define ULPS 4e-15

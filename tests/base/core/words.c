@@ -1,9 +1,9 @@
 /* Words in messages. Edit distances: by hand, the classic kitten-sitting among them. */
-#include "core/words.h"
+#include "base/core/words.h"
 
 #include <string.h>
 
-#include "core/json.h"
+#include "base/core/json.h"
 #include "tests/support/cmocka_all.h"
 
 static void test_distance(void **state)

@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/csv.h"
-#include "tests/document/sample_schema.h"
+#include "base/core/csv.h"
+#include "tests/base/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

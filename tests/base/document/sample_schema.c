@@ -1,5 +1,5 @@
 /* A small scenario-like schema with every type of field. */
-#include "tests/document/sample_schema.h"
+#include "tests/base/document/sample_schema.h"
 
 #include <math.h>
 #include <stdio.h>

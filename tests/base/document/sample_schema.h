@@ -2,7 +2,7 @@
 #ifndef UMBRA_TESTS_DOCUMENT_SAMPLE_SCHEMA_H
 #define UMBRA_TESTS_DOCUMENT_SAMPLE_SCHEMA_H
 
-#include "document/schema.h"
+#include "base/document/schema.h"
 
 enum sample_model { SAMPLE_MODEL_NONE, SAMPLE_MODEL_CLEAR_SKY };
 

@@ -1,12 +1,12 @@
 /* YAML documents: binding, marks, overrides, text after overrides, and the message of every
  * refusal. Expected values are read off the sample text by hand. */
-#include "document/schema.h"
+#include "base/document/schema.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/document/sample_schema.h"
+#include "tests/base/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/document/sample_schema.h"
+#include "tests/base/document/sample_schema.h"
 #include "tests/support/cmocka_all.h"
 
 static char *emit(enum um_status (*writer)(FILE *, const struct um_schema_object *))

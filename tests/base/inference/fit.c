@@ -1,12 +1,12 @@
 /* Fits whose answers are known: certified problems, closed forms of linear models with bounds and
  * priors, what a fit may cost, and models that refuse. */
-#include "inference/fit.h"
+#include "base/inference/fit.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "nist_test.h"
-#include "tests/inference/observations_test.h"
+#include "tests/base/inference/observations_test.h"
 #include "tests/support/memory_sweep.h"
 #include "tests/support/with_context.h"
 

@@ -2,8 +2,8 @@
 #ifndef UMBRA_TESTS_INFERENCE_ROWS_TEST_H
 #define UMBRA_TESTS_INFERENCE_ROWS_TEST_H
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 
 /* Standard normal (Box & Muller 1958). */

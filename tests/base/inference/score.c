@@ -1,9 +1,9 @@
 /* Score test and expected chi-square difference on observations whose answers are known: closed
  * forms, and the distribution of p under noise alone. Noise is keyed, so that every run sees the
  * same draws; a uniform p is accepted below the 1e-4 tail of chi-square over bins. */
-#include "inference/score.h"
+#include "base/inference/score.h"
 
-#include "tests/inference/observations_test.h"
+#include "tests/base/inference/observations_test.h"
 #include "tests/support/memory_sweep.h"
 #include "tests/support/with_context.h"
 

@@ -1,7 +1,7 @@
 /* Whiteness of a residual: p under white noise, power against what is not. */
-#include "inference/score.h"
+#include "base/inference/score.h"
 
-#include "tests/inference/observations_test.h"
+#include "tests/base/inference/observations_test.h"
 #include "tests/support/with_context.h"
 
 #define ROWS 200

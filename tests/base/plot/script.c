@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "plot/plot.h"
+#include "base/plot/plot.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

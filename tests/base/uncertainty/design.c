@@ -1,5 +1,5 @@
 /* Designs of points: counts, shares, balance, what each is made for. */
-#include "uncertainty/design.h"
+#include "base/uncertainty/design.h"
 
 #include <string.h>
 

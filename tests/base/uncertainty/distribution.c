@@ -1,5 +1,5 @@
 /* Distributions: quantiles against closed forms and GSL's cut tails, there and back, refusals. */
-#include "uncertainty/distribution.h"
+#include "base/uncertainty/distribution.h"
 
 #include <gsl/gsl_cdf.h>
 #include <string.h>

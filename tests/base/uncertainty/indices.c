@@ -1,16 +1,16 @@
 /* Indices against closed forms: Ishigami's function, Sobol's g-function, a linear heat balance;
  * Morris's on functions whose effects are known. */
-#include "uncertainty/indices.h"
+#include "base/uncertainty/indices.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
+#include "base/uncertainty/design.h"
+#include "base/uncertainty/distribution.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
-#include "uncertainty/design.h"
-#include "uncertainty/distribution.h"
 
 #define A 7.0
 #define B 0.1

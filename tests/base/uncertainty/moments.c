@@ -1,11 +1,11 @@
 /* Moments and Sobol' indices of surrogates in closed form; values nowhere; time and threads. */
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
+#include "base/uncertainty/surrogate.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
-#include "uncertainty/surrogate.h"
 
 struct function {
   size_t d, nvalue;

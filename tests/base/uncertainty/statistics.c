@@ -1,10 +1,10 @@
 /* Quantiles, exceedance, correlation and weights against closed forms. */
-#include "uncertainty/statistics.h"
+#include "base/uncertainty/statistics.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

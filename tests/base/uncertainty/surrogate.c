@@ -1,10 +1,10 @@
 /* Surrogates: polynomials exactly, smooth functions to the error that was asked, steps refused. */
-#include "uncertainty/surrogate.h"
+#include "base/uncertainty/surrogate.h"
 
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"

@@ -4,15 +4,16 @@
  *
  * Sigmas of a baseline are what issue and README accept: 0.5 % of an irradiance with a floor of
  * 0.05 % of the band's peak (a tenth of the VIS noise; crescents and penumbra edges of the two
- * codes differ by the reference's sampling there, see tests/model/blind.c), 0.1 K of a temperature.
- * No row may be off by one of them; the mean square of the rows is then far below 1. */
-#include "model_test.h"
+ * codes differ by the reference's sampling there, see tests/model/run/blind.c), 0.1 K of a
+ * temperature. No row may be off by one of them; the mean square of the rows is then far below 1.
+ */
+#include "tests/evidence/model_test.h"
 
-#include "compare/comparison.h"
-#include "compare/metrics.h"
-#include "compare/set.h"
-#include "core/csv.h"
-#include "model/build.h"
+#include "base/core/csv.h"
+#include "evidence/comparison/comparison.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/measurements/set.h"
+#include "model/build/build.h"
 
 #define ACCEPTED_SQUARE 0.05 /* mean square of residual over sigma, all channels */
 

@@ -1,11 +1,11 @@
 /* Comparison of a model with measurements made from it by a known change, so that every number of
  * the result is known beforehand. */
-#include "model_test.h"
+#include "tests/evidence/model_test.h"
 
-#include "compare/compare.h"
-#include "compare/correlation_impl.h"
-#include "core/constants.h"
-#include "model/build.h"
+#include "base/core/constants.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/comparison/correlation_impl.h"
+#include "model/build/build.h"
 #include "orbit/time.h"
 
 /* Rank correlations against numbers worked out by hand.

@@ -1,10 +1,10 @@
 /* Memory that runs out while a plan, a comparison or synthetic measurements are made: every
  * allocation fails once; each time the call returns UM_ERR_MEMORY, hands nothing out and leaves
  * nothing behind. */
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "compare/synth.h"
-#include "model_test.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/measurements.h"
+#include "tests/evidence/model_test.h"
 #include "tests/support/allocator.h"
 
 static enum um_status everything(struct world *w, const struct um_compare_measurements *m)

@@ -2,15 +2,15 @@
  * measured: a grey plate has its own temperature and emissivity times area seen; what the bands of
  * a real pass say, in the shadow and in sunlight, is what `umbra retrieve` makes of the same light;
  * noise is as stated; where something is left out it shows. */
-#include "model_test.h"
+#include "tests/evidence/model_test.h"
 
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "compare/retrieve.h"
-#include "compare/synth.h"
-#include "compare/write.h"
-#include "core/planck.h"
-#include "model/run_response.h"
+#include "base/core/planck.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/inversion/retrieve.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
+#include "model/products/run_response.h"
 #include "output/lightcurve_impl.h"
 
 #define THERMAL                                                                                    \

@@ -3,12 +3,12 @@
  * A Lambert plate straight above a station, in sunlight alone, has the Sun's own spectrum. So its
  * magnitude in any filter is the Sun's, dimmed by one number k for all of them, and its counts are
  * those of the dimmed Sun. k is taken from a narrow band, the rest is predicted. */
-#include "compared.h"
 #include "environment/clear_sky.h"
 #include "environment/environment.h"
-#include "instrument/filter.h"
-#include "instrument/photometry.h"
-#include "model/counts.h"
+#include "model/run/counts.h"
+#include "optics/instrument/filter.h"
+#include "optics/instrument/photometry.h"
+#include "tests/evidence/compared.h"
 
 #define BINS 40
 #define TIME "2022-03-20T19:10:00Z"

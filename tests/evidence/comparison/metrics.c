@@ -3,7 +3,7 @@
  *   y 2 4 6 -1   m 1 4 8 0   sigma 1/2 1 2 1   r = y - m = 1 0 -2 -1   e = r/sigma = 2 0 -1 -1
  *
  * Tolerance 1e-15 relative: a few roundings of numbers near 1. */
-#include "metrics_test.h"
+#include "tests/evidence/metrics_test.h"
 
 static const double measured[4] = {2.0, 4.0, 6.0, -1.0}, model[4] = {1.0, 4.0, 8.0, 0.0},
                     sigma[4] = {0.5, 1.0, 2.0, 1.0};

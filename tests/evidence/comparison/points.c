@@ -6,9 +6,9 @@
  *     | range              E = I / range^2
  *   station                m = -2.5 log10(E_lambda lambda^2 / (c 3631 Jy))
  */
-#include "compared.h"
 #include "environment/environment.h"
 #include "orbit/time.h"
+#include "tests/evidence/compared.h"
 
 #define HEAD "time_utc,quantity,of,value,sigma,satellite_height_km,azimuth_deg,elevation_deg"
 #define TIME "2022-03-20T19:10:00Z"

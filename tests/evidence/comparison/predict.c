@@ -1,10 +1,10 @@
 /* Model values of measured rows: the right number of the right instant, and what is refused. */
-#include "model_test.h"
+#include "tests/evidence/model_test.h"
 
-#include "compare/comparison.h"
-#include "compare/measurements.h"
-#include "compare/predict.h"
-#include "model/build.h"
+#include "evidence/comparison/comparison.h"
+#include "evidence/comparison/predict.h"
+#include "evidence/measurements/measurements.h"
+#include "model/build/build.h"
 #include "orbit/time.h"
 
 /* Every quantity once, out of the order of the channels, tracks interleaved; flagged rows may be

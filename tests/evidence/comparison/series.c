@@ -1,10 +1,10 @@
 /* Noise model, linear flux, series of a channel, folding. Numbers by hand: 2.5 mag is a factor 10,
  * and 2.5 / ln 10 = 1.0857362047581296. */
-#include "compare/series.h"
+#include "evidence/comparison/series.h"
 
-#include "compare/measurements.h"
-#include "compare/noise.h"
-#include "compare_test.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/noise.h"
+#include "tests/evidence/compare_test.h"
 
 static const char text[] = "time_utc,quantity,of,value,sigma,flag,track\n"
                            "2016-09-21T20:36:42Z,magnitude_ab,V,2.5,0.1,0,b\n"

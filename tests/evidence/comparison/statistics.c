@@ -1,10 +1,10 @@
 /* Probabilities must be what they say: p-values of white noise are uniform, false alarms are as
  * rare as stated, and an error of one sigma is one. Fixed streams of noise; acceptance by the
  * Kolmogorov distribution or the binomial at a false-alarm rate of 1e-3 or less for each check. */
-#include "compare/period.h"
-#include "compare/series.h"
-#include "core/constants.h"
-#include "metrics_test.h"
+#include "base/core/constants.h"
+#include "evidence/comparison/series.h"
+#include "evidence/inversion/period.h"
+#include "tests/evidence/metrics_test.h"
 
 #define TRIALS 2000
 

@@ -1,9 +1,9 @@
 /* The sky behind a satellite as a camera has it: zeniths at twilight as measured, moonlight as
  * published, and what of it is left in a measurement that does not subtract it. */
-#include "compared.h"
-#include "model/counts.h"
-#include "model/sky_light.h"
+#include "model/run/counts.h"
+#include "model/run/sky_light.h"
 #include "orbit/sun.h"
+#include "tests/evidence/compared.h"
 
 #define HEAD "time_utc,quantity,of,value,sigma,satellite_height_km,azimuth_deg,elevation_deg\n"
 

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/effect_files.h"
+#include "model/build/effect_files.h"
 
 #define PLATE_STEP "24" /* [s] */
-#include "tests/diagnosis/plate_diagnosis_test.h"
+#include "tests/evidence/diagnosis/plate_diagnosis_test.h"
 
 static const struct um_effect *effect_named(const struct um_sensitivity_forward *f,
                                             const char *name)

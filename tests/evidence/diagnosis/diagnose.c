@@ -1,10 +1,10 @@
 /* The whole method on a small satellite: measurements are made from a scenario that has what the
  * analyst's lacks, and the verdict must name it, or say that these observations cannot. Random
  * numbers are repeatable; the laboratory does the same on other meshes, many times. */
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 
-#include "compare/write.h"
-#include "tests/sensitivity/forward_test.h"
+#include "evidence/measurements/write.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 
 /* Every 20 s: 33 times above the horizon; candidates of several kinds. */
 static const char *const coarse[] = {"time.step_s=20"};

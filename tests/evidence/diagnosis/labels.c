@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/alternatives_impl.h"
-#include "diagnosis/diagnosis_impl.h"
-#include "diagnosis/leave_one_out_impl.h"
-#include "diagnosis/state_impl.h"
-#include "diagnosis/summary_impl.h"
-#include "diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/alternatives_impl.h"
+#include "evidence/diagnosis/diagnosis_impl.h"
+#include "evidence/diagnosis/leave_one_out_impl.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/verdict_impl.h"
 
 #define PLATE_STEP "24" /* [s] */
-#include "tests/diagnosis/plate_diagnosis_test.h"
+#include "tests/evidence/diagnosis/plate_diagnosis_test.h"
 
 /* ---- by hand ---- */
 

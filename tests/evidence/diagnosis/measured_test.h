@@ -2,10 +2,10 @@
 #ifndef UMBRA_TESTS_DIAGNOSIS_MEASURED_TEST_H
 #define UMBRA_TESTS_DIAGNOSIS_MEASURED_TEST_H
 
-#include "compare/synth.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "evidence/inversion/synth.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 
 /* The scenario with these changes, of noise 1 % and 0.1 % of the brightest. Returns its first

@@ -5,12 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "diagnosis/diagnose.h"
+#include "evidence/diagnosis/diagnose.h"
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "24" /* [s] */
-#include "tests/diagnosis/measured_test.h"
-#include "tests/diagnosis/plate_test.h"
+#include "tests/evidence/diagnosis/measured_test.h"
+#include "tests/evidence/diagnosis/plate_test.h"
 
 /* The visible band of a world with an effect. */
 static struct um_compare_measurements *measure(const char *with)

@@ -7,11 +7,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/synth.h"
-#include "diagnosis/diagnose.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "evidence/inversion/synth.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

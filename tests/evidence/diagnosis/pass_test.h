@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 

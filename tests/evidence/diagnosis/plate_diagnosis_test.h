@@ -5,9 +5,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "diagnosis/diagnose.h"
-#include "tests/diagnosis/measured_test.h"
-#include "tests/diagnosis/plate_test.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "tests/evidence/diagnosis/measured_test.h"
+#include "tests/evidence/diagnosis/plate_test.h"
 
 struct lists {
   const char *const *set, *const *with, *const *only; /* end with NULL, or NULL */

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "core/context.h"
+#include "base/core/context.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =

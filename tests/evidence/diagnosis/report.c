@@ -1,9 +1,9 @@
 /* The files of a diagnosis, from one that is filled by hand: its numbers stand where they belong,
  * the improved scenario is the model that was diagnosed, and a folder that cannot be written is
  * not there. */
-#include "core/csv.h"
+#include "base/core/csv.h"
 #include "tests/app/json.h"
-#include "tests/diagnosis/report_test.h"
+#include "tests/evidence/diagnosis/report_test.h"
 
 static void test_json(const char *path)
 {

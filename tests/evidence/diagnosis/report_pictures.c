@@ -1,9 +1,9 @@
 /* The pictures of a diagnosis that is filled by hand: titles say what its verdict says. */
 #include <dirent.h>
 
-#include "diagnosis/report/plot.h"
-#include "diagnosis/report/plot_frame_impl.h"
-#include "tests/diagnosis/report_test.h"
+#include "evidence/diagnosis/report/plot.h"
+#include "evidence/diagnosis/report/plot_frame_impl.h"
+#include "tests/evidence/diagnosis/report_test.h"
 
 /* Whatever gnuplot, where there is one, has drawn. */
 static void remove_pictures(void)

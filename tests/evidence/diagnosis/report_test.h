@@ -5,16 +5,16 @@
 
 #include <math.h>
 
-#include "compare/measurements.h"
-#include "compare/synth.h"
-#include "compare/write.h"
-#include "core/file.h"
-#include "diagnosis/report/write.h"
+#include "base/core/file.h"
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "tests/diagnosis/pass_test.h"
+#include "evidence/diagnosis/report/write.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "tests/evidence/diagnosis/pass_test.h"
 
 static const char *const overrides[] = {"parts.bus.interior.power_W=25"};
 static const char *const with[] = {"solar_absorptance:grey_white,absorptance_shift=0.05"};

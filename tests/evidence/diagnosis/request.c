@@ -2,9 +2,9 @@
  * and how a text that is wrong is refused. */
 #include <math.h>
 
-#include "diagnosis/request.h"
-#include "model/build.h"
-#include "tests/diagnosis/pass_test.h"
+#include "evidence/diagnosis/request.h"
+#include "model/build/build.h"
+#include "tests/evidence/diagnosis/pass_test.h"
 
 static void test_requests(void **state)
 {

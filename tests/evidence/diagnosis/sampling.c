@@ -2,12 +2,12 @@
  * the analyst states. The panel stands before the box and hides and shades faces that are one facet
  * each, so that few points err by per cents. Without the model's own error in chi-square, and
  * without more points, those per cents are taken for an effect. */
-#include "compare/refine.h"
-#include "compare/write.h"
-#include "diagnosis/diagnose.h"
-#include "missing_heat/unexplained.h"
-#include "sensitivity/forward_impl.h"
-#include "tests/sensitivity/forward_test.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "evidence/inversion/refine.h"
+#include "evidence/measurements/write.h"
+#include "evidence/missing_heat/unexplained.h"
+#include "evidence/sensitivity/forward_impl.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 #include "tests/support/whole.h"
 
 #define SHADED "[0.9, 0.2, 0.3], rotation_deg: [0, 70, 0]"

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "diagnosis/diagnose.h"
-#include "tests/diagnosis/measured_test.h"
+#include "evidence/diagnosis/diagnose.h"
+#include "tests/evidence/diagnosis/measured_test.h"
 #include "tests/support/cmocka_all.h"
 
 static const char scenario[] =

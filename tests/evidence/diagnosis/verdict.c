@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis/summary_impl.h"
-#include "diagnosis/superseded_impl.h"
-#include "diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/superseded_impl.h"
+#include "evidence/diagnosis/verdict_impl.h"
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "12" /* [s] */
-#include "tests/diagnosis/plate_diagnosis_test.h"
+#include "tests/evidence/diagnosis/plate_diagnosis_test.h"
 
 /* ---- tests ---- */
 

@@ -1,12 +1,12 @@
 /* Folded curves against curves that are made: one hump a turn, F = level(t) + A exp(k (cos x - 1)),
  * over a level that moves five- to tenfold as over a pass. A bin's answer is the hump at its own
  * points and the mean level; 40 of them lie within their stated errors, chi-square 40 +- 9. */
-#include "compare/fold.h"
+#include "evidence/inversion/fold.h"
 
 #include <stdint.h>
 
-#include "compare/measurements.h"
-#include "compare_test.h"
+#include "evidence/measurements/measurements.h"
+#include "tests/evidence/compare_test.h"
 
 #define ROWS   860
 #define SPAN   600.0 /* [s] */

@@ -1,13 +1,13 @@
 /* Memory that runs out: every allocation fails once, at each place in turn. Each time the call
  * returns UM_ERR_MEMORY, hands nothing out and leaves nothing behind. */
-#include "compare/fold.h"
-#include "compare/measurements.h"
-#include "compare/metrics.h"
-#include "compare/mmt.h"
-#include "compare/period.h"
-#include "compare/series.h"
-#include "compare/write.h"
-#include "compare_test.h"
+#include "evidence/comparison/metrics.h"
+#include "evidence/comparison/series.h"
+#include "evidence/inversion/fold.h"
+#include "evidence/inversion/period.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/mmt.h"
+#include "evidence/measurements/write.h"
+#include "tests/evidence/compare_test.h"
 #include "tests/support/memory_sweep.h"
 
 /* Everything that allocates, once. */

@@ -1,9 +1,9 @@
 /* Measurements as reflectivity. What the whole model says of four quantities, read back as if it
  * had been measured, is the reflectivity that the renderer gives for the directions of each
  * instant: grey bodies in sunlight alone, above air, on a pass that begins in the umbra. */
-#include "compare/on_map.h"
+#include "evidence/inversion/on_map.h"
 
-#include "model_test.h"
+#include "tests/evidence/model_test.h"
 
 #define BINS "bands.vis.bins=6"
 #define SENSORS                                                                                    \

@@ -1,12 +1,12 @@
 /* Period search against exact sines and against least squares done another way. */
-#include "compare/series.h"
+#include "evidence/comparison/series.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
 
-#include "compare/period.h"
-#include "compare_test.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/inversion/period.h"
+#include "tests/evidence/compare_test.h"
 
 #define ROWS 120
 

@@ -1,10 +1,10 @@
 /* Does the false-alarm probability of a period say how often noise peaks so high? White noise, red
  * noise, a trend of the range under either, a smooth hump as a satellite that does not turn shows
  * it; and a true spin. Seeds are fixed, so that a run is like any other. */
-#include "compare/period.h"
-#include "compare/series.h"
-#include "compare_test.h"
-#include "core/constants.h"
+#include "base/core/constants.h"
+#include "evidence/comparison/series.h"
+#include "evidence/inversion/period.h"
+#include "tests/evidence/compare_test.h"
 #include "tests/support/whole.h"
 
 enum { N = 200 };

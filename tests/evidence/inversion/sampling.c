@@ -2,14 +2,14 @@
  * missing, so that chi-square has to say so. The panel stands half a metre before the box and turns
  * with it: it hides and shades faces that are one facet each, so that few points err by per cents.
  * Truth, noise and comparison go the way of umbra synth and umbra compare. */
-#include "compare/compare.h"
-#include "compare/refine.h"
-#include "compare/synth.h"
-#include "compare/write.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model_test.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/inversion/refine.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/write.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "tests/evidence/model_test.h"
 #include "tests/support/whole.h"
 
 static const int numbers[] = {1, 4, 16, 64, 4096};

@@ -4,10 +4,10 @@
  * A box of equal sides opposite each other, turned by half a turn about y, is the same box. A spin
  * about z is then the spin about -z the other way round: axis and rate reversed together is one and
  * the same motion of the axis, of a body turned about y. Both give the same light. */
-#include "compare/spin.h"
+#include "evidence/inversion/spin.h"
 
-#include "model_test.h"
 #include "orbit/time.h"
+#include "tests/evidence/model_test.h"
 
 #define AXIS "[0.36, 0.48, 0.8]"
 

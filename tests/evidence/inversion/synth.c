@@ -1,13 +1,13 @@
 /* Measurements made from a model, and the model found again in them: noise as stated, chi-square
  * and whiteness as they must be; something left out shows in the channels and segments that feel
  * it. Seeds are fixed, so that a run is like any other; bands are stated as if they were not. */
-#include "model_test.h"
+#include "tests/evidence/model_test.h"
 
-#include "compare/compare.h"
-#include "compare/measurements.h"
-#include "compare/synth.h"
-#include "compare/write.h"
-#include "model/build.h"
+#include "evidence/comparison/compare.h"
+#include "evidence/inversion/synth.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
+#include "model/build/build.h"
 #include "orbit/time.h"
 
 #define SEEDS 20

@@ -3,12 +3,12 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include "compare/measurements.h"
-#include "compare/write.h"
-#include "compare_test.h"
-#include "core/constants.h"
-#include "core/file.h"
+#include "base/core/constants.h"
+#include "base/core/file.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
 #include "orbit/time.h"
+#include "tests/evidence/compare_test.h"
 
 #define HEAD "time_utc,quantity,of,value,sigma\n"
 #define T0   "2016-09-21T20:36:40.000Z"

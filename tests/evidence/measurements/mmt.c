@@ -1,11 +1,11 @@
 /* Survey tracks. The texts have the shape that the survey's site writes; the numbers are made up.
  */
-#include "compare/mmt.h"
-#include "compare/measurements.h"
-#include "compare/write.h"
-#include "compare_test.h"
-#include "core/constants.h"
+#include "evidence/measurements/mmt.h"
+#include "base/core/constants.h"
+#include "evidence/measurements/measurements.h"
+#include "evidence/measurements/write.h"
 #include "orbit/time.h"
+#include "tests/evidence/compare_test.h"
 
 static const char track[] = "# satellite: 12345 SOME BODY / XX\n"
                             "# catalogue: 1 NORAD\n"

@@ -1,11 +1,11 @@
 /* Heat that no catalogue has: pulses of known place, start and energy put into a small world by
  * power_file, with noise. The model that looks for them has the same parts, so what is tested is
  * the linear response, the search and the history; the laboratory has other meshes. */
-#include "missing_heat/unexplained.h"
+#include "evidence/missing_heat/unexplained.h"
 
-#include "missing_heat/observations_impl.h"
-#include "tests/inference/observations_test.h"
-#include "tests/sensitivity/forward_test.h"
+#include "evidence/missing_heat/observations_impl.h"
+#include "tests/base/inference/observations_test.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 #include "tests/support/allocator.h"
 
 #define STEP 6.0 /* between observations of light [s] */

@@ -1,7 +1,7 @@
 /* Which candidates there are, and that their signatures are derivatives. */
-#include "sensitivity/candidates.h"
-#include "sensitivity/stated.h"
-#include "tests/sensitivity/forward_test.h"
+#include "evidence/sensitivity/candidates.h"
+#include "evidence/sensitivity/stated.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 
 static struct um_sensitivity_candidates *candidates_of(struct um_sensitivity_forward *f,
                                                        const char *const *only, size_t nonly)

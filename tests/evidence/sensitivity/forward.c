@@ -1,7 +1,7 @@
 /* What is computed with geometry precomputation and heat used again is what a run of its own gives.
  */
-#include "model/scenario_read.h"
-#include "tests/sensitivity/forward_test.h"
+#include "model/scenario/scenario_read.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 
 /* One effect of every kind of hook, away from its null value. */
 static const struct {

@@ -4,8 +4,8 @@
 #define UMBRA_TESTS_SENSITIVITY_FORWARD_TEST_H
 
 #include "effects/effects.h"
-#include "sensitivity/forward.h"
-#include "tests/compare/model_test.h"
+#include "evidence/sensitivity/forward.h"
+#include "tests/evidence/model_test.h"
 
 #define CONTACTS                                                                                   \
   "contacts:\n"                                                                                    \

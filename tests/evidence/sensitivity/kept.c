@@ -1,7 +1,7 @@
 /* Geometry and heat that are kept serve the effects they were made for: other values, other targets
  * and other light are computed anew. From an isothermal start what is kept must not change a bit.
  */
-#include "tests/sensitivity/forward_test.h"
+#include "tests/evidence/sensitivity/forward_test.h"
 
 /* Pairs that a careless key would take for each other. */
 static const struct {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "tests/effects/heat_help.h"
-#include "thermal/body.h"
+#include "thermal/network/body.h"
 
 #define FILE_NAME  "network-scenario.yaml"
 #define NODES      "network-nodes.csv"

@@ -5,9 +5,9 @@
  *   C = 2 x 0.0003 x 2700 x 896 + 32 x 896 x 0.02         = 2024.96 J/m2/K
  *   k t = 2 x 0.0003 x 167 + 15/32 x 32/2700 x 167 x 0.02  = 0.118755556 W/K
  *   U = 32/2700 x 167 / 0.02                               = 98.962963 W/m2/K */
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "tests/effects/heat_help.h"
 
 #define PANEL "material: aluminium_bare, face_mm: 0.3, core_mm: 20, core_density_kg_m3: 32"

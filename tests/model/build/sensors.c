@@ -4,12 +4,12 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/listing.h"
-#include "core/planck.h"
-#include "instrument/photometry.h"
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/sensor_preset.h"
+#include "base/core/listing.h"
+#include "base/core/planck.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/build/sensor_preset.h"
+#include "optics/instrument/photometry.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"
@@ -42,7 +42,8 @@ static enum um_status build(const char *sensors, struct um_model **out)
 
 #define SPELT                                                                                      \
   "  spelt: {band: vis, aperture_m: 0.43, obstruction: 0.485, throughput: 0.7, gain_e: 0.45,\n"    \
-  "          quantum_efficiency_file: " UMBRA_SOURCE_DIR "/instrument/sensors/zyla-5.5.csv,\n"     \
+  "          quantum_efficiency_file: " UMBRA_SOURCE_DIR                                           \
+  "/optics/instrument/sensors/zyla-5.5.csv,\n"                                                     \
   "          pixel_arcsec: 0.456, fwhm_arcsec: 2.5, annulus_pixels: 400, read_noise_e: 1.4,\n"     \
   "          dark_e_s: 0.1, sky_mag_arcsec2: 19, saturation_e: 30000, exposure_s: 0.2}\n"
 

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"

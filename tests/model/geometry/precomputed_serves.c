@@ -2,9 +2,9 @@
  * anew and comparing all that was traced, number for number. */
 #include <stdio.h>
 
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/precomputed_serves.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/geometry/precomputed_serves.h"
 #include "tests/model/traced_help.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"

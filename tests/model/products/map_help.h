@@ -6,10 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/reflectivity.h"
-#include "model/reflectivity_pass.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/products/reflectivity.h"
+#include "model/products/reflectivity_pass.h"
 #include "tests/support/cmocka_all.h"
 
 #define MAP_SCENARIO "map_scenario.yaml"

@@ -1,8 +1,8 @@
 /* Directions of Sun and observer as a map has them. The three pairs are D.10 of the physics notes,
  * computed there independently. */
-#include "model/phase_vector.h"
+#include "model/products/phase_vector.h"
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 
 /* Printed to 1e-5 deg. */

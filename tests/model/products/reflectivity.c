@@ -4,9 +4,9 @@
  *             times [sin g + (pi - g) cos g]/pi
  *   a glossy plate at its normal: M = A (rho/pi + F D(0)/4), D(0) = 1/(pi alpha'^2), the Sun's disc
  *             widening alpha'^2 = alpha^2 + theta^2/8 (materials/lobe_beckmann.c) */
-#include "model/precompute.h"
-#include "model/run.h"
-#include "tests/model/map_help.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
+#include "tests/model/products/map_help.h"
 #include "tests/support/with_context.h"
 
 static struct um_model_map *map_of(const struct um_model *model, double step, const double *degrees,
@@ -22,7 +22,7 @@ static struct um_model_map *map_of(const struct um_model *model, double step, co
 }
 
 /* The same at every node. Facets of 0.1 m leave up to 2e-4 in the rms over directions
- * (tests/optics/lightcurve.c), five times that at single nodes. */
+ * (tests/optics/lightcurve/lightcurve.c), five times that at single nodes. */
 static void sphere_is_constant(void **state)
 {
   (void)state;

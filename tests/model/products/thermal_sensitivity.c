@@ -9,10 +9,10 @@
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/thermal_sensitivity.h"
-#include "model/thermal_solution_impl.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/products/thermal_sensitivity.h"
+#include "model/run/thermal_solution_group.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/whole.h"
 #include "tests/support/with_context.h"

@@ -36,15 +36,15 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "channel.h"
-#include "core/constants.h"
-#include "core/csv.h"
 #include "environment/airmass.h"
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "tests/support/reference.h"
 

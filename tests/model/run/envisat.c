@@ -8,14 +8,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/moonlight.h"
-#include "model/bands.h"
-#include "model/build.h"
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/run.h"
-#include "model/timeline.h"
+#include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/build/model.h"
+#include "model/build/timeline.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 

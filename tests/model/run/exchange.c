@@ -3,13 +3,13 @@
  * of a model begin with the model's. */
 #include <math.h>
 
-#include "model/build.h"
-#include "model/precompute.h"
-#include "model/thermal_solution.h"
-#include "model/thermal_solution_impl.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
+#include "model/run/thermal_solution.h"
+#include "model/run/thermal_solution_group.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
-#include "thermal/exchange_impl.h"
+#include "thermal/exchange/exchange_group.h"
 
 #define ELBOW UMBRA_SOURCE_DIR "/tests/scenarios/data/elbow"
 

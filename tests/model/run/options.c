@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "model/build.h"
-#include "model/model.h"
-#include "model/precompute.h"
-#include "model/run.h"
+#include "base/core/constants.h"
+#include "model/build/build.h"
+#include "model/build/model.h"
+#include "model/geometry/precompute.h"
+#include "model/run/run.h"
 #include "orbit/time.h"
 #include "tests/support/cmocka_all.h"
 

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "fixture.h"
-#include "optics/image.h"
+#include "base/core/constants.h"
+#include "optics/image/image.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin ball_skin = {NULL, "blanket", NULL};
 static const struct um_geometry_skin plate_skin = {NULL, "cell", "blanket"};

@@ -1,13 +1,13 @@
 /* Aperture photometry: areas of circles on pixels by their closed form and by points; the share of
  * a Gaussian's light in a circle, 1 - 2^(-4 q^2); the CCD equation's check value; and over many
  * seeds of what umbra frame writes, what is measured scatters by what is stated. */
-#include "instrument/aperture.h"
+#include "optics/instrument/aperture.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "instrument/frame.h"
+#include "base/core/constants.h"
+#include "optics/instrument/frame.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -1,11 +1,11 @@
 /* Factor and extinction from stars: what is put in comes out; errors are those of repeated draws,
  * their correlation with them; too little is refused. */
-#include "instrument/calibration.h"
+#include "optics/instrument/calibration.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -1,12 +1,12 @@
 /* Curves of filters: what is read, what is refused and how, means over bins, and those that come
  * with the program. */
-#include "instrument/filter.h"
+#include "optics/instrument/filter.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "core/listing.h"
+#include "base/core/listing.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"

@@ -1,10 +1,10 @@
 /* Frames of a detector: energy, place, width, trail, noise. */
-#include "instrument/frame.h"
+#include "optics/instrument/frame.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -1,13 +1,13 @@
 /* Temperatures and areas from several bands: what is put in comes out; the uncertainty is that of
  * repeated draws; and two components are told from one where Catsamas et al. 2025 (arXiv
  * 2511.13030) say, from about 15 K of difference in eight bands like WISE's. */
-#include "instrument/grey_body.h"
+#include "optics/instrument/grey_body.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "core/sampling.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

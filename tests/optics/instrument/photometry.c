@@ -1,12 +1,12 @@
 /* AB and Vega magnitudes. Sources: D.1 and D.6 of the physics notes, the definition, and published
  * zero points. */
-#include "instrument/photometry.h"
+#include "optics/instrument/photometry.h"
 
 #include <math.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
-#include "instrument/filter.h"
+#include "optics/instrument/filter.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

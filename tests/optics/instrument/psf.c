@@ -1,12 +1,12 @@
 /* Point spread functions against closed forms of their encircled energy (PHYSICS.md D.7 for the
  * Gaussian; Rayleigh 1881 for the round aperture). */
-#include "instrument/psf.h"
+#include "optics/instrument/psf.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"

@@ -1,11 +1,11 @@
 /* Counts and noise: D.6 and D.7 of the physics notes, and limits that have closed forms. */
-#include "instrument/sensor.h"
+#include "optics/instrument/sensor.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/interpolation.h"
-#include "core/planck.h"
+#include "base/core/constants.h"
+#include "base/core/interpolation.h"
+#include "base/core/planck.h"
 #include "tests/support/cmocka_all.h"
 
 #define BINS 700

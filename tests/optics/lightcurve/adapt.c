@@ -12,14 +12,14 @@
  * against each other: their ratio is chi-square per degree of freedom, as many as instants times
  * draws, of which those of one draw have much in common; the ratio of one scene is good to 10 %,
  * and SCENES of them differ, since edges are no random lines. */
-#include "optics/adapt.h"
+#include "optics/lightcurve/adapt.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
+#include "tests/optics/fixture.h"
 #include "tests/support/whole.h"
 
 enum { SCENES = 3, INSTANTS = 10, VALUES = 2 * INSTANTS, TRUTHS = 2 };

@@ -13,12 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/csv.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "orbit/observer.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"
+#include "tests/optics/fixture.h"
 #include "tests/support/reference.h"
 
 #define OLR 237.0 /* [W/m^2] */

@@ -2,8 +2,8 @@
  * absorb: one record for both. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin skin = {NULL, "metal", "metal"};
 

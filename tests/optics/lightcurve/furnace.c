@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
-#include "fixture.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
+#include "tests/optics/fixture.h"
 
 #define RINGS    256 /* of half vectors, of equal share of the facets */
 #define TURNS    24

@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
-#include "optics/image.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "optics/image/image.h"
+#include "tests/optics/fixture.h"
 #include "tests/support/allocator.h"
 
 static const struct um_geometry_skin body_skin = {NULL, "blanket", NULL};

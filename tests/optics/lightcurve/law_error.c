@@ -14,9 +14,9 @@
  * their edges: the ratio is good to about 20 %. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/sampling.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/sampling.h"
+#include "tests/optics/fixture.h"
 
 enum { CASES = 120 };
 

@@ -3,9 +3,9 @@
  * checked there by independent quadrature. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin grey = {NULL, "grey", "grey"};
 static const struct um_geometry_skin grey_closed = {NULL, "grey", NULL};

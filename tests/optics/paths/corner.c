@@ -7,9 +7,9 @@
  */
 #include <math.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "tests/optics/fixture.h"
 
 #define FACTOR 0.200044 /* view factor of perpendicular unit squares (Howell C-14; notes C.7) */
 

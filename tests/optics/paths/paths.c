@@ -5,12 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
-#include "optics/interreflection_impl.h"
-#include "optics/photons_impl.h"
-#include "optics/stage_impl.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "optics/paths/interreflection_group.h"
+#include "optics/paths/photons_group.h"
+#include "optics/paths/stage_group.h"
+#include "tests/optics/fixture.h"
 
 #define WIDE 4000.0 /* side of plates 1 m apart [m]: the share near the edges is 1e-3 */
 

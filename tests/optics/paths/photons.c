@@ -2,9 +2,9 @@
  * mirrors for walls, of F = 1 if nothing is said, and a Lambert floor. */
 #include <math.h>
 
-#include "core/constants.h"
-#include "fixture.h"
-#include "optics/photon_maps.h"
+#include "base/core/constants.h"
+#include "optics/paths/photon_maps.h"
+#include "tests/optics/fixture.h"
 
 #define DEEP 4.0  /* [m] */
 #define LONG 40.0 /* [m]: what the Sun's width throws out at the ends is 3e-4 */

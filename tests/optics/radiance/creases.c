@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
-#include "optics/creases.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "optics/radiance/creases.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin skin = {NULL, "m", "m"};
 static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
-#include "core/planck.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "base/core/planck.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin skin = {NULL, "grey", "grey"};
 

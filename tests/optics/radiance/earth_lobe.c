@@ -1,12 +1,12 @@
 /* The Earth reflected by a lobe, against the table of D.5 and sums over directions. */
-#include "optics/earth_lobe_impl.h"
+#include "optics/radiance/earth_lobe_impl.h"
 
 #include <math.h>
 
-#include "core/constants.h"
-#include "fixture.h"
+#include "base/core/constants.h"
 #include "materials/bsdf.h"
 #include "tests/materials/table.h"
+#include "tests/optics/fixture.h"
 
 #define H_RATIO ((6378.137 + 765.0) / 6378.137)
 #define RINGS   2000 /* as the table was made */

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/constants.h"
-#include "fixture.h"
+#include "base/core/constants.h"
 #include "materials/lobe.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin skin = {NULL, "m", "m"};
 static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};

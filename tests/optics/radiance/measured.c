@@ -2,8 +2,8 @@
  * written from: 0.15/pi + 0.5 f of GGX, alpha 0.3, every 2.5 deg (fixture_measured). */
 #include <math.h>
 
-#include "core/constants.h"
-#include "fixture.h"
+#include "base/core/constants.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};
 static const struct um_geometry_skin closed = {NULL, "closed", "closed"},

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/constants.h"
-#include "fixture.h"
-#include "optics/adapt.h"
+#include "base/core/constants.h"
+#include "optics/lightcurve/adapt.h"
+#include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin grey = {NULL, "grey", "grey"};
 

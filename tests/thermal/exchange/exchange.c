@@ -11,15 +11,15 @@
  *       |     |/
  *       +-----+
  */
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "tests/support/allocator.h"
-#include "tests/thermal/room_help.h"
-#include "thermal/response.h"
+#include "tests/thermal/exchange/room_help.h"
+#include "thermal/tangent/response.h"
 
 static const double wall_emittance[6] = {0.8, 0.8, 0.3, 0.3, 0.05, 0.9};
 static const double wall_temperature[6] = {300, 320, 280, 310, 250, 400};

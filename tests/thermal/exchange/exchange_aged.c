@@ -1,7 +1,7 @@
 /* What surfaces that have aged reflect of the Sun, of the albedo and of the Earth's heat, in a cube
  * with a lid and without, against its balance. */
-#include "tests/thermal/room_help.h"
-#include "thermal/network_impl.h"
+#include "tests/thermal/exchange/room_help.h"
+#include "thermal/network/network_group.h"
 
 /* Ageing of the six walls over rows [2]. */
 static struct um_thermal_aging aging_of(size_t nsurface, const struct um_geometry_mesh *mesh,

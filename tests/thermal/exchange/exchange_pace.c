@@ -1,8 +1,8 @@
 /* Products of exchange areas on one and on several threads: the same bits, through trials of both
  * and what is kept between them. */
 #include "tests/thermal/network_help.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/exchange_pace_impl.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/exchange/exchange_pace_group.h"
 
 #define PATCHES 160 /* 25,600 entries: enough to be worth threads */
 #define CALLS   2000

@@ -1,11 +1,11 @@
 /* Emittances that go with temperature in radiation between surfaces: plates whose emittance has one
  * value below a wavelength and another above, for which the balance of each band is closed; rooms
  * of one temperature. */
-#include "core/planck.h"
+#include "base/core/planck.h"
 #include "tests/support/allocator.h"
-#include "tests/thermal/room_help.h"
-#include "thermal/exchange_impl.h"
-#include "thermal/network_impl.h"
+#include "tests/thermal/exchange/room_help.h"
+#include "thermal/exchange/exchange_group.h"
+#include "thermal/network/network_group.h"
 
 #define EDGE 14e-6 /* [m] where the emittances step */
 

@@ -5,7 +5,7 @@
 
 #include "tests/support/temporary.h"
 #include "tests/thermal/body_help.h"
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 /* A satellite whose closed parts radiate inside, with the exchange of its rooms. */
 struct inside {

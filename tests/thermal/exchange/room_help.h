@@ -3,16 +3,16 @@
 #ifndef UMBRA_TESTS_THERMAL_ROOM_HELP_H
 #define UMBRA_TESTS_THERMAL_ROOM_HELP_H
 
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 #define OK(call)                                                                                   \
   do {                                                                                             \

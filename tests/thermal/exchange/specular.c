@@ -1,10 +1,10 @@
 /* Surfaces that mirror what they do not absorb, against closed forms that tell a mirror from a
  * diffuse surface: Siegel and Howell, Thermal Radiation Heat Transfer, 4th ed., ch. 9. */
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #include "tests/support/allocator.h"
 #include "tests/support/temporary.h"
-#include "tests/thermal/room_help.h"
+#include "tests/thermal/exchange/room_help.h"
 
 #define SUN 1361.0
 

@@ -3,14 +3,14 @@
  *
  *            plate              A screen hangs down beside the plate, which looks at nadir, and
  *             ----- |           hides of the Earth what stands low on that side.
- *                   | screen            --> x, Sun above          tests/irradiation/covered.c
+ *                   | screen            --> x, Sun above          tests/thermal/loads/covered.c
  *                   |
  */
 #include "environment/angular_moments.h"
-#include "irradiation/loads.h"
 #include "materials/materials.h"
-#include "tests/irradiation/region_help.h"
 #include "tests/thermal/body_help.h"
+#include "tests/thermal/loads/region_help.h"
+#include "thermal/loads/loads.h"
 
 #define UM_TEST_LIBRARY UMBRA_SOURCE_DIR "/materials/library"
 #define NODES           97

@@ -5,8 +5,8 @@
  *
  *            plate              The plate looks at nadir; the Sun stands low over +x, and the lit
  * part screen |  -----   | or here  of the Earth is there. |    |     | nadir       --> x, Sun */
-#include "irradiation/loads.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define OLR    237.0
 #define RADIUS 6378137.0

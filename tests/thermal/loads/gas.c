@@ -1,8 +1,8 @@
 /* Heat of the atmosphere: densities against the printed table, a plate at 200 km against rho v^3 /
  * 2 cos, what stands behind another plate, the temperature it holds. Loads are floats: 6e-8. */
 #include "environment/atmosphere.h"
-#include "irradiation/loads.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define EQUATOR 6378137.0
 #define RATE    7.292115e-5 /* of the Earth [rad/s] */

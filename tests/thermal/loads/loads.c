@@ -1,6 +1,6 @@
 /* Orbital loads against exact answers: plates before the Earth, plates before each other, a sphere
  * in the Sun, panels that follow it. */
-#include "irradiation/loads.h"
+#include "thermal/loads/loads.h"
 #include "tests/thermal/body_help.h"
 
 static struct um_environment environment;

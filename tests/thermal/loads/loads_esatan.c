@@ -10,9 +10,9 @@
  * files. */
 #include <string.h>
 
-#include "irradiation/loads.h"
 #include "tests/support/reference.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define ROWS 128
 

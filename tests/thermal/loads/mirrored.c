@@ -7,9 +7,9 @@
 #include "environment/environment.h"
 #include "geometry/cube.h"
 #include "geometry/mirror_paths.h"
-#include "irradiation/mirrored_impl.h"
-#include "tests/irradiation/region_help.h"
+#include "tests/thermal/loads/region_help.h"
 #include "tests/thermal/network_help.h"
+#include "thermal/loads/mirrored_impl.h"
 
 #define LINES  24 /* through a cell, an axis */
 #define RADIUS 6378137.0

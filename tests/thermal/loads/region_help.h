@@ -2,7 +2,7 @@
 #ifndef UMBRA_TESTS_IRRADIATION_REGION_HELP_H
 #define UMBRA_TESTS_IRRADIATION_REGION_HELP_H
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "environment/environment.h"
 
 /* 0 to 1 like a cosine over the edge, half way at the radius; place, pole, greenwich: unit. */

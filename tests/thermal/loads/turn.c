@@ -9,8 +9,8 @@
  *       P / (2 pi) (S(x) - x c / pi),  S(x) = c sin x, held at +-c behind the edges
  *
  * and before an Earth of small angle the same of its direction. */
-#include "irradiation/loads.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define ROWS   50
 #define NODES  64
@@ -123,7 +123,7 @@ static void test_ripple(void **state)
       NEAR("ripple", (double)loads->sun[k * mesh->nsurface + i], expected, PERIOD * WORST);
     largest = fmax(largest, fabs(expected) * 2.0 * UM_PI / PERIOD);
   }
-  /* half the swing of what the bound of thermal/ripple.h takes as 0.55 */
+  /* half the swing of what the bound of thermal/solver/ripple.h takes as 0.55 */
   NEAR("swing", largest, 0.55, 0.01);
   um_irradiation_loads_destroy(help_context, &loads);
   um_geometry_pose_destroy(help_context, &pose);

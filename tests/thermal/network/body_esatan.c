@@ -9,9 +9,9 @@
  * radiates 4 sigma T^3 = 6.4 W/m2/K, 6 / (4 + 6.4) = 0.6 K; and its step of 22 s over the edge of
  * the shadow, 7.7 s wide in its tables: up to 3 s misplaced are 3 s * 1.41 K/s = 4.2 K on a face
  * that the Sun leaves or meets at full strength, for a few rows. */
-#include "irradiation/loads.h"
 #include "tests/support/reference.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define ROWS    512
 #define SAMPLES 109

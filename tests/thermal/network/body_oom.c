@@ -1,8 +1,8 @@
 /* Every allocation of a body and of its loads fails once: the answer is "out of memory", nothing is
  * left behind, and the next try works. */
-#include "irradiation/loads.h"
 #include "tests/support/allocator.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 static void describe(struct help_satellite *s, struct um_thermal_mli *mli)
 {

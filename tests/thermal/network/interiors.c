@@ -3,8 +3,8 @@
  *   wall (C, radiates or not) -- G1 -- boards (C = 0) -- G2 -- base (its temperature is given)
  */
 #include "tests/thermal/body_help.h"
-#include "thermal/response.h"
-#include "thermal/sensitivity.h"
+#include "thermal/tangent/response.h"
+#include "thermal/tangent/sensitivity.h"
 
 #define G1    4.0     /* [W/K] all six walls to the boards */
 #define G2    1.5     /* [W/K] boards to the base */

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "tests/thermal/network_help.h"
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 /* C = 1,2,3,4,1000 J/K, T0 = 20,30,40,50,0 degC, G01 10, G12 1, G13 5, G34 2 W/K, 5 W into node 0.
  * Exact at 10 s by the matrix exponential, printed to 1e-6 K. (The ESATAN-TMS run of the same case

@@ -1,7 +1,7 @@
 /* Interiors that are solids: a sphere against its closed form; of metal without end they are the
  * node that they stand in for, whatever holds them; what is refused. */
 #include "tests/thermal/body_help.h"
-#include "thermal/tetgen.h"
+#include "thermal/network/tetgen.h"
 
 #define POWER 100.0 /* [W] */
 

@@ -2,9 +2,9 @@
  * against closed forms. */
 #include <string.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/thermal/box_help.h"
-#include "thermal/solve.h"
+#include "thermal/solver/solve.h"
 
 static struct um_thermal_surface_law constant(void)
 {

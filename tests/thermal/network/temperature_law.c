@@ -3,10 +3,10 @@
  * linear interpolation hold exactly, but for the cube of Debye's law. */
 #include <stdlib.h>
 
-#include "core/constants.h"
+#include "base/core/constants.h"
 #include "tests/thermal/law_help.h"
-#include "thermal/mli_law.h"
-#include "thermal/response.h"
+#include "thermal/network/mli_law.h"
+#include "thermal/tangent/response.h"
 
 #define CAPACITY 1500.0 /* [J/K] at 300 K */
 #define RADIATOR 0.8    /* [m^2] */

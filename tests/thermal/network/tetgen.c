@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 
 #include "tests/thermal/network_help.h"
-#include "thermal/tetgen_impl.h"
+#include "thermal/network/tetgen_impl.h"
 
 static const uint32_t box_facet[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
                                           {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 #include "tests/thermal/law_help.h"
-#include "thermal/solve.h"
-#include "thermal/system_impl.h"
+#include "thermal/solver/solve.h"
+#include "thermal/solver/system_group.h"
 
 /* A law for every surface of the box: its emittance rises with temperature. */
 static struct um_thermal_surface_law rising;

@@ -7,10 +7,10 @@
 #include <dirent.h>
 #include <stdlib.h>
 
-#include "core/child.h"
+#include "base/core/child.h"
 #include "tests/thermal/box_help.h"
-#include "thermal/linear_impl.h"
-#include "thermal/solve.h"
+#include "thermal/solver/linear_group.h"
+#include "thermal/solver/solve.h"
 
 #define COLUMNS 5
 

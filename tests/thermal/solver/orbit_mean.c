@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 #define CELLS  2
 #define PERIOD 6000.0

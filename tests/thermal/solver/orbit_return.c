@@ -2,7 +2,7 @@
  * modes that last a million orbits to those that last a millionth of one. It is the nearest of its
  * form: its error comes up to the stated one, with alternating signs, once more than it has numbers
  * to choose (Chebyshev's criterion; six numbers, of which the shift is rounded). */
-#include "thermal/orbit_return_impl.h"
+#include "thermal/solver/orbit_return_group.h"
 
 #include <math.h>
 

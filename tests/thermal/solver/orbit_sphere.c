@@ -4,8 +4,8 @@
  * PHYSICS C.2, for a load code with the albedo of the visible cap: T_max 299.527 K, T_min 230.836 K
  * at the exit from shadow. The facets' projected area differs from that of the sphere by up to
  * 0.1 % with direction (Cauchy: none on average), which is 0.02 to 0.03 K here; 0.05 K allowed. */
-#include "irradiation/loads.h"
 #include "tests/thermal/body_help.h"
+#include "thermal/loads/loads.h"
 
 #define SAMPLES 720
 

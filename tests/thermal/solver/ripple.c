@@ -4,7 +4,7 @@
  *
  * Linear: T_slow of the mean q / pi plus the swing is off by a share K P / (2 pi C) of the swing.
  */
-#include "thermal/ripple.h"
+#include "thermal/solver/ripple.h"
 #include "tests/thermal/network_help.h"
 
 #define PERIOD 5.0
@@ -38,7 +38,7 @@ static struct um_irradiation_loads *table(size_t n)
   return loads;
 }
 
-/* P / (2 pi) (S(x) - x / pi), see tests/irradiation/turn.c. */
+/* P / (2 pi) (S(x) - x / pi), see tests/thermal/loads/turn.c. */
 static double swing(double t)
 {
   double x = 2.0 * UM_PI * (t / PERIOD - floor(t / PERIOD + 0.5));

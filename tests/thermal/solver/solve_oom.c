@@ -2,8 +2,8 @@
  * once: the answer is "out of memory", nothing is left behind, and the next try works. */
 #include "tests/support/allocator.h"
 #include "tests/thermal/box_help.h"
-#include "thermal/response.h"
-#include "thermal/sensitivity.h"
+#include "thermal/tangent/response.h"
+#include "thermal/tangent/sensitivity.h"
 
 struct subject {
   struct um_context *context;

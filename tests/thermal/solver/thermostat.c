@@ -8,7 +8,7 @@
  *   t_off = tau ln((T_off - T_b) / (T_on - T_b)).
  */
 #include "tests/thermal/network_help.h"
-#include "thermal/network_impl.h"
+#include "thermal/network/network_group.h"
 
 #define C     1600.0 /* [J/K] */
 #define G     1.25   /* [W/K] */

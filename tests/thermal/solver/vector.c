@@ -3,9 +3,9 @@
 #include <math.h>
 #include <nvector/nvector_serial.h>
 
-#include "core/sampling.h"
+#include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
-#include "thermal/vector_impl.h"
+#include "thermal/solver/vector_impl.h"
 
 #define N 1003
 

@@ -3,7 +3,7 @@
  *
  *   C dS/dt = -G S + 1 (on)      S = (1 - exp(-t/tau)) / G on, exp(-t/tau) after, tau = C/G
  */
-#include "thermal/response.h"
+#include "thermal/tangent/response.h"
 #include <stdlib.h>
 
 #include "tests/thermal/network_help.h"

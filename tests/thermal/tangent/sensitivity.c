@@ -13,8 +13,8 @@
 
 #include "tests/support/whole.h"
 #include "tests/thermal/law_help.h"
-#include "thermal/network_impl.h"
-#include "thermal/sensitivity.h"
+#include "thermal/network/network_group.h"
+#include "thermal/tangent/sensitivity.h"
 
 #define ASKED 1e-3
 

@@ -2,13 +2,13 @@
  * (tolerances of 1e-10, steps of 1e-2 of the parameter: 1e-4 of curvature): a box whose walls heat
  * each other inside, with inner layers that have mass and such that have none. Asked: 1e-3 of the
  * largest answer of a parameter, as in sensitivity.c. */
-#include "thermal/sensitivity.h"
+#include "thermal/tangent/sensitivity.h"
 
 #include <math.h>
 
 #include "geometry/inside.h"
 #include "tests/thermal/body_help.h"
-#include "thermal/exchange.h"
+#include "thermal/exchange/exchange.h"
 
 #define PARAMETERS 7
 #define ASKED      1e-3
