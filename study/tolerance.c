@@ -16,19 +16,9 @@
 #define SHARE_LEFT 0.2
 
 /* Looser ones do not pay: steps of an integration are then as long as loads are smooth over. */
-static const struct {
-  double factor;   /* on the tolerances of the integration */
-  double periodic; /* of the state that repeats [K] */
-} choices[] = {
-    {20.0, 0.05}, {12.0, 0.05}, {6.0, 0.02}, {3.0, UM_STUDY_PERIODIC}, {1.0, UM_STUDY_PERIODIC}};
+static const struct um_variant_tolerance choices[] = {
+    {12.0, 0.05}, {6.0, 0.02}, {3.0, UM_STUDY_PERIODIC}, {1.0, UM_STUDY_PERIODIC}};
 #define CHOICES (sizeof choices / sizeof choices[0])
-/* With 20 times them a surrogate of ENVISAT's pass solved three times as many points. */
-#define LOOSEST_OF_SURROGATE 1
-
-static void choose(struct um_study *study, size_t i)
-{
-  study->tolerance = (struct um_variant_tolerance){choices[i].factor, choices[i].periodic};
-}
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
 static enum um_status corner_open(struct um_context *context, const struct um_study *study,
@@ -87,20 +77,19 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   enum um_status status = UM_OK;
   struct um_variant corner = {0};
   double *value = NULL, *own;
-  const size_t loosest = study->file->mode == UM_STUDY_SURROGATE ? LOOSEST_OF_SURROGATE : 0;
-  choose(study, loosest);
+  study->tolerance = choices[0];
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   own = value + study->nvalue;
   UM_CHECK(corner_open(context, study, &corner));
   /* what two parameters do together may need another geometry though neither does alone */
   if (corner.precomputed != study->base.precomputed) {
-    choose(study, CHOICES - 1);
+    study->tolerance = choices[CHOICES - 1];
     goto done;
   }
   UM_CHECK(um_study_values(context, study, &corner, true, own));
-  for (size_t i = loosest; i < CHOICES; i++) {
-    choose(study, i);
+  for (size_t i = 0; i < CHOICES; i++) {
+    study->tolerance = choices[i];
     status = measure(context, study, &corner, own, value);
     if (status == UM_ERR_NUMERIC && i + 1 < CHOICES) { /* too loose to find a state that repeats */
       um_core_message_clear(context);
