@@ -53,108 +53,89 @@ static struct plate plate_of(const struct um_environment_earth_view *view, struc
   return plate;
 }
 
-/* One number of each of four azimuths. */
-typedef double four __attribute__((vector_size(4 * sizeof(double))));
-
-/* Cosine and sine of 0 to pi to 2 ulp of 1, by Taylor's series about pi/2. */
-static inline __attribute__((always_inline)) void turn(const four *psi, four *cosine, four *sine)
-{
-  static const double odd[10] = {-1.0 / 51090942171709440000.0,
-                                 1.0 / 121645100408832000.0,
-                                 -1.0 / 355687428096000.0,
-                                 1.0 / 1307674368000.0,
-                                 -1.0 / 6227020800.0,
-                                 1.0 / 39916800.0,
-                                 -1.0 / 362880.0,
-                                 1.0 / 5040.0,
-                                 -1.0 / 120.0,
-                                 1.0 / 6.0};
-  static const double even[11] = {-1.0 / 1124000727777607680000.0,
-                                  1.0 / 2432902008176640000.0,
-                                  -1.0 / 6402373705728000.0,
-                                  1.0 / 20922789888000.0,
-                                  -1.0 / 87178291200.0,
-                                  1.0 / 479001600.0,
-                                  -1.0 / 3628800.0,
-                                  1.0 / 40320.0,
-                                  -1.0 / 720.0,
-                                  1.0 / 24.0,
-                                  -1.0 / 2.0};
-  four x = *psi - 0.5 * UM_PI, x2 = x * x, c = {0.0}, s = {0.0};
-  for (int i = 0; i < 10; i++) c = c * x2 + odd[i];
-  for (int i = 0; i < 11; i++) s = s * x2 + even[i];
-  *cosine = c * x2 * x - x;
-  *sine = s * x2 + 1.0;
-}
-
-/* cos SZA of the ground in directions d of the plate's frame at azimuths psi and -psi, tau being
- * the same for both. */
-static inline __attribute__((always_inline)) void day_at(const struct plate *plate, double cosine,
-                                                         double sine, const four *psi, four *at,
-                                                         four *opposite)
+/* max(cos SZA, 0) of the ground in directions d of the plate's frame at azimuths of cosines c and
+ * sines s [n], on the ring whose cosine and sine are given. */
+UM_WIDE_VECTORS static void lit_at(const struct plate *plate, double cosine, double sine,
+                                   const double *c, const double *s, int n, double *out)
 {
   double h = plate->h, beneath = h * (plate->s * plate->sun.x + plate->c * plate->sun.z);
-  four x, y;
-  turn(psi, &x, &y);
-  x *= sine;
-  y *= sine;
-  four down = plate->s * x + plate->c * cosine, far = 1.0 - h * h * (1.0 - down * down);
-  for (int l = 0; l < 4; l++) far[l] = far[l] > 0.0 ? sqrt(far[l]) : 0.0;
-  four tau = h * down - far, side = tau * y * plate->sun.y;
-  four middle = tau * (x * plate->sun.x + cosine * plate->sun.z) - beneath;
-  *at = middle + side;
-  *opposite = middle - side;
+  for (int j = 0; j < n; j++) {
+    double x = sine * c[j], y = sine * s[j], down = plate->s * x + plate->c * cosine;
+    double far = 1.0 - h * h * (1.0 - down * down);
+    double tau = h * down - sqrt(far > 0.0 ? far : 0.0);
+    double sza = tau * (x * plate->sun.x + y * plate->sun.y + cosine * plate->sun.z) - beneath;
+    out[j] = sza > 0.0 ? sza : 0.0;
+  }
 }
 
-#define PARTS 8 /* of x, at most */
+#define DIRECTIONS 64 /* on a ring, at most */
 
-/* Azimuths psi > 0 and weights of Gauss-Legendre's rule on n equal parts of x = -1..1, over the arc
- * of the ring; psi = (3 x - x^3)/2 where the ring ends, and evenly where it is whole. */
-struct nodes {
-  int n; /* of four azimuths: the other half of the parts is -psi */
-  four psi[PARTS], weight[PARTS];
+/* Azimuths of Gauss-Legendre's rule on n equal parts of x = -1..1. */
+struct azimuths {
+  int n;
+  bool whole;                          /* the ring is, and they stand evenly */
+  double x[DIRECTIONS], w[DIRECTIONS]; /* [8 n] */
+  double arc;                          /* of which `c` and `s` are; 0: of none */
+  double c[DIRECTIONS], s[DIRECTIONS];
 };
 
-static void nodes_make(bool whole, int n, struct nodes *out)
+static void azimuths_make(bool whole, int n, struct azimuths *out)
 {
   out->n = n;
-  for (int k = 0; k < 4 * n; k++) {
-    int j = 4 * n + k, at = k / 4, l = k % 4;
+  out->whole = whole;
+  out->arc = 0.0;
+  for (int j = 0; j < 8 * n; j++) {
     const struct um_environment_gauss *gauss = &um_environment_gauss_8[j % 8];
-    double x = whole ? (2.0 * j + 1.0) / (8 * n) - 1.0 : 2.0 * (j / 8 + gauss->x) / n - 1.0;
-    out->psi[at][l] = whole ? x : 0.5 * x * (3.0 - x * x);
-    out->weight[at][l] = whole ? 0.25 / n : 3.0 * (1.0 - x * x) * gauss->w / n;
+    int part = j / 8;
+    out->x[j] = whole ? (2.0 * j + 1.0) / (8 * n) - 1.0 : 2.0 * (part + gauss->x) / n - 1.0;
+    out->w[j] = gauss->w;
   }
 }
 
-/* Integral of max(cos SZA, 0) over |psi| < arc. lit: in how many of the 8 n directions it is day.
- */
-UM_WIDE_VECTORS static double lit_ring_by(const struct plate *plate, double cosine, double sine,
-                                          double arc, const struct nodes *nodes, int *lit)
+/* Their cosines and sines on a ring; psi = arc (3 x - x^3)/2 where it ends. Most stand opposite to
+ * another. */
+static void azimuths_place(struct azimuths *a, double arc)
 {
-  four sum = {0.0};
-  *lit = 0;
-  for (int k = 0; k < nodes->n; k++) {
-    four at, opposite, psi = nodes->psi[k] * arc;
-    day_at(plate, cosine, sine, &psi, &at, &opposite);
-    for (int l = 0; l < 4; l++) {
-      *lit += (at[l] > 0.0) + (opposite[l] > 0.0);
-      at[l] = (at[l] > 0.0 ? at[l] : 0.0) + (opposite[l] > 0.0 ? opposite[l] : 0.0);
-    }
-    sum += nodes->weight[k] * at;
+  int n = 8 * a->n;
+  double psi[DIRECTIONS];
+  if (a->arc == arc) return;
+  a->arc = arc;
+  for (int j = 0; j < n; j++)
+    psi[j] = a->whole ? arc * a->x[j] : 0.5 * arc * a->x[j] * (3.0 - a->x[j] * a->x[j]);
+  for (int j = 0; j < n; j++) {
+    int opposite = n - 1 - j;
+    bool known = opposite < j && psi[opposite] == -psi[j];
+    a->c[j] = known ? a->c[opposite] : cos(psi[j]);
+    a->s[j] = known ? -a->s[opposite] : sin(psi[j]);
   }
-  return arc * (sum[0] + sum[1] + (sum[2] + sum[3]));
 }
 
-/* A ring that is whole needs twice as many, one that the terminator crosses, a kink, eight times.
- */
+/* Integral of max(cos SZA, 0) over |psi| < arc. lit: in how many directions it is day. */
+static double lit_ring_by(const struct plate *plate, double cosine, double sine, double arc,
+                          struct azimuths *a, int *lit)
+{
+  int n = a->n;
+  double at[DIRECTIONS], sum = 0.0;
+  azimuths_place(a, arc);
+  lit_at(plate, cosine, sine, a->c, a->s, 8 * n, at);
+  *lit = 0;
+  for (int j = 0; j < 8 * n; j++) {
+    double weight = 0.25 * arc / n;
+    if (!a->whole) weight = 3.0 * arc * (1.0 - a->x[j] * a->x[j]) * a->w[j] / n;
+    *lit += at[j] > 0.0;
+    sum += at[j] * weight;
+  }
+  return sum;
+}
+
+/* A ring that is whole needs twice as many as one that ends, one that the terminator crosses, a
+ * kink, eight times. few, many: such rules. */
 static double lit_ring(const struct plate *plate, double cosine, double sine, double arc,
-                       const struct nodes nodes[2])
+                       struct azimuths *few, struct azimuths *many)
 {
   int lit;
-  double sum = lit_ring_by(plate, cosine, sine, arc, &nodes[0], &lit);
-  return lit == 0 || lit == 8 * nodes[0].n ? sum
-                                           : lit_ring_by(plate, cosine, sine, arc, &nodes[1], &lit);
+  double sum = lit_ring_by(plate, cosine, sine, arc, few, &lit);
+  return lit == 0 || lit == 8 * few->n ? sum : lit_ring_by(plate, cosine, sine, arc, many, &lit);
 }
 
 /* Sums over rings from u = from to to. [0]: of 1, then of the polynomials. */
@@ -165,9 +146,9 @@ struct sums {
 static void add_rings(const struct plate *plate, const struct um_environment_gauss *rule, int n,
                       double from, double to, bool whole, bool lit, struct sums *sums)
 {
-  struct nodes nodes[2];
-  nodes_make(whole, whole ? 2 : 1, &nodes[0]);
-  nodes_make(whole, PARTS, &nodes[1]);
+  struct azimuths few, many;
+  azimuths_make(whole, whole ? 2 : 1, &few);
+  azimuths_make(whole, DIRECTIONS / 8, &many);
   for (int i = 0; i < n; i++) {
     double x = rule[i].x, map = whole ? x : x * x * (3.0 - 2.0 * x);
     double u = from + (to - from) * map, cosine = u * u, sine = sqrt(1.0 - cosine * cosine);
@@ -177,7 +158,7 @@ static void add_rings(const struct plate *plate, const struct um_environment_gau
     double arc = whole ? UM_PI : acos(fmax(-1.0, fmin(1.0, edge)));
     double p[UM_ANGULAR_MOMENTS + 1] = {1.0};
     um_environment_angular_polynomials(cosine, p + 1);
-    double bright = lit ? lit_ring(plate, cosine, sine, arc, nodes) : 0.0;
+    double bright = lit ? lit_ring(plate, cosine, sine, arc, &few, &many) : 0.0;
     for (int k = 0; k <= UM_ANGULAR_MOMENTS; k++) {
       sums->emitted[k] += weight * 2.0 * arc * p[k];
       sums->lit[k] += weight * bright * p[k];
