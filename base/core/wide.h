@@ -1,5 +1,6 @@
 /* Loops on registers as wide as the machine has them: the same operations in the same order, hence
- * the same bits. ThreadSanitizer cannot have them: the loader chooses before it has begun. */
+ * the same bits. ThreadSanitizer cannot have them: the loader chooses before it has begun. For
+ * static functions alone: what clang names the choice is not what another file asks for. */
 #ifndef UMBRA_CORE_WIDE_H
 #define UMBRA_CORE_WIDE_H
 

@@ -54,11 +54,10 @@ void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 n
 /* Sums of the four bytes of words, two by two: 16 bits hold 4 times 255. */
 #define BYTES UINT32_C(0x00ff00ff)
 
-UM_WIDE_VECTORS void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t group,
-                                                const struct um_thermal_half *half,
-                                                struct um_thermal_free *out)
+/* freedom: of one group, [UM_IRRADIATION_CUBE_CELLS]. */
+UM_WIDE_VECTORS static void look(const uint32_t *freedom, const struct um_thermal_half *half,
+                                 struct um_thermal_free *out)
 {
-  const uint32_t *freedom = sky->freedom + group * UM_IRRADIATION_CUBE_CELLS;
   for (size_t k = 0; k < half->n; k++) {
     uint32_t even = 0, odd = 0;
     for (size_t j = 0; j < half->ncell[k]; j++) {
@@ -72,6 +71,12 @@ UM_WIDE_VECTORS void um_irradiation_look_at_sky(const struct um_irradiation_sky 
     double all = 255.0 * (double)half->ncell[k];
     for (size_t l = 0; l < LANES; l++) out->of[k][l] = all > 0.0 ? sum[l] / all : 0.0;
   }
+}
+
+void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t group,
+                                const struct um_thermal_half *half, struct um_thermal_free *out)
+{
+  look(sky->freedom + group * UM_IRRADIATION_CUBE_CELLS, half, out);
 }
 
 void um_irradiation_look_by_rays(const struct um_geometry_mesh *mesh,
