@@ -125,7 +125,7 @@ enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *p
   for (bool more = true; more;) {
     enum um_status status;
     struct pass pass;
-    UM_CHECK(um_core_stop_check(patch->context, "facets were refined"));
+    UM_TRY(um_core_stop_check(patch->context, "facets were refined"));
     UM_CHECK(pass_create(patch, &pass));
     size_t nfacet = patch->nfacet;
     more = mark(&pass, facet_size);

@@ -94,10 +94,47 @@ static void tiny_size_is_refused(void **state)
   }
 }
 
+struct countdown {
+  int left; /* answers before the stop */
+};
+
+static bool count_down(void *self) { return ((struct countdown *)self)->left-- <= 0; }
+
+/* What a function finds on the stack that sets nothing itself: no address. */
+static __attribute__((noinline)) void leave_rubbish(void)
+{
+  volatile unsigned char rubbish[16384];
+  for (size_t i = 0; i < sizeof rubbish; i++) rubbish[i] = 0xbf;
+}
+
+/* Wherever the stop arrives, the work ends with a word, and nothing is freed that was not made. */
+static void stop_anywhere(void **state)
+{
+  (void)state;
+  enum um_status status = UM_ERR_CANCELLED;
+  int stops = 0;
+  for (int k = 0; status != UM_OK; k++) {
+    struct um_geometry_part_spec part = support_box("box", 1.0, 0.31, 2.2);
+    struct countdown countdown = {k};
+    struct um_context *context;
+    struct um_geometry *geometry = NULL;
+    part.facet_size = 0.2;
+    assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+    um_core_context_set_stop(context, count_down, &countdown);
+    leave_rubbish();
+    status = um_geometry_create(context, &part, 1, &geometry);
+    if (status != UM_OK) assert_int_equal(status, UM_ERR_CANCELLED);
+    if (status != UM_OK) stops++;
+    um_geometry_destroy(&geometry);
+    um_core_context_destroy(&context);
+  }
+  assert_true(stops > 3); /* the part, and more than one pass of its refinement */
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(prism_keeps_area_and_volume),
-                                     cmocka_unit_test(primitives_stay_closed),
-                                     cmocka_unit_test(tiny_size_is_refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(prism_keeps_area_and_volume), cmocka_unit_test(primitives_stay_closed),
+      cmocka_unit_test(tiny_size_is_refused), cmocka_unit_test(stop_anywhere)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
