@@ -124,7 +124,8 @@ enum um_status um_forecast_open(struct um_context *context, const struct um_fore
 static enum um_status prepare(struct um_context *context, struct held *h)
 {
   struct um_forecast *f = &h->forecast;
-  const struct um_variant_settings settings = {.instants = &h->instant, .base = {1.0, 0.01}};
+  const struct um_variant_settings settings = {.instants = &h->instant,
+                                               .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}};
   UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
@@ -153,7 +154,6 @@ enum um_status um_forecast_create(struct um_context *context, const struct um_fo
   UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
   struct um_forecast *f = &h->forecast;
   h->ask = *ask;
-  h->work.ask = &h->ask;
   UM_CHECK(prepare(context, h));
   for (size_t s = 0; s < f->nstation; s++) UM_CHECK(um_forecast_find(context, &h->work, f, s));
   UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));

@@ -10,7 +10,6 @@
 
 /* What a pass needs to be run; nothing of it changes while a batch lives. */
 struct um_forecast_work {
-  const struct um_forecast_ask *ask;
   const struct um_model *model;           /* the scenario as it stands */
   struct um_variant_evaluator *evaluator; /* of it, at one instant: its heat is where passes' heat
                                              starts from */

@@ -8,11 +8,8 @@
 #include "model/run/run.h"
 #include "orbit/time.h"
 
-/* Of a pass: what it is asked to, 0.1 K and 1e-3 of the light, twenty times over [1], [K]. */
-#define FORECAST_TOLERANCE                                                                         \
-  {                                                                                                \
-    6.0, 0.02                                                                                      \
-  }
+/* Of a pass, which is asked to 0.1 K and 1e-3 of the light. */
+static const struct um_variant_tolerance tolerance = {6.0, 0.02};
 
 static enum um_status pin(struct um_context *context, struct um_forecast_work *work,
                           const char *key)
@@ -165,7 +162,7 @@ enum um_status um_forecast_compute(struct um_context *context, void *user, const
   const struct um_forecast_work *work = user;
   const bool periodic = work->model->scenario->thermal->start == UM_START_PERIODIC;
   const struct um_variant_heat heat = {.start = periodic ? UM_VARIANT_WARM : UM_VARIANT_COLD,
-                                       .tolerance = FORECAST_TOLERANCE};
+                                       .tolerance = tolerance};
   struct um_variant v = {0};
   struct um_model_result *result = NULL;
   struct um_forecast_changes changes;

@@ -50,7 +50,7 @@ static enum um_status take_settings(struct um_context *context,
     return um_core_fail(context, UM_ERR_INPUT, "temperature_K %g; accepted: 0 to 10 K",
                         s.temperature_K);
   *settings = (struct um_variant_settings){
-      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .lead = true, .bytes = s.memory};
+      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .bytes = s.memory};
   heat->start = s.exact != 0 ? UM_VARIANT_COLD : UM_VARIANT_WARM;
   heat->tolerance.factor = FACTOR;
   heat->tolerance.periodic = s.temperature_K > 0.0 ? s.temperature_K : TEMPERATURE;

@@ -66,7 +66,7 @@ enum um_status um_study_print_check(struct um_context *context, struct um_study 
     fprintf(file, "surrogate: about %.0f points to solve, at most %d\n", solved, f->evaluations);
   }
   fprintf(file, "about ");
-  print_time(file, solved * seconds / workers + um_variant_base_costs(study->evaluator).heat);
+  print_time(file, solved * seconds / workers + um_variant_base_seconds_heat(study->evaluator));
   fprintf(file, " with %d process%s; study.nc at most %.3g MB\n", workers, workers == 1 ? "" : "es",
           1e-6 * points * (double)study->nvalue * sizeof(double));
   return UM_OK;

@@ -39,10 +39,10 @@ static enum um_status observe(struct um_context *context, const struct um_study 
 
 static struct um_variant_heat heat_of(const struct um_study *study, bool tight)
 {
-  return (struct um_variant_heat){.start = UM_VARIANT_WARM,
-                                  .tolerance =
-                                      tight ? (struct um_variant_tolerance){1.0, UM_STUDY_PERIODIC}
-                                            : study->tolerance};
+  return (struct um_variant_heat){
+      .start = UM_VARIANT_WARM,
+      .tolerance = tight ? (struct um_variant_tolerance){1.0, UM_MODEL_PERIODIC_TOLERANCE}
+                         : study->tolerance};
 }
 
 enum um_status um_study_looseness(struct um_context *context, struct um_study *study)

@@ -27,8 +27,8 @@ static enum um_status find_ways(struct um_context *context, struct um_study *stu
 /* The scenario as it stands, with the time that it takes. */
 static enum um_status solve_nominal(struct um_context *context, struct um_study *study)
 {
-  const struct um_variant_settings settings = {
-      .base = {1.0, UM_STUDY_PERIODIC}, .photons = true, .lead = true};
+  const struct um_variant_settings settings = {.base = {1.0, UM_MODEL_PERIODIC_TOLERANCE},
+                                               .photons = true};
   const struct um_variant *base = &study->base;
   struct um_model_result *result = NULL;
   double begin = omp_get_wtime();

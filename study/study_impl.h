@@ -8,9 +8,6 @@
 #include "study/study.h"
 #include "variant/evaluator.h"
 
-/* Of the periodic state with the scenario's own tolerances, as a run has it [K]. */
-#define UM_STUDY_PERIODIC 0.01
-
 /* What is wanted of a point. */
 enum um_study_wanted { UM_STUDY_IRRADIANCE, UM_STUDY_MAGNITUDE, UM_STUDY_TEMPERATURE };
 struct um_study_output {

@@ -16,8 +16,10 @@
 #define SHARE_LEFT 0.2
 
 /* Looser ones do not pay: steps of an integration are then as long as loads are smooth over. */
-static const struct um_variant_tolerance choices[] = {
-    {12.0, 0.05}, {6.0, 0.02}, {3.0, UM_STUDY_PERIODIC}, {1.0, UM_STUDY_PERIODIC}};
+static const struct um_variant_tolerance choices[] = {{12.0, 0.05},
+                                                      {6.0, 0.02},
+                                                      {3.0, UM_MODEL_PERIODIC_TOLERANCE},
+                                                      {1.0, UM_MODEL_PERIODIC_TOLERANCE}};
 #define CHOICES (sizeof choices / sizeof choices[0])
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */

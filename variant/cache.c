@@ -113,6 +113,18 @@ enum um_status um_variant_cache_add(struct um_context *context, struct um_varian
   return UM_OK;
 }
 
+void um_variant_cache_keep_heat(struct um_variant_cache *cache, struct um_variant_kept *kept,
+                                struct um_model_thermal_solution **heat,
+                                struct um_variant_tolerance tolerance)
+{
+  size_t bytes = um_model_thermal_solution_bytes(*heat);
+  kept->heat = *heat;
+  kept->tolerance = tolerance;
+  kept->bytes += bytes;
+  cache->bytes += bytes;
+  *heat = NULL;
+}
+
 void um_variant_cache_clear(struct um_context *context, struct um_variant_cache *cache)
 {
   while (cache->first != NULL) drop(context, cache, &cache->first);

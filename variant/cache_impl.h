@@ -16,9 +16,9 @@ struct um_variant_kept {
   struct um_model_precomputed *precomputed;
   struct um_model_thermal_solution *heat; /* of `model`; NULL: not asked for, or that of another */
   struct um_variant_tolerance tolerance;  /* of that heat */
-  size_t bytes;
-  size_t used;  /* when it was asked for last */
-  size_t users; /* variants that are open on it: it is not given up */
+  size_t bytes;                           /* of geometry and heat */
+  size_t used;                            /* when it was asked for last */
+  size_t users;                           /* variants that are open on it: it is not given up */
   struct um_variant_kept *next;
 };
 struct um_variant_cache {
@@ -45,6 +45,10 @@ enum um_status um_variant_cache_add(struct um_context *context, struct um_varian
                                     struct um_model **model,
                                     struct um_model_precomputed **precomputed,
                                     struct um_variant_kept **out);
+/* Takes heat of a kept model, which has none yet. */
+void um_variant_cache_keep_heat(struct um_variant_cache *cache, struct um_variant_kept *kept,
+                                struct um_model_thermal_solution **heat,
+                                struct um_variant_tolerance tolerance);
 void um_variant_cache_clear(struct um_context *context, struct um_variant_cache *cache);
 
 #endif

@@ -15,7 +15,7 @@ struct um_variant_evaluator {
   struct um_model_precomputed *precomputed; /* its geometry; NULL: not yet */
   struct um_model_thermal_solution *heat;   /* and heat */
   struct um_optics_lightcurve *light;       /* and light */
-  struct um_variant_costs costs;            /* of both */
+  double seconds_heat;                      /* wall time that it took [s] */
   struct um_variant_cache cache;            /* of variants */
 };
 
@@ -43,9 +43,9 @@ void um_variant_evaluator_destroy(struct um_context *context,
   *evaluator = NULL;
 }
 
-struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator *evaluator)
+double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator)
 {
-  return evaluator->costs;
+  return evaluator->seconds_heat;
 }
 
 struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
@@ -59,12 +59,10 @@ struct um_model_precomputed *um_variant_base_precomputed(struct um_context *cont
 
 static enum um_status base_geometry(struct um_context *context, struct um_variant_evaluator *e)
 {
-  double begin = omp_get_wtime();
   if (e->precomputed != NULL) return UM_OK;
   UM_TRY(um_model_precompute_over(context, e->model, e->settings.instants, &e->precomputed));
-  if (e->settings.photons) UM_TRY(um_model_precompute_photons(context, e->model, e->precomputed));
-  e->costs.geometry = omp_get_wtime() - begin;
-  return UM_OK;
+  if (!e->settings.photons) return UM_OK;
+  return um_model_precompute_photons(context, e->model, e->precomputed);
 }
 
 /* Over instants, with what the scenario's own geometry, if it is traced, has of the body alone. */
@@ -95,7 +93,8 @@ static void use(struct um_variant *v)
   v->precomputed = v->kept->precomputed;
 }
 
-/* The additions that reach the geometry of the scenario with them, into key [naddition]. */
+/* The additions that reach the geometry of the scenario with them, into key [naddition]; NULL: they
+ * are counted. */
 static size_t reaching(const struct um_variant_evaluator *e, const struct um_model *model,
                        const struct um_model_addition *addition, size_t naddition,
                        struct um_model_addition *key)
@@ -104,8 +103,9 @@ static size_t reaching(const struct um_variant_evaluator *e, const struct um_mod
   bool lit = !um_model_light_serves(e->model, model);
   for (size_t i = 0; i < naddition; i++) {
     uint32_t reach = um_effects_reach(addition[i].effect);
-    if ((reach & UM_REACH_PRECOMPUTED) != 0 || (lit && (reach & UM_REACH_LIGHT) != 0))
-      key[nkey++] = addition[i];
+    if ((reach & UM_REACH_PRECOMPUTED) == 0 && !(lit && (reach & UM_REACH_LIGHT) != 0)) continue;
+    if (key != NULL) key[nkey] = addition[i];
+    nkey++;
   }
   return nkey;
 }
@@ -167,8 +167,7 @@ static enum um_status base_heat(struct um_context *context, struct um_variant_ev
   UM_TRY(um_model_thermal_solution_near(context, e->model, e->precomputed, NULL,
                                         e->settings.base.factor, e->settings.base.periodic,
                                         &e->heat));
-  if (e->settings.lead) UM_TRY(um_model_thermal_solution_lead(context, e->heat));
-  e->costs.heat = omp_get_wtime() - begin;
+  e->seconds_heat = omp_get_wtime() - begin;
   return UM_OK;
 }
 
@@ -191,7 +190,8 @@ static enum um_status solve(struct um_context *context, const struct um_variant_
   case UM_VARIANT_EXTRAPOLATED:
     return um_model_thermal_solution_move(context, e->heat, how->sensitivity, how->which, how->step,
                                           v->model, v->precomputed, out);
-  case UM_VARIANT_WARM:
+  case UM_VARIANT_WARM: /* what each would find anew of the scenario's heat is found once */
+    UM_TRY(um_model_thermal_solution_lead(context, e->heat));
     return um_model_thermal_solution_near(context, v->model, v->precomputed, warm,
                                           how->tolerance.factor, how->tolerance.periodic, out);
   case UM_VARIANT_COLD:
@@ -231,6 +231,7 @@ enum um_status um_variant_heat_again(struct um_context *context, struct um_varia
   double begin = omp_get_wtime();
   if (how->start != UM_VARIANT_COLD) UM_TRY(base_heat(context, e));
   um_model_thermal_solution_destroy(context, &v->own_heat);
+  v->heat = NULL;
   um_core_quiet_begin(context);
   enum um_status status = solve(context, e, how, v, &v->own_heat);
   um_core_quiet_end(context);
@@ -255,9 +256,7 @@ enum um_status um_variant_find_heat(struct um_context *context, struct um_varian
   if (how->start != UM_VARIANT_WARM || kept == NULL || kept->model != v->model ||
       kept->heat != NULL)
     return UM_OK;
-  kept->heat = v->own_heat;
-  kept->tolerance = how->tolerance;
-  v->own_heat = NULL;
+  um_variant_cache_keep_heat(&e->cache, kept, &v->own_heat, how->tolerance);
   return UM_OK;
 }
 
@@ -267,8 +266,10 @@ enum um_status um_variant_base(struct um_context *context, struct um_variant_eva
                                struct um_variant *out)
 {
   UM_TRY(base_heat(context, evaluator));
-  *out = (struct um_variant){
-      .model = evaluator->model, .precomputed = evaluator->precomputed, .heat = evaluator->heat};
+  *out = (struct um_variant){.model = evaluator->model,
+                             .precomputed = evaluator->precomputed,
+                             .heat = evaluator->heat,
+                             .behind = true};
   return UM_OK;
 }
 
@@ -294,16 +295,11 @@ enum um_status um_variant_reaches_geometry(struct um_context *context,
                                            const struct um_model_addition *addition,
                                            size_t naddition, bool *out)
 {
-  enum um_status status;
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
-  struct um_variant v = {0};
-  struct um_model_addition *key = NULL;
-  UM_CHECK(um_core_allocate(context, naddition, sizeof *key, &key));
-  UM_CHECK(make_model(context, evaluator, &changes, &v));
-  *out = reaching(evaluator, v.model, addition, naddition, key) > 0;
-done:
+  struct um_variant v;
+  enum um_status status = make_model(context, evaluator, &changes, &v);
+  *out = status == UM_OK && reaching(evaluator, v.model, addition, naddition, NULL) > 0;
   um_variant_close(context, &v);
-  um_core_free(context, key);
   return status;
 }
 

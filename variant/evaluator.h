@@ -17,7 +17,6 @@ struct um_variant_settings {
                                                lives. NULL: each over its own window */
   struct um_variant_tolerance base;         /* of the scenario as it stands */
   bool photons; /* sunlight from mirror to mirror is kept with the scenario's geometry */
-  bool lead;    /* what many warm starts would find anew is found once */
   size_t bytes; /* that geometries beside the scenario's may take; 0: UM_VARIANT_BYTES */
 };
 #define UM_VARIANT_BYTES ((size_t)1 << 30)
@@ -67,11 +66,8 @@ void um_variant_evaluator_destroy(struct um_context *context,
  * for, and stay. Errors of um_model_precompute_over and of the thermal solvers. */
 enum um_status um_variant_base(struct um_context *context, struct um_variant_evaluator *evaluator,
                                struct um_variant *out);
-/* Wall time of its geometry and of its heat [s]; 0 before they are asked for. */
-struct um_variant_costs {
-  double geometry, heat;
-};
-struct um_variant_costs um_variant_base_costs(const struct um_variant_evaluator *evaluator);
+/* Wall time of its heat [s]; 0 before it is asked for. */
+double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator);
 /* Its geometry, for who traces lines of sight again (um_model_precomputed_resample): light that is
  * kept is given up. NULL before um_variant_base. */
 struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,

@@ -234,17 +234,22 @@ static enum um_status take_all(struct um_context *context, struct um_model *mode
   return UM_OK;
 }
 
+static enum um_status keep_text(struct um_context *context, struct um_model *model,
+                                const char *from, const char **out)
+{
+  char *copy;
+  UM_TRY(um_core_arena_allocate(context, &model->memory, strlen(from) + 1, 1, &copy));
+  strcpy(copy, from);
+  *out = copy;
+  return UM_OK;
+}
+
 static enum um_status keep_texts(struct um_context *context, struct um_model *model,
                                  const char *const *from, size_t n, const char *const **out)
 {
   const char **texts = NULL;
   UM_TRY(um_core_arena_allocate(context, &model->memory, n, sizeof *texts, &texts));
-  for (size_t i = 0; i < n; i++) {
-    char *copy;
-    UM_TRY(um_core_arena_allocate(context, &model->memory, strlen(from[i]) + 1, 1, &copy));
-    strcpy(copy, from[i]);
-    texts[i] = copy;
-  }
+  for (size_t i = 0; i < n; i++) UM_TRY(keep_text(context, model, from[i], &texts[i]));
   *out = texts;
   return UM_OK;
 }
@@ -281,8 +286,10 @@ static enum um_status add_effects(struct um_context *context, struct um_model *m
     const struct um_effect *effect = addition[i].effect;
     struct um_model_effect *use = NULL;
     struct origin origin = {.option = "addition", .text = effect->name};
-    UM_TRY(check_target(context, &origin, effect, addition[i].target));
-    UM_TRY(use_of(context, model, effect, addition[i].target, &use));
+    const char *target = NULL;
+    if (addition[i].target != NULL) UM_TRY(keep_text(context, model, addition[i].target, &target));
+    UM_TRY(check_target(context, &origin, effect, target));
+    UM_TRY(use_of(context, model, effect, target, &use));
     use->off = false;
     use->at = NULL;
     use->option = origin.option;
@@ -304,6 +311,10 @@ enum um_status um_model_vary_effects(struct um_context *context, struct um_model
     UM_TRY(um_core_allocate(context, origin->neffect, sizeof *model->effect, &model->effect));
     memcpy(model->effect, origin->effect, origin->neffect * sizeof *model->effect);
     model->neffect = origin->neffect;
+  } else if (origin->origin != NULL) { /* whose additions would be lost */
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effects and environment of a variant; accepted: changes of the scenario "
+                        "that it was made from");
   } else {
     UM_TRY(take_all(context, model, &model->options));
   }

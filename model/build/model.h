@@ -59,7 +59,7 @@ struct um_model_options {
 /* One effect as it is used: from the scenario, --with, or a switch that is on by default. */
 struct um_model_effect {
   const struct um_effect *effect;
-  const char *target; /* NULL: everything it can act on; owned by the document */
+  const char *target; /* NULL: everything it can act on; owned by document or model */
   double value[UM_EFFECT_PARAMETERS_MAX];
   bool off;
   bool off_by_keys;          /* a core switch that keys of `environment` hold off */
@@ -71,11 +71,11 @@ struct um_model_effect {
  * this target takes these values; a core switch has none and is turned on. */
 struct um_model_addition {
   const struct um_effect *effect;
-  const char *target;                     /* NULL: global; borrowed while the variant lives */
+  const char *target;                     /* NULL: global; borrowed */
   double value[UM_EFFECT_PARAMETERS_MAX]; /* in the parameters' units */
 };
 
-/* What makes a variant of a scenario. Borrowed while it is built; targets while it lives. */
+/* What makes a variant of a scenario. Borrowed while it is built. */
 struct um_model_changes {
   const struct um_document_change *key; /* [nkey] of the scenario */
   size_t nkey;
@@ -91,7 +91,7 @@ struct um_model_changes {
 /* Everything built from a scenario; read it, do not change it. */
 struct um_model {
   const struct um_model *origin;   /* of a variant, which borrows what it has the same; else NULL */
-  struct um_model_options options; /* with and without alone, for variants of the scenario */
+  struct um_model_options options; /* with, without and change alone, for variants */
   struct um_core_arena memory;     /* of what building keeps */
   struct um_document *document;
   const struct um_scenario *scenario;

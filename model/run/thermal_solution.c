@@ -215,6 +215,14 @@ enum um_status um_model_thermal_solution_lead(struct um_context *context,
   return UM_OK;
 }
 
+size_t um_model_thermal_solution_bytes(const struct um_model_thermal_solution *heat)
+{
+  const struct um_thermal_history *h = heat->run.history;
+  size_t nsurface = um_geometry_mesh(heat->model->geometry)->nsurface;
+  return (h->ntime * h->nnode + heat->precomputed->nobs * heat->precomputed->nsub * nsurface) *
+         sizeof(double);
+}
+
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat)
 {

@@ -35,6 +35,8 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
  * results have the same bits without. Errors of the thermal solvers. */
 enum um_status um_model_thermal_solution_lead(struct um_context *context,
                                               struct um_model_thermal_solution *heat);
+/* Memory that it takes, but for some per cent [bytes]. */
+size_t um_model_thermal_solution_bytes(const struct um_model_thermal_solution *heat);
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
 /* *out: true when the model has the same temperatures on this geometry precomputation: network,

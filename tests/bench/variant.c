@@ -82,8 +82,8 @@ int main(int argc, char **argv)
 {
   struct bench bench;
   struct bench_series run = {{0}, 0}, cost[COSTS] = {{{0}, 0}};
-  const struct um_variant_settings settings = {
-      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .lead = true};
+  const struct um_variant_settings settings = {.base = {1.0, UM_MODEL_PERIODIC_TOLERANCE},
+                                               .photons = true};
   struct um_model *model = NULL;
   struct um_variant_evaluator *evaluator = NULL;
   struct um_variant base;

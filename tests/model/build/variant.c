@@ -2,6 +2,7 @@
  * its origin is what it would have made. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "effects/effects.h"
@@ -191,6 +192,32 @@ static void test_effects(void **state)
   um_model_destroy(context, &origin);
 }
 
+/* A variant keeps what it was told; effects of a variant are not listed anew, which would lose
+ * some.
+ */
+static void test_of_its_own(void **state)
+{
+  (void)state;
+  char *target = strdup("grey_white");
+  const struct um_model_addition addition = {
+      .effect = um_effects_find("emittance"), .target = target, .value = {0.9}};
+  const struct um_document_change key = {.key = "environment.albedo", .number = 0.25};
+  const struct um_model_changes added = {.addition = &addition, .naddition = 1},
+                                keyed = {.key = &key, .nkey = 1};
+  struct um_model *origin = NULL, *variant = NULL, *again = NULL;
+  assert_non_null(target);
+  need(um_model_create(context, path, NULL, &origin));
+  need(um_model_variant_create(context, origin, &added, &variant));
+  memset(target, 'x', strlen(target));
+  free(target);
+  assert_string_equal(variant->effect[variant->neffect - 1].target, "grey_white");
+  assert_int_equal(um_model_variant_create(context, variant, &keyed, &again), UM_ERR_REFUSED);
+  assert_null(again);
+  um_core_message_clear(context);
+  um_model_destroy(context, &variant);
+  um_model_destroy(context, &origin);
+}
+
 /* Two months of one cell each, with other albedos. */
 static int set_up(void **state)
 {
@@ -219,6 +246,7 @@ static int tear_down(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_keys), cmocka_unit_test(test_effects)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_keys), cmocka_unit_test(test_effects),
+                                     cmocka_unit_test(test_of_its_own)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
