@@ -167,6 +167,8 @@ static enum um_status base_heat(struct um_context *context, struct um_variant_ev
   UM_TRY(um_model_thermal_solution_near(context, e->model, e->precomputed, NULL,
                                         e->settings.base.factor, e->settings.base.periodic,
                                         &e->heat));
+  /* what each warm start would find anew is found once */
+  UM_TRY(um_model_thermal_solution_lead(context, e->heat));
   e->seconds_heat = omp_get_wtime() - begin;
   return UM_OK;
 }
@@ -190,8 +192,7 @@ static enum um_status solve(struct um_context *context, const struct um_variant_
   case UM_VARIANT_EXTRAPOLATED:
     return um_model_thermal_solution_move(context, e->heat, how->sensitivity, how->which, how->step,
                                           v->model, v->precomputed, out);
-  case UM_VARIANT_WARM: /* what each would find anew of the scenario's heat is found once */
-    UM_TRY(um_model_thermal_solution_lead(context, e->heat));
+  case UM_VARIANT_WARM:
     return um_model_thermal_solution_near(context, v->model, v->precomputed, warm,
                                           how->tolerance.factor, how->tolerance.periodic, out);
   case UM_VARIANT_COLD:
