@@ -75,7 +75,7 @@ struct azimuths {
   int n;
   bool whole;                          /* the ring is, and they stand evenly */
   double x[DIRECTIONS], w[DIRECTIONS]; /* [8 n] */
-  double arc;                          /* of which `c` and `s` are; 0: of none */
+  double arc;                          /* of which `c` and `s` are; -1: of none */
   double c[DIRECTIONS], s[DIRECTIONS];
 };
 
@@ -83,7 +83,7 @@ static void azimuths_make(bool whole, int n, struct azimuths *out)
 {
   out->n = n;
   out->whole = whole;
-  out->arc = 0.0;
+  out->arc = -1.0;
   for (int j = 0; j < 8 * n; j++) {
     const struct um_environment_gauss *gauss = &um_environment_gauss_8[j % 8];
     int part = j / 8;
