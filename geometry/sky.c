@@ -173,8 +173,14 @@ void um_geometry_sky_destroy(struct um_geometry_sky **sky)
   *sky = NULL;
 }
 
+uint16_t um_geometry_sky_cell(struct um_vec3 d) { return (uint16_t)cell_of(d); }
+
+uint8_t um_geometry_sky_freedom(const struct um_geometry_sky *sky, size_t surface, uint16_t cell)
+{
+  return sky->row[surface] == SIZE_MAX ? UINT8_MAX : sky->freedom[sky->row[surface] + cell];
+}
+
 double um_geometry_sky_free(const struct um_geometry_sky *sky, size_t surface, struct um_vec3 d)
 {
-  if (sky->row[surface] == SIZE_MAX) return 1.0;
-  return sky->freedom[sky->row[surface] + cell_of(d)] / 255.0;
+  return um_geometry_sky_freedom(sky, surface, um_geometry_sky_cell(d)) / 255.0;
 }

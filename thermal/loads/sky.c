@@ -2,8 +2,6 @@
  * answers by rays. Surfaces of one normal lie side by side, since they look at the same cells. */
 #include "thermal/loads/sky.h"
 
-#include <math.h>
-
 #include "geometry/cube.h"
 #include "geometry/visibility.h"
 #include "thermal/loads/sky_impl.h"
@@ -12,52 +10,45 @@
 #define LANES   UM_IRRADIATION_LANES
 #define CELLS   UM_IRRADIATION_CUBE_CELLS
 
-/* Groups of every class; place [nsurface]: lane that a surface has, SIZE_MAX where it is open. */
+/* Groups of every class. lane [LANES * groups]: the surface of each, UINT32_MAX behind the last one
+ * of a class; room for it: LANES - 1 a class more than there are surfaces. */
 static enum um_status group(struct um_context *context,
                             const struct um_geometry_visibility *visibility,
-                            struct um_irradiation_sky *sky, size_t *place)
+                            struct um_irradiation_sky *sky, uint32_t *lane)
 {
   const struct um_irradiation_normals *normals = &sky->normals;
-  size_t ngroup = 0;
+  size_t n = 0;
   UM_TRY(um_core_allocate(context, normals->n + 1, sizeof *sky->group, &sky->group));
   for (size_t i = 0; i < normals->n; i++) {
-    size_t covered = 0;
-    sky->group[i] = ngroup;
-    for (size_t k = normals->begin[i]; k < normals->begin[i + 1]; k++) {
-      size_t s = normals->order[k];
-      bool open = um_geometry_visibility_is_open(visibility, s);
-      place[s] = open ? SIZE_MAX : ngroup * LANES + covered++;
-    }
-    ngroup += (covered + LANES - 1) / LANES;
+    sky->group[i] = n / LANES;
+    for (size_t k = normals->begin[i]; k < normals->begin[i + 1]; k++)
+      if (!um_geometry_visibility_is_open(visibility, normals->order[k]))
+        lane[n++] = normals->order[k];
+    while (n % LANES != 0) lane[n++] = UINT32_MAX;
   }
-  sky->group[normals->n] = ngroup;
+  sky->group[normals->n] = n / LANES;
   /* who looks at a group fetches the next one: there is one behind the last */
-  return um_core_allocate(context, (ngroup + 1) * CELLS, sizeof *sky->freedom, &sky->freedom);
+  return um_core_allocate(context, n / LANES + 1, CELLS * sizeof *sky->freedom, &sky->freedom);
 }
 
-/* Freedom of every cell from that of the finer sky in its middle; surfaces of a group share words.
- */
+/* Freedom of every cell from that of the finer sky in its middle. */
 static enum um_status fill(struct um_context *context, const struct um_geometry_sky *fine,
-                           const size_t *place, struct um_irradiation_sky *sky)
+                           const uint32_t *lane, struct um_irradiation_sky *sky)
 {
-  const struct um_irradiation_normals *normals = &sky->normals;
-  struct um_vec3 *direction = NULL;
-  UM_TRY(um_core_allocate(context, CELLS, sizeof *direction, &direction));
+  uint16_t *middle = NULL; /* [CELLS] cell of the finer sky */
+  UM_TRY(um_core_allocate(context, CELLS, sizeof *middle, &middle));
   for (size_t cell = 0; cell < CELLS; cell++)
-    direction[cell] = um_geometry_cube_direction(UM_IRRADIATION_CUBE_SIDE, cell, 0.5, 0.5);
-  long nclass = (long)normals->n;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
-  for (long i = 0; i < nclass; i++)
-    for (size_t k = normals->begin[i]; k < normals->begin[i + 1]; k++) {
-      size_t s = normals->order[k];
-      if (place[s] == SIZE_MAX) continue;
-      uint32_t *to = sky->freedom + place[s] / LANES * CELLS;
-      for (size_t cell = 0; cell < CELLS; cell++) {
-        double free = um_geometry_sky_free(fine, s, direction[cell]);
-        to[cell] |= (uint32_t)lround(255.0 * free) << 8 * (place[s] % LANES);
-      }
+    middle[cell] =
+        um_geometry_sky_cell(um_geometry_cube_direction(UM_IRRADIATION_CUBE_SIDE, cell, 0.5, 0.5));
+  long ngroup = (long)sky->group[sky->normals.n];
+#pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
+  for (long g = 0; g < ngroup; g++)
+    for (size_t l = 0; l < LANES; l++) {
+      uint32_t *to = sky->freedom + (size_t)g * CELLS, s = lane[(size_t)g * LANES + l];
+      for (size_t cell = 0; cell < CELLS && s != UINT32_MAX; cell++)
+        to[cell] |= (uint32_t)um_geometry_sky_freedom(fine, s, middle[cell]) << 8 * l;
     }
-  um_core_free(context, direction);
+  um_core_free(context, middle);
   return UM_OK;
 }
 
@@ -67,18 +58,19 @@ static enum um_status look(struct um_context *context, const struct um_geometry_
   enum um_status status;
   struct um_geometry_visibility *visibility = NULL;
   struct um_geometry_sky *fine = NULL;
-  size_t *place = NULL;
-  UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *place, &place));
+  uint32_t *lane = NULL;
   UM_CHECK(um_geometry_visibility_create(context, mesh, pose, &visibility));
   UM_CHECK(um_irradiation_normals_find(context, mesh, pose, &sky->normals));
-  UM_CHECK(group(context, visibility, sky, place));
+  UM_CHECK(um_core_allocate(context, mesh->nsurface + (LANES - 1) * sky->normals.n, sizeof *lane,
+                            &lane));
+  UM_CHECK(group(context, visibility, sky, lane));
   if (sky->group[sky->normals.n] == 0) goto done; /* all is open */
   UM_CHECK(um_geometry_sky_create(context, visibility, SAMPLES, &fine));
-  UM_CHECK(fill(context, fine, place, sky));
+  UM_CHECK(fill(context, fine, lane, sky));
 done:
   um_geometry_sky_destroy(&fine);
   um_geometry_visibility_destroy(&visibility);
-  um_core_free(context, place);
+  um_core_free(context, lane);
   return status;
 }
 
