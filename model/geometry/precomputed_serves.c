@@ -34,9 +34,11 @@ static bool same_region(const struct um_environment_region *a,
 }
 
 /* The same ground. A brightness temperature is of the light alone while it is one for all of the
- * Earth; where places differ the precomputation has it. */
+ * Earth, unless nothing else of it shines, so that it decides whether the Earth is traced; where
+ * places differ the precomputation has it. */
 static bool same_earth(const struct um_environment *a, const struct um_environment *b)
 {
+  if (um_irradiation_earth_shines(a) != um_irradiation_earth_shines(b)) return false;
   if (!um_environment_earth_varies(a) && !um_environment_earth_varies(b)) return true;
   return a->earth == b->earth && um_environment_map_equal(a->map, b->map) &&
          a->albedo_factor == b->albedo_factor && a->longwave_factor == b->longwave_factor &&
@@ -62,6 +64,8 @@ static bool same_air(const struct um_environment *a, const struct um_environment
           same_limb(a->limb, b->limb));
 }
 
+/* Members of the environment that are not here act behind the precomputation: each has its line in
+ * tests/model/geometry/precomputed_serves.c, which does not compile where one has none. */
 bool um_model_light_serves(const struct um_model *made, const struct um_model *model)
 {
   const struct um_environment *a = &made->environment, *b = &model->environment;

@@ -325,8 +325,7 @@ static enum um_status check_samples(struct um_context *context,
   return UM_OK;
 }
 
-/* Does the Earth shine at all? */
-static bool earth_shines(const struct um_environment *e)
+bool um_irradiation_earth_shines(const struct um_environment *e)
 {
   return um_environment_earth_varies(e) || e->albedo > 0.0 || e->outgoing_longwave > 0.0 ||
          e->brightness_temperature > 0.0;
@@ -335,7 +334,7 @@ static bool earth_shines(const struct um_environment *e)
 bool um_irradiation_wants_sky(const struct um_geometry *geometry,
                               const struct um_environment *environment)
 {
-  return earth_shines(environment) && !um_geometry_joint_moves(geometry);
+  return um_irradiation_earth_shines(environment) && !um_geometry_joint_moves(geometry);
 }
 
 /* What a table holds beside that of um_irradiation_loads_create. */
@@ -390,7 +389,7 @@ enum um_status um_irradiation_loads_make(struct um_context *context,
                      .nsample = options->nsample,
                      .njoint = um_geometry_joint_count(geometry),
                      .moves = um_geometry_joint_moves(geometry),
-                     .earth = earth_shines(environment)};
+                     .earth = um_irradiation_earth_shines(environment)};
   UM_TRY(um_irradiation_loads_create(context, ntime, t.mesh->nsurface, nedge, &t.loads));
   um_core_progress_begin(context, "orbital loads", ntime);
   enum um_status status;

@@ -83,6 +83,8 @@ enum um_status um_irradiation_loads_make(struct um_context *context,
                                          const double *edges, size_t nedge,
                                          const struct um_irradiation_loads_options *options,
                                          struct um_irradiation_loads **out);
+/* Does the Earth send anything, so that it is traced? */
+bool um_irradiation_earth_shines(const struct um_environment *environment);
 /* Would a table of both look at a sky? Not where joints move, nor where the Earth is dark. */
 bool um_irradiation_wants_sky(const struct um_geometry *geometry,
                               const struct um_environment *environment);

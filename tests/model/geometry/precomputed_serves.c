@@ -1,6 +1,9 @@
 /* Which models a geometry precomputation serves: for every key below the answer is that of tracing
- * anew and comparing all that was traced, number for number. */
+ * anew and comparing all that was traced, number for number; and for every member of the
+ * environment, whether what is traced depends on it. */
+#include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
@@ -136,8 +139,154 @@ static void test_serves_as_traced(void **state)
   assert_int_equal(wrong, 0);
 }
 
+/* An Earth that varies, behind air, in the order of the members: one more, and it has no value here
+ * (-Wmissing-field-initializers); it also wants a line below. */
+static const struct um_environment every = {
+    1361.0,
+    UM_SPECTRUM_E490,
+    5772.0,
+    UM_EARTH_KNOCKE,
+    NULL, /* map */
+    0.3,
+    237.0,
+    270.0,
+    1.0,
+    1.0, /* longwave_factor */
+    0.0,
+    {true, 0.1, 0.2, 0.3, 0.4, -INFINITY, INFINITY, 1.0, 1.1, 0.1, 1.1, 1.0, 2.0},
+    6.4e6,
+    UM_SHADOW_OBLATE,
+    6.4e6,
+    UM_DISC_LIMB_DARKENED,
+    0.6, /* limb_darkening */
+    true,
+    NULL,
+    1.0,
+    300.0,
+    0.1,
+    1.0,
+    1.0e4, /* cloud_top */
+    true,
+    true,
+    true,
+    true,
+    true,
+    1.0,
+    1.0, /* earth_reflection_factor */
+    true,
+    true,
+    true,
+    true,
+    true,
+    false, /* specular_exchange_on */
+    true,
+    true,
+    0.0, /* gas_density_factor */
+    {true, true, 290.0, 230.0, 10.0, 300.0, 0.1, 1.3, 1.0, 0.0, 230.0, NULL},
+    true, /* bulk_by_temperature */
+};
+#define MEMBER(name, expected)                                                                     \
+  {                                                                                                \
+#name, offsetof(struct um_environment, name), sizeof every.name, expected                      \
+  }
+static const struct {
+  const char *name;
+  size_t offset, size;
+  enum expected expected;
+} members[] = {
+    MEMBER(solar_irradiance, ANOTHER),
+    MEMBER(spectrum, SERVES), /* .. of light and what materials absorb */
+    MEMBER(solar_temperature, SERVES),
+    MEMBER(earth, ANOTHER),
+    MEMBER(map, ANOTHER),
+    MEMBER(albedo, ANOTHER),
+    MEMBER(outgoing_longwave, ANOTHER),
+    MEMBER(brightness_temperature, ANOTHER),
+    MEMBER(albedo_factor, ANOTHER),
+    MEMBER(longwave_factor, ANOTHER),
+    MEMBER(brightness_shift, ANOTHER),
+    MEMBER(region.everywhere, ANOTHER),
+    MEMBER(region.latitude, ANOTHER),
+    MEMBER(region.longitude, ANOTHER),
+    MEMBER(region.radius, ANOTHER),
+    MEMBER(region.edge, ANOTHER),
+    MEMBER(region.from_tai, ANOTHER),
+    MEMBER(region.to_tai, ANOTHER),
+    MEMBER(region.ramp, ANOTHER),
+    MEMBER(region.albedo_factor, ANOTHER),
+    MEMBER(region.albedo_offset, ANOTHER),
+    MEMBER(region.longwave_factor, ANOTHER),
+    MEMBER(region.longwave_offset, ANOTHER),
+    MEMBER(region.brightness_shift, ANOTHER),
+    MEMBER(earth_radius, ANOTHER),
+    MEMBER(shadow, ANOTHER),
+    MEMBER(shadow_radius, ANOTHER),
+    MEMBER(disc, ANOTHER),
+    MEMBER(limb_darkening, ANOTHER),
+    MEMBER(shadow_refraction_on, ANOTHER),
+    MEMBER(limb, ANOTHER),
+    MEMBER(air_factor, ANOTHER),
+    MEMBER(ozone_dobson, ANOTHER),
+    MEMBER(haze, ANOTHER),
+    MEMBER(aerosol, ANOTHER),
+    MEMBER(cloud_top, ANOTHER),
+    MEMBER(albedo_on, SERVES), /* switches and factors of heat and light act behind the tables */
+    MEMBER(planet_on, SERVES),
+    MEMBER(earthshine_on, SERVES),
+    MEMBER(earth_reflection_on, SERVES),
+    MEMBER(moonlight_on, ANOTHER), /* rays to the Moon */
+    MEMBER(earthshine_factor, SERVES),
+    MEMBER(earth_reflection_factor, SERVES),
+    MEMBER(earthlight_lobe_on, SERVES),
+    MEMBER(multiple_scattering_on, SERVES),
+    MEMBER(inter_reflection_on, SERVES),
+    MEMBER(mutual_radiation_on, SERVES),
+    MEMBER(solar_reflection_on, SERVES),
+    MEMBER(specular_exchange_on, ANOTHER), /* from off to on: there are no paths by mirrors */
+    MEMBER(absorptance_by_angle,
+           SERVES), /* the laws of the surfaces say so, by which moments are */
+    MEMBER(emittance_by_temperature, SERVES),
+    MEMBER(gas_density_factor, ANOTHER),
+    MEMBER(sky, SERVES), /* of the station */
+    MEMBER(bulk_by_temperature, SERVES),
+};
+
+static void test_every_member_of_the_light(void **state)
+{
+  (void)state;
+  size_t wrong = 0;
+  struct um_model *model = NULL;
+  FILE *file = fopen(FILE_NAME, "w");
+  assert_non_null(file);
+  fputs(scenario, file);
+  fclose(file);
+  need(um_model_create(context, FILE_NAME, NULL, &model));
+  struct um_model made = *model, moved = *model;
+  made.environment = every;
+  for (size_t m = 0; m < sizeof members / sizeof members[0]; m++)
+    for (size_t byte = 0; byte < members[m].size; byte += sizeof(double)) {
+      moved.environment = every;
+      ((unsigned char *)&moved.environment)[members[m].offset + byte] ^= 1;
+      if (um_model_light_serves(&made, &moved) == (members[m].expected == SERVES)) continue;
+      print_error("%s: byte %zu\n", members[m].name, byte);
+      wrong++;
+    }
+  /* an Earth that sends nothing is not traced: no view factors to reflect it by */
+  um_environment_defaults(&made.environment);
+  made.environment.albedo = made.environment.outgoing_longwave = 0.0;
+  moved.environment = made.environment;
+  made.environment.brightness_temperature = 0.0;
+  assert_false(um_model_light_serves(&made, &moved));
+  moved.environment.brightness_temperature = 0.0;
+  assert_true(um_model_light_serves(&made, &moved));
+  um_model_destroy(context, &model);
+  remove(FILE_NAME);
+  assert_int_equal(wrong, 0);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_serves_as_traced)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_serves_as_traced),
+                                     cmocka_unit_test(test_every_member_of_the_light)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
