@@ -42,7 +42,7 @@
 #define UM_DIAGNOSIS_NEXT_BEST 15.0
 /* Worth of a step in BIC [1], below which it is small. Derived: twice the evidence, since an effect
  * that does half as well is then within the evidence of it. */
-#define UM_DIAGNOSIS_SMALL 20.0
+#define UM_DIAGNOSIS_SMALL (2.0 * UM_DIAGNOSIS_EVIDENCE)
 /* Difference of BIC [1] by which an effect, or a pair, takes the place of what was found. Kass &
  * Raftery 1995: less is "not worth more than a bare mention". LAB. */
 #define UM_DIAGNOSIS_BETTER 2.0
@@ -97,7 +97,7 @@
 #define UM_DIAGNOSIS_EVALUATIONS 50
 #define UM_DIAGNOSIS_SIMPLEX_END 0.02
 /* Chi-square that another simplex has to gain [1]. LAB: as much as BETTER, in BIC. */
-#define UM_DIAGNOSIS_SIMPLEX_GAIN 2.0
+#define UM_DIAGNOSIS_SIMPLEX_GAIN UM_DIAGNOSIS_BETTER
 /* Points up to here [sigma] tell how wide the valley is. Convention: three sigma. LAB. */
 #define UM_DIAGNOSIS_VALLEY 3.0
 
@@ -105,7 +105,7 @@
 
 /* Expected chi-square of an observation [1] that is worth saying. Derived: a thousand observations
  * make UM_INFERENCE_SEPARABLE. */
-#define UM_DIAGNOSIS_WORTH_SAYING 0.025
+#define UM_DIAGNOSIS_WORTH_SAYING (UM_INFERENCE_SEPARABLE / 1000.0)
 /* Sigma of what was not measured: of a band [1], of a place [K]; and floor of a band's, of its
  * brightest observation [1]. HAND. */
 #define UM_DIAGNOSIS_USUAL_RELATIVE    0.02
