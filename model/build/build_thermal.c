@@ -26,7 +26,7 @@ struct assembly {
 };
 
 /* Solar absorptance and total emittance of one side, effects included; zero where there is none.
- * law: how they go with angle and temperature. */
+ * law: how they depend on angle and temperature. */
 static void optics_of(const struct um_model *model, uint32_t material, double *absorptance,
                       double *emittance, const struct um_thermal_surface_law **law)
 {

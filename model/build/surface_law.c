@@ -1,4 +1,4 @@
-/* From material records to how surfaces go with angle and temperature: ratios of the record's
+/* From material records to how surfaces depend on angle and temperature: ratios of the record's
  * absorptance and emittance, effects included, to those that the heat network states (normal
  * incidence, 300 K). Grey records and withheld effects have none. */
 #include "model/build/surface_law_impl.h"

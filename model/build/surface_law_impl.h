@@ -1,4 +1,4 @@
-/* How surfaces go with angle and temperature. Private to model/build/. */
+/* How surfaces depend on angle and temperature. Private to model/build/. */
 #ifndef UMBRA_MODEL_SURFACE_LAW_IMPL_H
 #define UMBRA_MODEL_SURFACE_LAW_IMPL_H
 

@@ -26,7 +26,7 @@ enum um_status um_model_lobes_make(struct um_context *context, const struct um_m
                                    const struct um_geometry_mirrors *mirrors,
                                    struct um_model_lobes *out);
 void um_model_lobes_clear(struct um_context *context, struct um_model_lobes *lobes);
-/* Do surfaces of both models mirror alike, number for number? */
+/* Do surfaces of both models mirror the same shares, number for number? */
 bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b);
 bool um_model_mirrors_alike_in_sunlight(const struct um_model *a, const struct um_model *b);
 

@@ -31,14 +31,14 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
                                       const double *times, const double *exposures, size_t ntime,
                                       struct um_model_sampling sampling,
                                       struct um_model_precomputed **out);
-/* Whichever of um_model_precompute, um_model_precompute_at and um_model_precompute_points goes with
- * the instants; NULL: the scenario's own window. */
+/* Whichever of um_model_precompute, um_model_precompute_at and um_model_precompute_points the
+ * instants ask for; NULL: the scenario's own window. */
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_precomputed **out);
 /* The same as um_model_precompute_over, number for number, with what `like`, traced of `made`, has
- * of the body alone (body_tables.h), where that serves the model: times, orbit, attitude and light
- * may be others. `like` may be destroyed before or after. */
+ * of the body alone (body_tables.h), where that is valid for the model: times, orbit, attitude and
+ * light may be others. `like` may be destroyed before or after. */
 enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
                                         const struct um_model_precomputed *like,
                                         const struct um_model *model,

@@ -111,7 +111,7 @@ bool um_model_loads_by_angle(const struct um_model *model)
   return false;
 }
 
-/* The model's, without angular moments where nothing that the satellite absorbs goes with them. */
+/* The model's, without angular moments where no absorptance depends on the angle. */
 static struct um_environment environment_for(const struct um_model *model)
 {
   struct um_environment environment = model->environment;

@@ -1,5 +1,5 @@
-/* Which models a geometry precomputation serves: what it was traced of is compared, and nobody has
- * to know which key or effect changes what. */
+/* Which models a geometry precomputation is valid for: all that it was traced of is compared, so
+ * that nobody has to know which key or effect changes what. */
 #include "model/geometry/precomputed_serves.h"
 
 #include <math.h>

@@ -1,14 +1,14 @@
-/* Which models a geometry precomputation serves. */
+/* Which models a geometry precomputation is valid for. */
 #ifndef UMBRA_MODEL_PRECOMPUTED_SERVES_H
 #define UMBRA_MODEL_PRECOMPUTED_SERVES_H
 
 #include "model/build/model.h"
 #include "model/geometry/precompute.h"
 
-/* Would the Sun and the Earth of both models load the same surfaces alike, number for number? What
- * `made` has beyond what `model` asks for (angular moments, paths by mirrors) does not count. A
- * geometry precomputation is light before any optical property acts: factors that act behind it
- * (earthshine, reflected Earth radiation, switches of the heat loads) may differ. */
+/* Would the Sun and the Earth of both models put the same loads on the same surfaces, number for
+ * number? What `made` has beyond what `model` asks for (angular moments, paths by mirrors) does not
+ * count. A geometry precomputation is light before any optical property acts: factors that act
+ * behind it (earthshine, reflected Earth radiation, switches of the heat loads) may differ. */
 bool um_model_light_serves(const struct um_model *made, const struct um_model *model);
 
 /* *out: is `precomputed`, by um_model_precompute_over from `made`, what it would give for `model`

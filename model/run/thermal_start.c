@@ -1,5 +1,5 @@
 /* Where temperatures begin: stated or periodic, and the exchange between surfaces with the
- * emittances that go with what follows. */
+ * emittances at the temperatures of what follows. */
 #include <math.h>
 #include <string.h>
 
@@ -73,7 +73,7 @@ static enum um_status settle_stated(struct um_context *context,
   double change;
   UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, 0.0, 0,
                                      &heat->setting, &change));
-  if (!(change > ROUNDING)) return UM_OK; /* emittances do not go with temperature */
+  if (!(change > ROUNDING)) return UM_OK; /* no emittance depends on temperature */
   UM_TRY(run_roughly(context, heat));
   return um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->mean, 0.0, 0,
                                      &heat->setting, &change);
@@ -96,7 +96,7 @@ enum um_status um_model_thermal_rest(struct um_context *context,
 }
 
 /* heat->mean and start of a model next to that of `warm`, moved as their mean balances differ; the
- * exchange as it goes with that. */
+ * exchange at the temperatures of that. */
 static enum um_status predict(struct um_context *context,
                               const struct um_model_thermal_solution *warm,
                               struct um_model_thermal_solution *heat)
@@ -128,8 +128,8 @@ done:
 }
 
 /* Periodic start and exchange by turns until the emittances are the same, from built[nnode] [K].
- * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances go
- * with temperature and nothing is known of it. */
+ * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances
+ * depend on temperature and none is known. */
 static enum um_status settle_periodic(struct um_context *context,
                                       struct um_model_thermal_solution *heat, bool warm,
                                       double tolerance, const double *built)

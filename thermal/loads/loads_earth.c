@@ -136,7 +136,7 @@ UM_WIDE_VECTORS static void add_up(const struct um_thermal_half *half,
   *out = (struct sums){sum, {m0, m1, m2, m3, m4}};
 }
 
-/* Where all of the Earth emits alike, what is emitted has the share of the solid angle. */
+/* Where the Earth emits uniformly, what is emitted has the share of the solid angle. */
 void um_irradiation_cap_shares(const struct um_thermal_half *half,
                                const struct um_thermal_free *free_of,
                                struct um_thermal_shares out[LANES])

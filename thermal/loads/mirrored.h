@@ -1,6 +1,6 @@
 /* Sunlight that mirrors of the satellite send on to its other surfaces, and how bright the Earth
  * stands in every direction, for what surfaces see of it in mirrors: geometry alone, whatever the
- * mirrors reflect (geometry/mirrors.h). Linear between times, like the loads that it goes with. */
+ * mirrors reflect (geometry/mirrors.h). Linear between times, like the loads beside it. */
 #ifndef UMBRA_IRRADIATION_MIRRORED_H
 #define UMBRA_IRRADIATION_MIRRORED_H
 

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#define DIGITS 1e12 /* normals that round alike to this are one */
+#define DIGITS 1e12 /* normals that round to the same here are one */
 
 struct key {
   int64_t x, y, z;

@@ -1,5 +1,5 @@
-/* How free every direction is before the surfaces of a rigid body: of the body alone, so that it
- * serves tables of loads of any times, places and attitudes. */
+/* How free every direction is before the surfaces of a rigid body: it depends on the body
+ * alone, so that tables of loads of any times, places and attitudes share it. */
 #ifndef UMBRA_IRRADIATION_SKY_H
 #define UMBRA_IRRADIATION_SKY_H
 
@@ -8,7 +8,7 @@
 struct um_irradiation_sky;
 
 /* By rays. No joint may move: UM_ERR_INPUT. UM_ERR_CANCELLED, UM_ERR_MEMORY, UM_ERR_LIBRARY. Holds
- * nothing of the geometry afterwards, and serves every geometry that is equal to it
+ * nothing of the geometry afterwards, and is valid for every geometry that is equal to it
  * (um_geometry_equal). The same bits for any number of threads. The caller destroys. */
 enum um_status um_irradiation_sky_create(struct um_context *context,
                                          const struct um_geometry *geometry,
