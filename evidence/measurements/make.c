@@ -76,8 +76,11 @@ static enum um_status check_value(const struct place *at, const struct um_compar
 static enum um_status check_geometry(const struct place *at, const struct um_compare_row *row,
                                      bool wanted)
 {
-  if (!wanted && isnan(row->satellite_height) && isnan(row->azimuth) && isnan(row->elevation))
-    return UM_OK;
+  bool none = isnan(row->satellite_height) && isnan(row->azimuth) && isnan(row->elevation);
+  if (!wanted && none) return UM_OK;
+  if (!wanted && !isnan(row->satellite_height))
+    return refuse(at, "satellite height [km]", 1e-3 * row->satellite_height,
+                  "none, as in the first row");
   if (!(row->satellite_height >= HEIGHT_LEAST && row->satellite_height <= HEIGHT_MOST))
     return refuse(at, "satellite height [km]", 1e-3 * row->satellite_height,
                   "0.001 to 1e6 km, in every row or none");

@@ -210,6 +210,10 @@ static void test_geometry_of_arrays(void **state)
   azimuth[3] = 0.0;
   height[3] = 2e6;
   refused(umbra_measurements_make(umbra, &columns, &made), UMBRA_ERR_INPUT, "height [km] 2000000;");
+  height[3] = 700.0;
+  height[0] = azimuth[0] = elevation[0] = (double)NAN;
+  refused(umbra_measurements_make(umbra, &columns, &made), UMBRA_ERR_INPUT,
+          "measurements:2: satellite height [km] 700; accepted: none, as in the first row");
   table_release(&c.table);
 }
 
