@@ -13,6 +13,8 @@
 #include "model/build/effect_files.h"
 #include "model/build/effects.h"
 
+#define STEPS_MOST 20 /* as the command takes */
+
 static void diagnosis_release(struct um_context *context, void *work)
 {
   struct um_library_diagnosis *d = work;
@@ -85,6 +87,15 @@ static enum um_status finish(struct um_context *context, struct umbra *umbra,
   return show(context, (*out)->work, *out);
 }
 
+static enum um_status check_settings(struct um_context *context,
+                                     const struct umbra_diagnose_settings *s)
+{
+  if (!(s->level >= 0.0 && s->level < 1.0))
+    return um_core_fail(context, UM_ERR_INPUT, "level %g; accepted: 0 to below 1", s->level);
+  if (s->steps <= STEPS_MOST) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "steps %zu; accepted: 0 to %d", s->steps, STEPS_MOST);
+}
+
 enum umbra_status umbra_diagnose(struct umbra *umbra, const struct umbra_scenario *scenario,
                                  struct umbra_measurements *measurements,
                                  const struct umbra_diagnose_settings *settings,
@@ -101,6 +112,7 @@ enum umbra_status umbra_diagnose(struct umbra *umbra, const struct umbra_scenari
                                    sizeof *settings));
     asked = *settings;
   }
+  UM_CHECK(check_settings(context, &asked));
   const struct um_diagnosis_request_texts texts = {.exclude = asked.exclude,
                                                    .nexclude = asked.nexclude};
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
@@ -179,8 +191,12 @@ enum umbra_status umbra_fit(struct umbra *umbra, const struct umbra_scenario *sc
   enum um_status status;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
-  for (size_t i = 0; i < nchange; i++)
+  for (size_t i = 0; i < nchange; i++) {
     UM_CHECK(um_library_take_change(context, &change[i], &work->wanted));
+    if (change[i].off != 0)
+      UM_CHECK(um_core_fail(context, UM_ERR_INPUT, "%s is off; accepted: effects that are fitted",
+                            change[i].effect));
+  }
   UM_CHECK(begin(context, scenario, measurements, &nothing, work));
   UM_CHECK(fit(context, work));
   UM_CHECK(finish(context, umbra, &work, &result));

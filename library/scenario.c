@@ -115,6 +115,8 @@ enum um_status um_library_check_effect_change(struct um_context *context,
 {
   UM_TRY(
       um_library_check_size(context, "struct umbra_effect_change", change->size, sizeof *change));
+  if (change->effect == NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "a change names no effect; accepted: one");
   const struct um_effect *effect = um_effects_find(change->effect);
   if (effect == NULL) return um_effects_registry_refuse(context, NULL, change->effect);
   for (size_t p = 0; p < change->nparameter; p++)

@@ -360,8 +360,8 @@ struct umbra_diagnose_settings {
   size_t nonly;
   const char *const *exclude; /* [nexclude] likewise, taken out, beside the scenario's own */
   size_t nexclude;
-  double level; /* family-wise false-alarm rate; 0: 0.01 */
-  size_t steps; /* effects at most; 0: 4 */
+  double level; /* family-wise false-alarm rate, below 1; 0: 0.01 */
+  size_t steps; /* effects at most, up to 20; 0: 4 */
 };
 #define UMBRA_DIAGNOSE_SETTINGS                                                                    \
   {                                                                                                \
@@ -371,14 +371,15 @@ struct umbra_diagnose_settings {
 /* Which effect the scenario lacks. What is uncertain anyway (nuisances, excluded effects, noise) is
  * what the scenario says under measurements. settings: NULL for the defaults. The result has the
  * arrays before and after [fitted observation]: model values in the unit of residuals. Takes up to
- * hours; progress is reported. UMBRA_ERR_INPUT: no such effect, fewer observations than free
- * parameters; and errors of umbra_compare. */
+ * hours; progress is reported. UMBRA_ERR_INPUT: no such effect, a setting out of range, fewer
+ * observations than free parameters; and errors of umbra_compare. */
 enum umbra_status umbra_diagnose(struct umbra *umbra, const struct umbra_scenario *scenario,
                                  struct umbra_measurements *measurements,
                                  const struct umbra_diagnose_settings *settings,
                                  struct umbra_result **out);
 /* Parameters of chosen effects [nchange]; values are where the fit starts, and an effect that
- * states none is added as a diagnosis adds it. */
+ * states none is added as a diagnosis adds it. UMBRA_ERR_INPUT: what umbra_scenario_effect refuses,
+ * an effect that is off or named twice; and errors of umbra_diagnose. */
 enum umbra_status umbra_fit(struct umbra *umbra, const struct umbra_scenario *scenario,
                             struct umbra_measurements *measurements,
                             const struct umbra_effect_change *change, size_t nchange,

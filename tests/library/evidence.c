@@ -227,6 +227,11 @@ static void test_fit(void **state)
   change[0].effect = change[1].effect = "emittance";
   change[0].target = change[1].target = "grey_white";
   refused(umbra_fit(umbra, scenario, measured, change, 2, &result), UMBRA_ERR_INPUT, "twice");
+  change[0].off = 1;
+  refused(umbra_fit(umbra, scenario, measured, change, 1, &result), UMBRA_ERR_INPUT,
+          "emittance is off");
+  assert_null(result);
+  change[0].off = 0;
   ok(umbra_fit(umbra, scenario, measured, change, 1, &result));
   const struct umbra_verdict *v = umbra_result_verdict(result);
   assert_int_equal(v->nfinding, 1);
@@ -258,6 +263,14 @@ static void test_diagnose(void **state)
   refused(umbra_diagnose(umbra, scenario, measured, &settings, &result), UMBRA_ERR_INPUT,
           "emittance");
   assert_null(result);
+  settings.level = 1.0;
+  refused(umbra_diagnose(umbra, scenario, measured, &settings, &result), UMBRA_ERR_INPUT,
+          "level 1; accepted");
+  settings.level = 0.0;
+  settings.steps = 21;
+  refused(umbra_diagnose(umbra, scenario, measured, &settings, &result), UMBRA_ERR_INPUT,
+          "steps 21; accepted");
+  settings.steps = 0;
   settings.only = only;
   settings.nonly = 4;
   ok(umbra_diagnose(umbra, scenario, measured, &settings, &result));

@@ -254,6 +254,7 @@ static void test_errors_of_effects(void **state)
   struct umbra_effect_change change = UMBRA_EFFECT_CHANGE;
   command_copy_data("box.yaml");
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "names no effect");
   change.effect = "emitance";
   refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "emittance");
   change.effect = "emittance";
