@@ -194,7 +194,7 @@ enum um_status um_library_run_arrays(struct um_context *context, const struct um
   return show_heat(context, r, to);
 }
 
-enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model,
+enum umbra_status umbra_run(struct umbra *umbra, struct umbra_model *model,
                             struct umbra_result **out)
 {
   struct um_context *context = um_library_begin(umbra);
@@ -203,7 +203,7 @@ enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model
   enum um_status status;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
-  run->model = um_library_model_share((struct umbra_model *)model); /* counts its users */
+  run->model = um_library_model_share(model);
   UM_CHECK(um_model_precompute(context, model->model, &run->precomputed));
   UM_CHECK(um_model_run(context, model->model, run->precomputed, &run->result));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));

@@ -76,7 +76,7 @@ struct umbra_settings {
 enum umbra_status umbra_open(const struct umbra_settings *settings, struct umbra **out);
 /* Accepts NULL, sets NULL; likewise all that close. */
 void umbra_close(struct umbra **umbra);
-/* Of the last call that failed with this session, "" where none has; borrowed until the next call.
+/* What was wrong with the last call, where it failed; borrowed until the next call that may fail.
  */
 const char *umbra_message(const struct umbra *umbra);
 
@@ -144,7 +144,7 @@ struct umbra_result;
 
 /* Light and heat over the scenario's own window. UMBRA_ERR_NUMERIC, UMBRA_ERR_LIBRARY,
  * UMBRA_ERR_CANCELLED and those of umbra_model_build. */
-enum umbra_status umbra_run(struct umbra *umbra, const struct umbra_model *model,
+enum umbra_status umbra_run(struct umbra *umbra, struct umbra_model *model,
                             struct umbra_result **out);
 
 /* Numbers in the order of C: the last index moves first. */
@@ -153,7 +153,7 @@ struct umbra_array {
   size_t dimensions;       /* at most 4 */
   size_t shape[4];
   const char *axis[4]; /* "time", "band", "place", "material", "mechanism", "bin", "surface",
-                          "node", "sensor", "observation" */
+                          "node", "sensor", "observation", "fitted observation" */
   const double *data;
 };
 
@@ -214,7 +214,8 @@ enum umbra_status umbra_variants_open(struct umbra *umbra, struct umbra_model *m
                                       struct umbra_variants **out);
 void umbra_variants_close(struct umbra_variants **variants);
 
-/* One change: a key with a number (with YAML text where `text` is not NULL), or an effect. */
+/* One change: a key with a number (with YAML text where `text` is not NULL, as a time has it), or
+ * an effect, whose other parameters keep what the model says. */
 struct umbra_change {
   size_t size;
   const char *key; /* as of umbra_scenario_set; NULL: `effect` */
@@ -227,8 +228,9 @@ struct umbra_change {
     sizeof(struct umbra_change), NULL, 0.0, NULL, NULL                                             \
   }
 
-/* Light and temperatures of the model with changes [nchange], borrowed for the call; the result has
- * the arrays of umbra_run. It does not depend on what was run before. It is not written: for that
+/* Light and temperatures of the model with changes [nchange], borrowed for the call: keys in their
+ * order, then effects that are turned off, then those that are turned on. The result has the arrays
+ * of umbra_run. It does not depend on what was run before. It is not written: for that
  * the changes are made to a scenario, which is run. UMBRA_ERR_INPUT: what umbra_scenario_set and
  * umbra_scenario_effect refuse; and errors of umbra_run. */
 enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *variants,

@@ -48,8 +48,7 @@ int um_core_context_threads(const struct um_context *context);
 
 /* Folder that holds materials/, filters/, sensors/ and scenarios/ in place of those that come with
  * the program (base/core/data.h), and folder where view factors are kept between runs. Copied; NULL
- * or
- * "": none, which is the default. UM_ERR_MEMORY leaves what was set. */
+ * or "": none, which is the default. UM_ERR_MEMORY leaves what was set. */
 enum um_status um_core_context_set_data(struct um_context *context, const char *folder);
 enum um_status um_core_context_set_cache(struct um_context *context, const char *folder);
 /* NULL: none; borrowed until the next setting. */

@@ -154,6 +154,10 @@ static void test_arrays(void **state)
   assert_string_equal(place->unit, "K");
   assert_string_equal(place->axis[0], "place");
   assert_close(place->data[3], column(heat, 3, "bus.mean_K"), 1e-4);
+  place = umbra_result_array(result, "temperature_lowest");
+  assert_close(place->data[3], column(heat, 3, "bus.min_K"), 1e-4);
+  place = umbra_result_array(result, "temperature_highest");
+  assert_close(place->data[3], column(heat, 3, "bus.max_K"), 1e-4);
   free(light);
   free(heat);
   umbra_result_close(&result);
