@@ -71,6 +71,7 @@ enum umbra_status umbra_model_build(struct umbra *umbra, const struct umbra_scen
   UM_CHECK(um_library_source_copy(context, &scenario->source, &model->source));
   model->options = um_library_source_options(&model->source);
   UM_CHECK(um_model_create(context, model->source.path, &model->options, &model->model));
+  UM_CHECK(um_core_strdup(context, um_core_log_text(context), &model->log));
   UM_CHECK(list_names(context, model));
   *out = model;
 done:
@@ -97,6 +98,7 @@ void um_library_model_drop(struct umbra_model **model)
   um_core_free(context, m->material_place);
   for (int kind = 0; kind < UM_LIBRARY_NAMES; kind++) um_core_free(context, (void *)m->name[kind]);
   um_model_destroy(context, &m->model);
+  um_core_free(context, m->log);
   um_library_source_release(context, &m->source);
   um_core_free(context, m);
   um_library_session_drop(&session);

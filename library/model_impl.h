@@ -13,6 +13,7 @@ struct umbra_model {
   struct um_library_source source;
   struct um_model_options options;
   struct um_model *model;
+  char *log;                           /* what was said while it was built */
   const char **name[UM_LIBRARY_NAMES]; /* [count] owned lists */
   char **material_place;               /* [materials] owned texts among them */
   size_t count[UM_LIBRARY_NAMES];

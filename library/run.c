@@ -13,6 +13,7 @@ struct run {
   struct umbra_model *model; /* shared */
   struct um_model_precomputed *precomputed;
   struct um_model_result *result;
+  char *log; /* what was said while it was built and run */
 };
 
 static void run_release(struct um_context *context, void *work)
@@ -21,6 +22,7 @@ static void run_release(struct um_context *context, void *work)
   um_model_result_destroy(context, &run->result);
   um_model_precomputed_destroy(context, &run->precomputed);
   um_library_model_drop(&run->model);
+  um_core_free(context, run->log);
   um_core_free(context, run);
 }
 
@@ -34,6 +36,7 @@ static enum um_status run_write(struct um_context *context, const struct umbra_r
                                       .command = write->command,
                                       .version = UM_LIBRARY_VERSION,
                                       .options = &run->model->options,
+                                      .log = run->log,
                                       .context = context};
   UM_TRY(um_output_write_run(context, &files, folder));
   if (write->pictures == 0) return UM_OK;
@@ -206,6 +209,7 @@ enum umbra_status umbra_run(struct umbra *umbra, struct umbra_model *model,
   run->model = um_library_model_share(model);
   UM_CHECK(um_model_precompute(context, model->model, &run->precomputed));
   UM_CHECK(um_model_run(context, model->model, run->precomputed, &run->result));
+  UM_CHECK(um_core_asprintf(context, &run->log, "%s%s", model->log, um_core_log_text(context)));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   run = NULL;
   const struct run *of = result->work;

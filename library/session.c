@@ -26,6 +26,7 @@ enum umbra_status um_library_status(enum um_status status) { return (enum umbra_
 struct um_context *um_library_begin(struct umbra *umbra)
 {
   um_core_message_clear(umbra->context);
+  um_core_log_clear(umbra->context);
   return umbra->context;
 }
 

@@ -23,7 +23,7 @@ struct umbra {
 struct umbra *um_library_session_share(struct umbra *umbra);
 void um_library_session_drop(struct umbra **umbra);
 
-/* The context for a new call, its message cleared. */
+/* The context for a new call, its message and its log cleared. */
 struct um_context *um_library_begin(struct umbra *umbra);
 enum umbra_status um_library_status(enum um_status status);
 /* Fill the lists of effects and keys. UM_ERR_MEMORY. */

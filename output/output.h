@@ -16,7 +16,8 @@ struct um_output_run {
   const char *command; /* as typed, for the record */
   const char *version;
   const struct um_model_options *options; /* of the command line, for scenario.yaml; NULL: none */
-  struct um_context *context;             /* asked for a stop while files are written; NULL: none */
+  const char *log;            /* lines of log.txt before those that the context has; NULL: none */
+  struct um_context *context; /* asked for a stop while files are written; NULL: none */
 };
 
 /* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,

@@ -24,6 +24,17 @@ static enum um_status write_text(struct um_context *context, struct um_core_fold
   return um_core_file_close(context, name, &file);
 }
 
+static enum um_status write_log(struct um_context *context, const struct um_output_run *run,
+                                struct um_core_folder *folder)
+{
+  char *text;
+  UM_TRY(um_core_asprintf(context, &text, "%s%s", run->log != NULL ? run->log : "",
+                          um_core_log_text(context)));
+  enum um_status status = write_text(context, folder, "log.txt", text);
+  um_core_free(context, text);
+  return status;
+}
+
 static enum um_status write_netcdf(struct um_context *context, const struct um_output_run *run,
                                    struct um_core_folder *folder)
 {
@@ -61,5 +72,5 @@ enum um_status um_output_write_run(struct um_context *context, const struct um_o
   UM_TRY(write_file(context, run, folder, "run.xdmf", um_output_write_xdmf));
   UM_TRY(write_scenario(context, run, folder));
   UM_TRY(write_netcdf(context, run, folder));
-  return write_text(context, folder, "log.txt", um_core_log_text(context));
+  return write_log(context, run, folder);
 }

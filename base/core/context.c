@@ -246,6 +246,12 @@ const char *um_core_log_text(const struct um_context *context)
   return context->log == NULL ? "" : context->log;
 }
 
+void um_core_log_clear(struct um_context *context)
+{
+  context->log_length = 0;
+  if (context->log != NULL) context->log[0] = '\0';
+}
+
 void um_core_quiet_begin(struct um_context *context) { context->quiet++; }
 void um_core_quiet_end(struct um_context *context) { context->quiet--; }
 

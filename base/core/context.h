@@ -86,6 +86,8 @@ void um_core_log(struct um_context *context, enum um_core_log_level level, const
     UM_PRINTF(3, 4);
 /* All lines so far of level >= INFO, joined by newlines; borrowed until the next log call. */
 const char *um_core_log_text(const struct um_context *context);
+/* Forget them. */
+void um_core_log_clear(struct um_context *context);
 
 /* Between the two, which nest: log lines below an error are dropped, and inner work does not report
  * its own progress, though the sink is still asked whether to go on. For work that is done many

@@ -71,6 +71,35 @@ static void test_sphere_as_the_command(void **state)
   umbra_scenario_close(&scenario);
 }
 
+static size_t lines_with(const char *path, const char *words)
+{
+  char *text = command_read(path);
+  size_t n = 0;
+  for (const char *at = text; (at = strstr(at, words)) != NULL; at++) n++;
+  free(text);
+  return n;
+}
+
+/* What a run logged is its own and its model's, whatever the session did before and after. */
+static void test_log_of_a_run(void **state)
+{
+  (void)state;
+  struct umbra_scenario *scenario;
+  struct umbra_result *box = run_box();
+  ok(umbra_scenario_read(umbra, sphere, NULL, &scenario));
+  struct umbra_result *ball = run(scenario);
+  ok(umbra_result_write(umbra, box, "box", NULL));
+  ok(umbra_result_write(umbra, ball, "ball", NULL));
+  assert_int_equal(lines_with("box/log.txt", "Earth orientation not given"), 1);
+  assert_int_equal(lines_with("box/log.txt", "of 5 observations"), 1);
+  assert_int_equal(lines_with("box/log.txt", "of 602 observations"), 0);
+  assert_int_equal(lines_with("ball/log.txt", "of 602 observations"), 1);
+  assert_int_equal(lines_with("ball/log.txt", "of 5 observations"), 0);
+  umbra_result_close(&box);
+  umbra_result_close(&ball);
+  umbra_scenario_close(&scenario);
+}
+
 /* Changes mean what the options of the command do; one text and one file are one scenario. */
 static void test_changes_as_the_command(void **state)
 {
@@ -551,6 +580,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_sphere_as_the_command, enter, leave),
+      cmocka_unit_test_setup_teardown(test_log_of_a_run, enter, leave),
       cmocka_unit_test_setup_teardown(test_changes_as_the_command, enter, leave),
       cmocka_unit_test_setup_teardown(test_arrays, enter, leave),
       cmocka_unit_test_setup_teardown(test_arrays_by_number, enter, leave),

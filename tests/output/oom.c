@@ -141,8 +141,12 @@ static enum um_status write_results(struct subject *s)
   enum um_status status;
   struct stat there;
   struct um_core_folder *folder = NULL;
-  const struct um_output_run out = {s->model, s->precomputed, s->result, "run",
-                                    "0",      NULL,           s->context};
+  const struct um_output_run out = {.model = s->model,
+                                    .precomputed = s->precomputed,
+                                    .result = s->result,
+                                    .command = "run",
+                                    .version = "0",
+                                    .context = s->context};
   UM_CHECK(um_core_folder_begin(s->context, s->results, false, &folder));
   UM_CHECK(um_output_write_run(s->context, &out, folder));
   UM_CHECK(um_core_folder_commit(s->context, &folder));

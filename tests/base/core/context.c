@@ -113,6 +113,8 @@ static void test_log(void **state)
   assert_string_equal(um_core_log_text(context), "step 1\nwarning: two lines\n");
   for (int i = 0; i < 200; i++) um_core_log(context, UM_LOG_ERROR, "line %d", i);
   assert_non_null(strstr(um_core_log_text(context), "error: line 199\n"));
+  um_core_log_clear(context);
+  assert_string_equal(um_core_log_text(context), "");
   um_core_log_set_sink(context, NULL, NULL);
 }
 
