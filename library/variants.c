@@ -1,6 +1,5 @@
 /* A model, changed: the evaluator of variant/ behind the public header. */
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "base/core/words.h"
@@ -81,19 +80,17 @@ done:
 
 /* --- changes --------------------------------------------------------------------------------- */
 
-/* Changes as the evaluator takes them; keys are the caller's. */
+/* Changes as the evaluator takes them; keys and targets are the caller's. */
 struct changes {
   struct um_document_change *key;
-  struct um_model_addition *addition; /* targets owned: the variant has them */
-  char **off;                         /* [nwithout of all] owned "effect:target" */
+  struct um_model_addition *addition;
+  char **off; /* [nwithout of all] owned "effect:target" */
   struct um_model_changes all;
 };
 
 static void changes_clear(struct um_context *context, struct changes *c)
 {
   for (size_t i = 0; i < c->all.nwithout; i++) um_core_free(context, c->off[i]);
-  for (size_t i = 0; i < c->all.naddition; i++)
-    um_core_free(context, (void *)(uintptr_t)c->addition[i].target);
   um_core_free(context, c->off);
   um_core_free(context, c->key);
   um_core_free(context, c->addition);
@@ -123,11 +120,7 @@ static enum um_status take_effect(struct um_context *context, const struct um_mo
 {
   UM_TRY(um_library_check_effect_change(context, from));
   if (from->off == 0) {
-    char *target = NULL;
-    if (from->target != NULL) UM_TRY(um_core_strdup(context, from->target, &target));
-    struct um_model_addition *a = &to->addition[to->all.naddition++];
-    addition_of(model, from, a);
-    a->target = target;
+    addition_of(model, from, &to->addition[to->all.naddition++]);
     return UM_OK;
   }
   UM_TRY(um_core_asprintf(context, &to->off[to->all.nwithout], "%s%s%s", from->effect,
@@ -167,8 +160,7 @@ static enum um_status take_changes(struct um_context *context, const struct um_m
 
 struct run {
   struct umbra_variants *variants; /* shared */
-  struct changes changes;
-  struct um_variant variant; /* open */
+  struct um_variant variant;       /* open */
   struct um_model_result *result;
 };
 
@@ -177,7 +169,6 @@ static void run_release(struct um_context *context, void *work)
   struct run *run = work;
   um_model_result_destroy(context, &run->result);
   um_variant_close(context, &run->variant);
-  changes_clear(context, &run->changes);
   variants_drop(&run->variants);
   um_core_free(context, run);
 }
@@ -204,14 +195,15 @@ enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *
   struct um_context *context = um_library_begin(umbra);
   struct umbra_result *result = NULL;
   struct run *run = NULL;
+  struct changes changes = {0};
   enum um_status status;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
   atomic_fetch_add(&variants->users, 1);
   run->variants = variants;
   struct um_variant *v = &run->variant;
-  UM_CHECK(take_changes(context, variants->model->model, change, nchange, &run->changes));
-  UM_CHECK(um_variant_open(context, variants->evaluator, &run->changes.all, &variants->heat, v));
+  UM_CHECK(take_changes(context, variants->model->model, change, nchange, &changes));
+  UM_CHECK(um_variant_open(context, variants->evaluator, &changes.all, &variants->heat, v));
   UM_CHECK(um_variant_observe(context, variants->evaluator, v, &run->result));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   const struct run *of = result->work;
@@ -220,6 +212,7 @@ enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *
                                  result));
   *out = result;
 done:
+  changes_clear(context, &changes);
   if (run != NULL) run_release(context, run);
   if (status != UM_OK) umbra_result_close(&result);
   return um_library_status(status == UM_ERR_REFUSED ? UM_ERR_INPUT : status);

@@ -163,8 +163,12 @@ static void run_model(struct um_context *context, const struct um_model *model)
   if (um_fuzz_good(context, um_model_precompute(context, model, &precomputed)) &&
       um_fuzz_good(context, um_model_run(context, model, precomputed, &result))) {
     look(result);
-    write_all(context,
-              &(struct um_output_run){model, precomputed, result, "fuzz", "0", NULL, context});
+    write_all(context, &(struct um_output_run){.model = model,
+                                               .precomputed = precomputed,
+                                               .result = result,
+                                               .command = "fuzz",
+                                               .version = "0",
+                                               .context = context});
   }
   um_model_result_destroy(context, &result);
   um_model_precomputed_destroy(context, &precomputed);
