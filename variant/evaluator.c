@@ -48,6 +48,13 @@ double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator
   return evaluator->seconds_heat;
 }
 
+size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t bytes)
+{
+  size_t before = evaluator->cache.most;
+  evaluator->cache.most = bytes;
+  return before;
+}
+
 struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
                                                          struct um_variant_evaluator *evaluator)
 {
@@ -214,7 +221,10 @@ static enum um_status look_for_heat(struct um_context *context,
 {
   const struct um_variant_kept *kept = v->kept;
   const struct um_model_thermal_solution *at_hand[] = {
-      kept != NULL && tolerances_equal(&kept->tolerance, &how->tolerance) ? kept->heat : NULL,
+      kept != NULL && how->start == UM_VARIANT_WARM &&
+              tolerances_equal(&kept->tolerance, &how->tolerance)
+          ? kept->heat
+          : NULL,
       e->heat};
   for (size_t i = 0; i < sizeof at_hand / sizeof at_hand[0] && v->heat == NULL; i++) {
     bool matches = false;
@@ -274,6 +284,17 @@ enum um_status um_variant_base(struct um_context *context, struct um_variant_eva
   return UM_OK;
 }
 
+enum um_status um_variant_share(struct um_context *context, struct um_variant_evaluator *evaluator,
+                                enum um_variant_start start, bool light)
+{
+  struct um_variant_evaluator *e = evaluator;
+  UM_TRY(base_geometry(context, e));
+  if (start == UM_VARIANT_COLD) return UM_OK;
+  UM_TRY(base_heat(context, e));
+  if (!light || e->light != NULL) return UM_OK;
+  return um_model_run_light(context, e->model, e->precomputed, e->heat, &e->light);
+}
+
 static enum um_status make_model(struct um_context *context, const struct um_variant_evaluator *e,
                                  const struct um_model_changes *changes, struct um_variant *out)
 {
@@ -283,7 +304,7 @@ static enum um_status make_model(struct um_context *context, const struct um_var
   return UM_OK;
 }
 
-static bool acts_behind(const struct um_model_changes *changes)
+bool um_variant_acts_behind(const struct um_model_changes *changes)
 {
   bool behind = changes->nkey + changes->nwith + changes->nwithout + changes->nsource == 0;
   for (size_t i = 0; i < changes->naddition; i++)
@@ -311,7 +332,7 @@ enum um_status um_variant_open(struct um_context *context, struct um_variant_eva
   enum um_status status;
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
   UM_CHECK(make_model(context, evaluator, changes, out));
-  out->behind = acts_behind(changes);
+  out->behind = um_variant_acts_behind(changes);
   UM_CHECK(find_geometry(context, evaluator, changes, out));
   if (heat != NULL) UM_CHECK(um_variant_find_heat(context, evaluator, heat, out));
 done:
@@ -345,8 +366,7 @@ enum um_status um_variant_observe(struct um_context *context,
   *out = NULL;
   if (!v->behind || v->heat != e->heat || v->precomputed != e->precomputed)
     return um_model_run_observed(context, v->model, v->precomputed, v->heat, out);
-  if (e->light == NULL)
-    UM_TRY(um_model_run_light(context, e->model, e->precomputed, e->heat, &e->light));
+  UM_TRY(um_variant_share(context, e, UM_VARIANT_WARM, true));
   return um_model_run_behind(context, v->model, v->precomputed, v->heat, e->light, out);
 }
 

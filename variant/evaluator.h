@@ -61,11 +61,19 @@ enum um_status um_variant_evaluator_create(struct um_context *context, const str
                                            struct um_variant_evaluator **out);
 void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator);
+/* Another bound in bytes for what is kept from now on; the one before. */
+size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t bytes);
 
 /* The scenario as it stands: its geometry is traced and its heat solved when they are first asked
  * for, and stay. Errors of um_model_precompute_over and of the thermal solvers. */
 enum um_status um_variant_base(struct um_context *context, struct um_variant_evaluator *evaluator,
                                struct um_variant *out);
+/* What variants take of it, for who opens many in other processes: its geometry, its heat for
+ * starts that need it, and with `light` its light. Errors as of um_variant_base. */
+enum um_status um_variant_share(struct um_context *context, struct um_variant_evaluator *evaluator,
+                                enum um_variant_start start, bool light);
+/* Does all that is changed act on light that has left the satellite? */
+bool um_variant_acts_behind(const struct um_model_changes *changes);
 /* Wall time of its heat [s]; 0 before it is asked for. */
 double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator);
 /* Its geometry, for who traces lines of sight again (um_model_precomputed_resample): light that is

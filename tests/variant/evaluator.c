@@ -11,6 +11,7 @@
 #include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
+#include "variant/many.h"
 
 #define FILE_NAME "evaluator_scenario.yaml"
 
@@ -189,11 +190,80 @@ static void the_bound_holds(void **state)
   um_variant_evaluator_destroy(context, &own);
 }
 
+#define NCHANGE 6
+
+struct seen {
+  double irradiance[NCHANGE][3];
+  bool refused[NCHANGE];
+};
+
+static enum um_status take(struct um_context *of, void *user, size_t which,
+                           const struct um_variant *variant, const struct um_model_result *result,
+                           double *value)
+{
+  (void)of, (void)user, (void)which, (void)variant;
+  for (size_t k = 0; k < 3; k++) value[k] = result->irradiance[k * result->nband + 1];
+  return UM_OK;
+}
+
+static enum um_status done(struct um_context *of, void *user, size_t which, enum um_status status,
+                           const double *value)
+{
+  struct seen *seen = user;
+  seen->refused[which] = status == UM_ERR_REFUSED;
+  if (status == UM_OK) memcpy(seen->irradiance[which], value, sizeof seen->irradiance[which]);
+  if (status == UM_ERR_REFUSED) um_core_message_clear(of);
+  return status == UM_ERR_REFUSED ? UM_OK : status;
+}
+
+/* Many at once have the bits of one by one, in any number of processes; one that the model refuses
+ * does not touch the others. */
+static void many_are_as_one_by_one(void **state)
+{
+  (void)state;
+  struct change c[NCHANGE];
+  const struct um_model_changes changes[NCHANGE] = {
+      key(&c[0], "parts.box.interior.power_W", 50.0),
+      key(&c[1], "environment.albedo", 0.31),
+      effect(&c[2], "zero_point", "lwir", 0.5),
+      effect(&c[3], "internal_power", "no_such_part", 1.0),
+      effect(&c[4], "attitude_offset", NULL, 1.0),
+      effect(&c[5], "attitude_offset", NULL, 1.0)};
+  const struct um_variant_heat how = WARM(LOOSE);
+  struct seen seen[3] = {{.refused = {false}}};
+  for (int i = 0; i < 3; i++) {
+    struct um_variant_evaluator *own;
+    const struct um_variant_settings settings = {.base = TIGHT};
+    const struct um_variant_each each = {.n = NCHANGE,
+                                         .changes = changes,
+                                         .heat = &how,
+                                         .nvalue = 3,
+                                         .take = take,
+                                         .done = done,
+                                         .user = &seen[i],
+                                         .workers = 1 + i};
+    need(um_variant_evaluator_create(context, model, &settings, &own));
+    need(um_variant_each(context, own, &each));
+    um_variant_evaluator_destroy(context, &own);
+  }
+  assert_memory_equal(&seen[0], &seen[1], sizeof seen[0]);
+  assert_memory_equal(&seen[0], &seen[2], sizeof seen[0]);
+  double one[3];
+  struct um_variant base;
+  need(um_variant_base(context, evaluator, &base));
+  look(&changes[0], LOOSE, false, true, one);
+  assert_memory_equal(one, seen[2].irradiance[0], sizeof one);
+  look(&changes[4], LOOSE, true, true, one);
+  assert_memory_equal(one, seen[2].irradiance[4], sizeof one);
+  assert_true(seen[0].refused[3] && !seen[0].refused[2]);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(only_what_changes_is_computed, set_up, tear_down),
       cmocka_unit_test_setup_teardown(cold_is_a_run_of_its_own, set_up, tear_down),
-      cmocka_unit_test_setup_teardown(the_bound_holds, set_up, tear_down)};
+      cmocka_unit_test_setup_teardown(the_bound_holds, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(many_are_as_one_by_one, set_up, tear_down)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
