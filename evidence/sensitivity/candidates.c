@@ -7,9 +7,7 @@
 
 #include "base/core/words.h"
 #include "effects/effects.h"
-#include "evidence/sensitivity/moves_impl.h"
-#include "evidence/sensitivity/scan_impl.h"
-#include "evidence/sensitivity/signature_impl.h"
+#include "evidence/sensitivity/signatures_impl.h"
 #include "evidence/sensitivity/stated.h"
 #include "evidence/sensitivity/targets_impl.h"
 #include "model/build/effect_files.h"
@@ -203,7 +201,7 @@ static enum um_status make_list(struct um_context *context,
   return look_for_dropped(context, forward, o, list);
 }
 
-/* --- signatures ------------------------------------------------------------------------------ */
+/* --- what is kept ----------------------------------------------------------------------------- */
 
 static void release(struct um_context *context, struct um_sensitivity_candidate *c)
 {
@@ -227,23 +225,6 @@ static const struct um_sensitivity_candidate *repeated(const struct um_sensitivi
       return before;
   }
   return NULL;
-}
-
-/* Heat of the first steps of all candidates. */
-static enum um_status find_moves(struct um_context *context,
-                                 const struct um_sensitivity_point *point,
-                                 const struct um_sensitivity_candidates *list)
-{
-  struct um_sensitivity_move *move = NULL;
-  size_t n = 0;
-  if (point->naddition > 0) return UM_OK; /* the heat at hand is the scenario's */
-  UM_TRY(
-      um_core_allocate(context, list->count + 1, UM_EFFECT_PARAMETERS_MAX * sizeof *move, &move));
-  for (size_t i = 0; i < list->count; i++)
-    n += um_sensitivity_signature_moves(&list->candidate[i], move + n);
-  enum um_status status = um_sensitivity_moves_find(context, point->forward, move, n);
-  um_core_free(context, move);
-  return status;
 }
 
 /* Keep the first of candidates that are one thing. asked: the others are recorded as dropped. */
@@ -271,28 +252,6 @@ static enum um_status keep_different(struct um_context *context, bool asked,
   return UM_OK;
 }
 
-static enum um_status make_signatures(struct um_context *context,
-                                      const struct um_sensitivity_point *point,
-                                      struct um_sensitivity_candidates *list)
-{
-  enum um_status status = UM_OK;
-  size_t count = list->count;
-  struct um_sensitivity_forward_run base = {.result = NULL};
-  um_core_progress_begin(context, "signatures of effects", count);
-  for (size_t i = 0; i < count; i++)
-    UM_CHECK(um_sensitivity_scan(context, point->forward, &list->candidate[i], &base));
-  UM_CHECK(find_moves(context, point, list));
-  for (size_t i = 0; i < count; i++) {
-    UM_CHECK(um_sensitivity_signature_create(context, point, &list->candidate[i]));
-    UM_CHECK(um_core_progress_step(context, 1));
-  }
-done:
-  um_sensitivity_moves_clear(context, point->forward);
-  um_sensitivity_forward_run_release(context, &base);
-  um_core_progress_end(context);
-  return status;
-}
-
 enum um_status
 um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivity_forward *forward,
                                  const struct um_model_addition *addition, size_t naddition,
@@ -310,7 +269,7 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));
   point.base = list->base;
   UM_CHECK(um_sensitivity_forward_noise(context, forward, &point.noise));
-  UM_CHECK(make_signatures(context, &point, list));
+  UM_CHECK(um_sensitivity_signatures_create(context, &point, list->candidate, list->count));
   if (options == NULL || options->nwanted == 0)
     UM_CHECK(keep_different(context, options != NULL && options->nonly > 0, list));
   *out = list;

@@ -76,11 +76,12 @@ static struct um_variant_heat heat_of(const struct um_sensitivity_forward *forwa
   return heat;
 }
 
-/* What heat the last evaluation had. */
+/* What heat the last evaluation had. Heat that was kept from another evaluation was integrated,
+ * too: what is said of it does not depend on what was evaluated before. */
 static void note_heat(struct um_sensitivity_forward *forward, const struct um_variant *v,
                       const struct um_variant_heat *heat)
 {
-  forward->cache->fresh_heat = v->fresh_heat;
+  forward->cache->fresh_heat = v->heat != forward->base.heat;
   forward->cache->moved_heat = v->fresh_heat && heat->start == UM_VARIANT_EXTRAPOLATED;
   if (!v->fresh_heat || heat->start == UM_VARIANT_EXTRAPOLATED) return;
   forward->heat_runs++;

@@ -23,7 +23,7 @@ struct um_sensitivity_forward {
   size_t evaluations;          /* how often a model was computed */
   double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and
                            of the search for samples [s] */
-  double seconds;       /* of all [s] */
+  double seconds;       /* of all [s]; of those that went on at once, their sum */
   size_t heat_runs;     /* how often heat was integrated for a variant */
   size_t heat_sensitivities, heat_batches;    /* parameters whose heat came by forward sensitivities
                                                  in place of that, and runs that gave them */

@@ -125,11 +125,15 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
 {
   enum um_status status;
   struct batch *batch = NULL;
+  bool serves;
   size_t numbers = um_thermal_network_nodes(forward->model->body->network) *
                    (1 + forward->base.precomputed->nobs * forward->base.precomputed->nsub);
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
   um_sensitivity_moves_clear(context, forward);
+  UM_CHECK(um_model_thermal_sensitivity_serves(context, forward->base.heat, forward->model,
+                                               forward->base.precomputed, &serves));
+  if (!serves) n = 0; /* what the scenario as it stands forbids: no model need be built to see it */
   UM_CHECK(um_core_allocate(context, 1, sizeof *batch, &batch));
   UM_CHECK(um_core_allocate(context, 1, sizeof *forward->cache->moves, &forward->cache->moves));
   UM_CHECK(um_core_allocate(context, n, sizeof *forward->cache->moves->moved,

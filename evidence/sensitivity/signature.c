@@ -9,19 +9,6 @@
 
 #include "effects/effects.h"
 
-/* An effect may refuse a value. That is no error: its message is kept as the reason. */
-static enum um_status refused(struct um_context *context, struct um_sensitivity_candidate *c,
-                              enum um_status status)
-{
-  if (status != UM_ERR_REFUSED && status != UM_ERR_NUMERIC) return status;
-  c->insensitive = true;
-  um_core_free(context, c->why);
-  c->why = NULL;
-  enum um_status kept = um_core_strdup(context, um_core_message(context), &c->why);
-  if (kept == UM_OK) um_core_message_clear(context);
-  return kept;
-}
-
 /* The change of the observations when a switch is turned on. */
 static enum um_status make_switch(struct um_context *context,
                                   const struct um_sensitivity_point *point,
@@ -139,8 +126,9 @@ size_t um_sensitivity_signature_moves(const struct um_sensitivity_candidate *c,
   return nfree;
 }
 
-static enum um_status make(struct um_context *context, const struct um_sensitivity_point *point,
-                           struct um_sensitivity_candidate *c)
+enum um_status um_sensitivity_signature_make(struct um_context *context,
+                                             const struct um_sensitivity_point *point,
+                                             struct um_sensitivity_candidate *c)
 {
   if (c->is_switch) return make_switch(context, point, c);
   UM_TRY(make_columns(context, point, c->null_value, c));
@@ -153,23 +141,6 @@ static enum um_status make(struct um_context *context, const struct um_sensitivi
   c->insensitive = c->ncolumn == 0;
   put_rest(c);
   return UM_OK;
-}
-
-enum um_status um_sensitivity_signature_create(struct um_context *context,
-                                               const struct um_sensitivity_point *point,
-                                               struct um_sensitivity_candidate *c)
-{
-  size_t columns = c->is_switch ? 1 : c->effect->nparameter;
-  UM_TRY(um_core_allocate(context, columns * point->forward->observations.count,
-                          sizeof *c->signature, &c->signature));
-  enum um_status status = c->insensitive ? UM_OK : make(context, point, c);
-  if (status != UM_OK) status = refused(context, c, status);
-  if (c->insensitive) {
-    c->ncolumn = columns;
-    memset(c->signature, 0, columns * point->forward->observations.count * sizeof *c->signature);
-    for (size_t k = 0; k < columns; k++) c->parameter[k] = k;
-  }
-  return status;
 }
 
 enum um_status um_sensitivity_signature_renew(struct um_context *context,

@@ -326,6 +326,62 @@ static void test_stated(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+static void compare_lists(const struct um_sensitivity_candidates *one,
+                          const struct um_sensitivity_candidates *other)
+{
+  assert_int_equal(one->count, other->count);
+  for (size_t i = 0; i < one->count; i++) {
+    const struct um_sensitivity_candidate *a = &one->candidate[i], *b = &other->candidate[i];
+    assert_string_equal(a->name, b->name);
+    assert_string_equal(a->why == NULL ? "" : a->why, b->why == NULL ? "" : b->why);
+    assert_int_equal(a->insensitive, b->insensitive);
+    assert_int_equal(a->ncolumn, b->ncolumn);
+    assert_int_equal(a->nunidentified, b->nunidentified);
+    assert_memory_equal(a->null_value, b->null_value, sizeof a->null_value);
+    assert_memory_equal(a->parameter, b->parameter, a->ncolumn * sizeof *a->parameter);
+    assert_memory_equal(a->step, b->step, a->ncolumn * sizeof *a->step);
+    assert_memory_equal(a->signature, b->signature,
+                        a->ncolumn * one->nobservation * sizeof *a->signature);
+  }
+}
+
+/* Signatures by any number of processes, and anew by a forward that has kept what it can, have the
+ * same bits, those that are refused the same reason; what was done is counted. Effects that heat
+ * feels, that geometry does, behind the light, one that is refused, a switch. */
+static void test_workers(void **state)
+{
+  (void)state;
+  static const char *const only[] = {
+      "interior_capacity", "internal_power",   "area",   "zero_point",
+      "along_track",       "panel_extraction", "heater", "penumbra"};
+  const int threads = um_core_context_threads(context);
+  put_world("environment: {disc: point}\n");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_candidates *list[3];
+  struct um_sensitivity_forward *f[3];
+  size_t before = 0;
+  for (int i = 0; i < 3; i++) {
+    um_core_context_set_threads(context, i == 1 ? 3 : 1);
+    if (i < 2)
+      f[i] = forward_of(NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+    else
+      before = (f[i] = f[0])->evaluations;
+    list[i] = candidates_of(f[i], only, sizeof only / sizeof only[0]);
+    if (i == 1) assert_int_equal(f[0]->evaluations, f[1]->evaluations);
+    if (i == 1) assert_int_equal(f[0]->heat_runs, f[1]->heat_runs);
+  }
+  um_core_context_set_threads(context, threads);
+  assert_true(named(list[1], "panel_extraction:bus")->insensitive);
+  assert_false(named(list[1], "internal_power:bus")->insensitive);
+  compare_lists(list[0], list[1]);
+  compare_lists(list[0], list[2]);
+  /* all but the first run of the scenario and that for its noise */
+  assert_int_equal(f[0]->evaluations - before, before - 2);
+  for (int i = 0; i < 3; i++) um_sensitivity_candidates_destroy(context, &list[i]);
+  for (int i = 0; i < 2; i++) um_sensitivity_forward_destroy(context, &f[i]);
+  um_compare_measurements_destroy(context, &m);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -336,6 +392,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_steps, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_ranges, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_stated, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_workers, model_set_up, model_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
