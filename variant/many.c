@@ -52,6 +52,9 @@ enum um_status um_variant_each(struct um_context *context, struct um_variant_eva
                                       .workers = each->workers};
   bool light = false;
   for (size_t i = 0; i < each->n; i++) light = light || um_variant_acts_behind(&each->changes[i]);
-  UM_TRY(um_variant_share(context, evaluator, each->heat->start, light));
+  um_core_quiet_begin(context); /* the progress is the caller's */
+  enum um_status status = um_variant_share(context, evaluator, each->heat->start, light);
+  um_core_quiet_end(context);
+  UM_TRY(status);
   return um_variant_tasks(context, evaluator, &tasks);
 }

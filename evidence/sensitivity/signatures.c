@@ -125,6 +125,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
                                 .done = done,
                                 .user = &work,
                                 .workers = um_core_context_threads(context)};
+  UM_TRY(um_variant_share(context, f->evaluator, UM_VARIANT_WARM, true));
   um_core_progress_begin(context, "signatures of effects", count);
   for (size_t i = 0; i < count; i++) {
     size_t room = ANSWER + columns_of(&candidate[i]) * f->observations.count;
@@ -132,7 +133,6 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
     if (tasks.nvalue < room) tasks.nvalue = room;
   }
   UM_CHECK(find_moves(context, point, candidate, count));
-  UM_CHECK(um_variant_share(context, f->evaluator, UM_VARIANT_WARM, true));
   UM_CHECK(um_variant_tasks(context, f->evaluator, &tasks));
 done:
   um_sensitivity_moves_clear(context, f);
