@@ -16,8 +16,10 @@
  * do not depend on their number.
  *
  * Processes: nothing here prints, ends the process, installs a signal handler or keeps state of its
- * own outside of the session. Three things work in a forked child, which is gone when the call
- * returns: TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures). Foreign
+ * own outside of the session. What works in forked children, which are gone when the call returns:
+ * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures); and, where
+ * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose and
+ * umbra_fit: such a child computes with one thread, and calls none of the callbacks. Foreign
  * libraries keep state of the process: GSL's error handler is turned off; a large solid opens
  * CHOLMOD, and sets the threads of its BLAS to one; netCDF/HDF5 are for one thread at a time, so
  * umbra_result_write is, too. */
@@ -153,7 +155,7 @@ struct umbra_array {
   size_t dimensions;       /* at most 4 */
   size_t shape[4];
   const char *axis[4]; /* "time", "band", "place", "material", "mechanism", "bin", "surface",
-                          "node", "sensor", "observation", "fitted observation" */
+                          "node", "sensor", "observation", "fitted observation", "set" */
   const double *data;
 };
 
@@ -236,6 +238,38 @@ struct umbra_change {
 enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *variants,
                                     const struct umbra_change *change, size_t nchange,
                                     struct umbra_result **out);
+
+/* Changes of one variant. */
+struct umbra_changes {
+  const struct umbra_change *change; /* [nchange] */
+  size_t nchange;
+};
+
+struct umbra_many {
+  size_t size;
+  const char *const *array; /* [narray] names of arrays of umbra_run, of three dimensions at most;
+                               none: irradiance */
+  size_t narray;
+  int workers; /* processes that compute; 0: as many as settings.threads; 1: none beside this one */
+};
+#define UMBRA_MANY                                                                                 \
+  {                                                                                                \
+    sizeof(struct umbra_many), NULL, 0, 0                                                          \
+  }
+
+/* umbra_variant_run of every set [nset], many at once in forked processes; numbers do not depend on
+ * how many. The result has the arrays that are asked for, each behind an axis "set", as large as
+ * those of the first set that is computed. What the model refuses of a set is no error: its numbers
+ * are NaN, and umbra_result_refusal has the reason. many: NULL for the defaults. UMBRA_ERR_INPUT
+ * with the number of the set, counted from 1: an effect's change that umbra_scenario_effect
+ * refuses; no set, every set refused, or an array that a run has not; and other errors of
+ * umbra_run. */
+enum umbra_status umbra_evaluate_many(struct umbra *umbra, struct umbra_variants *variants,
+                                      const struct umbra_changes *set, size_t nset,
+                                      const struct umbra_many *many, struct umbra_result **out);
+/* Why a set, counted from 0, was not computed, or has arrays of another size; NULL where it was,
+ * and for results of no such call. Borrowed. */
+const char *umbra_result_refusal(const struct umbra_result *result, size_t set);
 
 /* --- measurements ----------------------------------------------------------------------------- */
 

@@ -3,24 +3,21 @@
 #include <string.h>
 
 #include "base/core/words.h"
-#include "library/model_impl.h"
 #include "library/run_impl.h"
 #include "library/scenario_impl.h"
+#include "library/variants_impl.h"
 #include "model/build/effect_files.h"
-#include "variant/evaluator.h"
 
 #define TEMPERATURE 0.02 /* of the state that repeats, unless it is said [K] */
 #define FACTOR      6.0  /* on tolerances of the integration, with that */
 
-struct umbra_variants {
-  struct umbra *session;
-  struct umbra_model *model; /* shared */
-  atomic_int users;          /* the caller's handle, and results of it */
-  struct um_variant_evaluator *evaluator;
-  struct um_variant_heat heat;
-};
+struct umbra_variants *um_library_variants_share(struct umbra_variants *variants)
+{
+  atomic_fetch_add(&variants->users, 1);
+  return variants;
+}
 
-static void variants_drop(struct umbra_variants **variants)
+void um_library_variants_drop(struct umbra_variants **variants)
 {
   if (variants == NULL || *variants == NULL) return;
   struct umbra_variants *v = *variants;
@@ -33,7 +30,7 @@ static void variants_drop(struct umbra_variants **variants)
   um_library_session_drop(&session);
 }
 
-void umbra_variants_close(struct umbra_variants **variants) { variants_drop(variants); }
+void umbra_variants_close(struct umbra_variants **variants) { um_library_variants_drop(variants); }
 
 static enum um_status take_settings(struct um_context *context,
                                     const struct umbra_variants_settings *given,
@@ -74,21 +71,13 @@ enum umbra_status umbra_variants_open(struct umbra *umbra, struct umbra_model *m
   *out = v;
   v = NULL;
 done:
-  variants_drop(&v);
+  um_library_variants_drop(&v);
   return um_library_status(status);
 }
 
 /* --- changes --------------------------------------------------------------------------------- */
 
-/* Changes as the evaluator takes them; keys and targets are the caller's. */
-struct changes {
-  struct um_document_change *key;
-  struct um_model_addition *addition;
-  char **off; /* [nwithout of all] owned "effect:target" */
-  struct um_model_changes all;
-};
-
-static void changes_clear(struct um_context *context, struct changes *c)
+void um_library_changes_clear(struct um_context *context, struct um_library_changes *c)
 {
   for (size_t i = 0; i < c->all.nwithout; i++) um_core_free(context, c->off[i]);
   um_core_free(context, c->off);
@@ -116,7 +105,8 @@ static void addition_of(const struct um_model *model, const struct umbra_effect_
 }
 
 static enum um_status take_effect(struct um_context *context, const struct um_model *model,
-                                  const struct umbra_effect_change *from, struct changes *to)
+                                  const struct umbra_effect_change *from,
+                                  struct um_library_changes *to)
 {
   UM_TRY(um_library_check_effect_change(context, from));
   if (from->off == 0) {
@@ -130,8 +120,9 @@ static enum um_status take_effect(struct um_context *context, const struct um_mo
   return UM_OK;
 }
 
-static enum um_status take_changes(struct um_context *context, const struct um_model *model,
-                                   const struct umbra_change *change, size_t n, struct changes *to)
+enum um_status um_library_changes_take(struct um_context *context, const struct um_model *model,
+                                       const struct umbra_change *change, size_t n,
+                                       struct um_library_changes *to)
 {
   UM_TRY(um_core_allocate(context, n, sizeof *to->key, &to->key));
   UM_TRY(um_core_allocate(context, n, sizeof *to->addition, &to->addition));
@@ -169,7 +160,7 @@ static void run_release(struct um_context *context, void *work)
   struct run *run = work;
   um_model_result_destroy(context, &run->result);
   um_variant_close(context, &run->variant);
-  variants_drop(&run->variants);
+  um_library_variants_drop(&run->variants);
   um_core_free(context, run);
 }
 
@@ -195,14 +186,13 @@ enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *
   struct um_context *context = um_library_begin(umbra);
   struct umbra_result *result = NULL;
   struct run *run = NULL;
-  struct changes changes = {0};
+  struct um_library_changes changes = {0};
   enum um_status status;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
-  atomic_fetch_add(&variants->users, 1);
-  run->variants = variants;
+  run->variants = um_library_variants_share(variants);
   struct um_variant *v = &run->variant;
-  UM_CHECK(take_changes(context, variants->model->model, change, nchange, &changes));
+  UM_CHECK(um_library_changes_take(context, variants->model->model, change, nchange, &changes));
   UM_CHECK(um_variant_open(context, variants->evaluator, &changes.all, &variants->heat, v));
   UM_CHECK(um_variant_observe(context, variants->evaluator, v, &run->result));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
@@ -212,7 +202,7 @@ enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *
                                  result));
   *out = result;
 done:
-  changes_clear(context, &changes);
+  um_library_changes_clear(context, &changes);
   if (run != NULL) run_release(context, run);
   if (status != UM_OK) umbra_result_close(&result);
   return um_library_status(status == UM_ERR_REFUSED ? UM_ERR_INPUT : status);

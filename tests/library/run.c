@@ -1,5 +1,6 @@
 /* A run by the library: the same bytes as the command's, arrays of the same numbers, errors,
  * callbacks, ownership. */
+#include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -576,6 +577,126 @@ static void test_variants_refused(void **state)
   umbra_scenario_close(&scenario);
 }
 
+/* A set of one key. */
+static void put(struct umbra_change *change, struct umbra_changes *set, const char *key, double to)
+{
+  *change = (struct umbra_change)UMBRA_CHANGE;
+  change->key = key;
+  change->number = to;
+  *set = (struct umbra_changes){change, 1};
+}
+
+/* Numbers of a set are those of the same variant alone, for any number of processes, and NaN where
+ * the model refuses it. */
+static void expect_sets(const struct umbra_result *many, struct umbra_variants *variants,
+                        const struct umbra_changes *set, size_t nset)
+{
+  for (size_t a = 0; a < 2; a++) {
+    const struct umbra_array *all = umbra_result_array_at(many, a);
+    assert_int_equal(all->shape[0], nset);
+    assert_string_equal(all->axis[0], "set");
+    for (size_t i = 0; i < nset; i++) {
+      struct umbra_result *one = NULL;
+      enum umbra_status status =
+          umbra_variant_run(umbra, variants, set[i].change, set[i].nchange, &one);
+      size_t n = all->shape[1] * all->shape[2];
+      if (status == UMBRA_OK) {
+        const struct umbra_array *alone = umbra_result_array(one, all->name);
+        assert_null(umbra_result_refusal(many, i));
+        assert_int_equal(alone->dimensions + 1, all->dimensions);
+        assert_memory_equal(alone->data, all->data + i * n, n * sizeof *all->data);
+      } else {
+        assert_string_equal(umbra_result_refusal(many, i), umbra_message(umbra));
+        assert_true(isnan(all->data[i * n]));
+      }
+      umbra_result_close(&one);
+    }
+  }
+}
+
+static void test_many(void **state)
+{
+  (void)state;
+  static const char *const wanted[] = {"intensity", "temperature"};
+  struct umbra_variants_settings exact = UMBRA_VARIANTS_SETTINGS;
+  struct umbra_many how = UMBRA_MANY;
+  struct umbra_change change[6];
+  struct umbra_changes set[6];
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_variants *variants;
+  struct umbra_result *result;
+  put(&change[0], &set[0], "environment.albedo", 2.0); /* out of range */
+  put(&change[1], &set[1], "environment.albedo", 0.2);
+  put(&change[2], &set[2], "parts.box.no_such_key", 1.0);
+  put(&change[3], &set[3], "environment.olr_W_m2", 200.0);
+  put(&change[4], &set[4], "time.step_s", 5.0); /* has more rows */
+  put(&change[5], &set[5], "environment.albedo", 0.4);
+  how.array = wanted;
+  how.narray = 2;
+  exact.exact = 1;
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_model_build(umbra, scenario, &model));
+  for (int i = 0; i < 2; i++) {
+    ok(umbra_variants_open(umbra, model, i == 0 ? &exact : NULL, &variants));
+    for (how.workers = 1; how.workers < 4; how.workers += 2) {
+      ok(umbra_evaluate_many(umbra, variants, set, 4, &how, &result));
+      expect_sets(result, variants, set, 4);
+      umbra_result_close(&result);
+    }
+    ok(umbra_evaluate_many(umbra, variants, set + 3, 3, &how, &result));
+    assert_non_null(strstr(umbra_result_refusal(result, 1), "not as large"));
+    assert_null(umbra_result_refusal(result, 2));
+    umbra_variants_close(&variants); /* the result keeps it */
+    refused(umbra_result_write(umbra, result, "many", NULL), UMBRA_ERR_INPUT, "are not written");
+    umbra_result_close(&result);
+  }
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
+static void test_many_refused(void **state)
+{
+  (void)state;
+  static const char *const wanted[] = {"intensity_parts", "brightness"};
+  struct umbra_effect_change effect = UMBRA_EFFECT_CHANGE;
+  struct umbra_many how = UMBRA_MANY;
+  struct umbra_change change[2];
+  struct umbra_changes set[2];
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_variants *variants;
+  struct umbra_result *result;
+  put(&change[0], &set[0], "environment.albedo", 2.0);
+  put(&change[1], &set[1], "environment.albedo", 0.2);
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_model_build(umbra, scenario, &model));
+  ok(umbra_variants_open(umbra, model, NULL, &variants));
+  refused(umbra_evaluate_many(umbra, variants, set, 0, NULL, &result), UMBRA_ERR_INPUT, "no set");
+  refused(umbra_evaluate_many(umbra, variants, set, 1, NULL, &result), UMBRA_ERR_INPUT,
+          "out of range");
+  assert_null(result);
+  how.narray = 1;
+  for (size_t i = 0; i < 2; i++) {
+    how.array = &wanted[i];
+    refused(umbra_evaluate_many(umbra, variants, set, 2, &how, &result), UMBRA_ERR_INPUT,
+            wanted[i]);
+  }
+  ok(umbra_evaluate_many(umbra, variants, set, 2, NULL, &result));
+  assert_string_equal(umbra_result_array_at(result, 0)->name, "irradiance");
+  assert_null(umbra_result_array_at(result, 1));
+  umbra_result_close(&result);
+  effect.effect = "no_such_effect";
+  change[1] = (struct umbra_change)UMBRA_CHANGE;
+  change[1].effect = &effect;
+  refused(umbra_evaluate_many(umbra, variants, set, 2, NULL, &result), UMBRA_ERR_INPUT, "set 2: ");
+  umbra_variants_close(&variants);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -591,6 +712,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_ownership, enter, leave),
       cmocka_unit_test_setup_teardown(test_variants, enter, leave),
       cmocka_unit_test_setup_teardown(test_variants_refused, enter, leave),
+      cmocka_unit_test_setup_teardown(test_many, enter, leave),
+      cmocka_unit_test_setup_teardown(test_many_refused, enter, leave),
       cmocka_unit_test_setup_teardown(test_cache_folder, enter, leave),
       cmocka_unit_test_setup_teardown(test_threads, enter, leave),
       cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),
