@@ -155,3 +155,62 @@ void um_inference_fit_destroy(struct um_context *context, struct um_inference_fi
   um_core_free(context, *fit);
   *fit = NULL;
 }
+
+/* --- as numbers ------------------------------------------------------------------------------ */
+
+#define HEAD   ((sizeof(struct um_inference_fit) + sizeof(double) - 1) / sizeof(double))
+#define ARRAYS 6
+
+struct array {
+  double *data;
+  size_t count;
+};
+
+/* Arrays of doubles, in the order in which they are packed. */
+static void arrays_of(const struct um_inference_fit *fit, struct array array[ARRAYS])
+{
+  size_t n = fit->nparameter, m = fit->nobservation;
+  const struct array all[ARRAYS] = {{fit->x, n},     {fit->sigma, n},    {fit->covariance, n * n},
+                                    {fit->value, m}, {fit->residual, m}, {fit->jacobian, n * m}};
+  memcpy(array, all, sizeof all);
+}
+
+size_t um_inference_fit_packed(size_t nobservation, size_t nparameter)
+{
+  return HEAD + nparameter * (3 + nparameter + nobservation) + 2 * nobservation;
+}
+
+void um_inference_fit_pack(const struct um_inference_fit *fit, double *out)
+{
+  struct array array[ARRAYS];
+  arrays_of(fit, array);
+  memcpy(out, fit, sizeof *fit);
+  out += HEAD;
+  for (size_t i = 0; i < ARRAYS; out += array[i++].count)
+    if (array[i].count > 0) memcpy(out, array[i].data, array[i].count * sizeof *out);
+  for (size_t j = 0; j < fit->nparameter; j++) out[j] = fit->at_bound[j];
+}
+
+enum um_status um_inference_fit_unpack(struct um_context *context, const double *from,
+                                       struct um_inference_fit **out)
+{
+  struct array array[ARRAYS];
+  struct um_inference_fit *fit = NULL;
+  enum um_status status;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *fit, &fit));
+  memcpy(fit, from, sizeof *fit);
+  fit->x = fit->sigma = fit->covariance = fit->value = fit->residual = fit->jacobian = NULL;
+  fit->at_bound = NULL;
+  UM_CHECK(reserve(context, fit));
+  arrays_of(fit, array);
+  from += HEAD;
+  for (size_t i = 0; i < ARRAYS; from += array[i++].count)
+    if (array[i].count > 0) memcpy(array[i].data, from, array[i].count * sizeof *from);
+  for (size_t j = 0; j < fit->nparameter; j++) fit->at_bound[j] = from[j] != 0.0;
+  *out = fit;
+  fit = NULL;
+done:
+  um_inference_fit_destroy(context, &fit);
+  return status;
+}

@@ -3,6 +3,7 @@
 #include "base/inference/fit.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "nist_test.h"
@@ -101,6 +102,37 @@ static void test_beaten(void **state)
     if (k >= 2) assert_true(fit->evaluations < evaluations);
     um_inference_fit_destroy(c, &fit);
   }
+}
+
+/* What was packed comes back as it was. */
+static void test_packed(void **state)
+{
+  struct um_context *c = *state;
+  const struct nist_problem *p = &nist[0];
+  struct nist_room room;
+  struct um_inference_fit_problem problem = nist_problem_of(p, 0, 1.0, &room);
+  struct um_inference_fit *fit, *back;
+  const size_t n = p->nparameter, m = p->nobservation;
+  double *numbers = calloc(um_inference_fit_packed(m, n) + 1, sizeof *numbers);
+  assert_non_null(numbers);
+  assert_int_equal(um_inference_fit_create(c, &problem, &fit), UM_OK);
+  fit->at_bound[n - 1] = true;
+  numbers[um_inference_fit_packed(m, n)] = -7.0;
+  um_inference_fit_pack(fit, numbers);
+  assert_true(numbers[um_inference_fit_packed(m, n)] == -7.0); /* no further */
+  assert_int_equal(um_inference_fit_unpack(c, numbers, &back), UM_OK);
+  assert_true(back->chi2 == fit->chi2 && back->bic == fit->bic);
+  assert_true(back->evaluations == fit->evaluations && back->converged == fit->converged);
+  assert_memory_equal(back->x, fit->x, n * sizeof *fit->x);
+  assert_memory_equal(back->sigma, fit->sigma, n * sizeof *fit->sigma);
+  assert_memory_equal(back->covariance, fit->covariance, n * n * sizeof *fit->covariance);
+  assert_memory_equal(back->at_bound, fit->at_bound, n * sizeof *fit->at_bound);
+  assert_memory_equal(back->value, fit->value, m * sizeof *fit->value);
+  assert_memory_equal(back->residual, fit->residual, m * sizeof *fit->residual);
+  assert_memory_equal(back->jacobian, fit->jacobian, n * m * sizeof *fit->jacobian);
+  um_inference_fit_destroy(c, &back);
+  um_inference_fit_destroy(c, &fit);
+  free(numbers);
 }
 
 static void test_certified(void **state)
@@ -505,6 +537,6 @@ int main(void)
       cmocka_unit_test(test_evaluations), cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_refused),     cmocka_unit_test(test_undetermined),
       cmocka_unit_test(test_held_out),    cmocka_unit_test(test_held_out_unknown),
-      cmocka_unit_test(test_memory)};
+      cmocka_unit_test(test_memory),      cmocka_unit_test(test_packed)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
