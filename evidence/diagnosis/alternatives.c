@@ -4,108 +4,59 @@
 #include <string.h>
 
 #include "evidence/diagnosis/alternatives_impl.h"
-#include "evidence/diagnosis/non_smooth_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/trials_impl.h"
 
-/* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
- * parameters. */
-static enum um_status jacobian_with(struct um_context *context,
-                                    const struct um_diagnosis_work *work,
-                                    const struct um_diagnosis_state *state, const size_t *candidate,
-                                    size_t ncandidate, double **out)
+#define AT_ONCE 16 /* alternatives, at most */
+
+/* What was found of an alternative; its state is kept where it is the best so far. */
+static enum um_status note(struct um_context *context, const struct um_diagnosis_work *work,
+                           struct um_diagnosis_trial *trial,
+                           struct um_diagnosis_alternative *alternative,
+                           struct um_diagnosis_state *best)
 {
-  size_t n = work->forward->observations.count, columns = state->nparameter, at = 0;
-  for (size_t i = 0; i < ncandidate; i++)
-    columns += um_diagnosis_block_of(work, candidate[i]).nfree;
-  UM_TRY(um_core_allocate(context, columns * n, sizeof **out, out));
-  for (; at < state->nparameter; at++)
-    for (size_t j = 0; j < n; j++)
-      (*out)[at * n + j] = state->fit->jacobian[at * n + j] * work->forward->observations.sigma[j];
-  for (size_t i = 0; i < ncandidate; i++) {
-    const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
-    for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
-      size_t p = c->parameter[k];
-      double slope = um_effect_transformed_slope(&c->effect->parameters[p], c->null_value[p]);
-      for (size_t j = 0; j < n; j++) (*out)[(at + k) * n + j] = slope * c->signature[k * n + j];
-    }
-    /* parameters unidentified under the null do nothing yet: zeros */
-    at += um_diagnosis_block_of(work, candidate[i]).nfree;
-  }
+  const struct um_inference_fit *fit = trial->state.fit;
+  alternative->refused = trial->refused;
+  if (trial->refused) return UM_OK;
+  alternative->fitted = true;
+  alternative->converged = fit->converged;
+  alternative->chi2 = fit->chi2;
+  alternative->bic = fit->bic;
+  alternative->chi2_prior = fit->chi2_prior;
+  memcpy(alternative->value, trial->state.block[trial->state.nblock - 1].addition.value,
+         sizeof alternative->value);
+  um_diagnosis_state_sigma(&trial->state, trial->state.nblock - 1, alternative->sigma);
+  UM_TRY(um_diagnosis_state_held_out(context, work, &trial->state, &alternative->held_out));
+  if (best->fit != NULL && !(alternative->bic < best->fit->bic)) return UM_OK;
+  um_diagnosis_state_release(context, best);
+  *best = trial->state;
+  trial->state = (struct um_diagnosis_state){0};
   return UM_OK;
 }
 
-enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
-                                 const struct um_diagnosis_state *state, const size_t *candidate,
-                                 size_t ncandidate, double prune_above,
-                                 struct um_diagnosis_state *out)
+/* Fit alternatives [n] at once. Fits are pruned where they cannot come near the one ahead of all,
+ * as it is now (NULL: none is): that does not depend on which of them ends first. */
+static enum um_status try_at_once(struct um_context *context, const struct um_diagnosis_work *work,
+                                  const struct um_diagnosis_state *state,
+                                  const struct um_diagnosis_alternative *ahead,
+                                  struct um_diagnosis_alternative *const *alternative, size_t n,
+                                  struct um_diagnosis_state *best)
 {
   enum um_status status;
-  double *jacobian = NULL;
-  bool switched = false;
-  UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, out));
-  for (size_t i = 0; i < ncandidate; i++) {
-    struct um_diagnosis_block block = um_diagnosis_block_of(work, candidate[i]);
-    switched = switched || work->candidates->candidate[candidate[i]].is_switch;
-    UM_CHECK(um_diagnosis_state_append(context, out, &block));
-  }
-  bool shaped = false;
-  for (size_t i = 0; i < ncandidate; i++) {
-    if (work->candidates->candidate[candidate[i]].nunidentified == 0) continue;
-    shaped = true;
-    UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
-  }
-  if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
-  /* a switch is on from the start, so the state's values are not those of the start */
-  UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
-                                  jacobian, prune_above));
-done:
-  for (size_t i = 0; i < ncandidate; i++)
-    if (work->fate[candidate[i]] != UM_FATE_FITTED)
-      work->fate[candidate[i]] = status == UM_OK ? UM_FATE_FITTED : UM_FATE_REFUSED;
-  um_core_free(context, jacobian);
-  if (status != UM_OK) um_diagnosis_state_release(context, out);
-  return status;
-}
-
-/* Fit one alternative. The fit is pruned where it cannot come near the one ahead (NULL: none is).
- * Its state is kept when it is the best so far. */
-static enum um_status try_alternative(struct um_context *context,
-                                      const struct um_diagnosis_work *work,
-                                      const struct um_diagnosis_state *state,
-                                      const struct um_diagnosis_alternative *ahead,
-                                      struct um_diagnosis_alternative *alternative,
-                                      struct um_diagnosis_state *best)
-{
-  struct um_diagnosis_state trial = {0};
+  struct um_diagnosis_trial *trial = NULL;
   double lead = ahead == NULL ? INFINITY : ahead->bic;
-  enum um_status status = um_diagnosis_with(context, work, state, &alternative->candidate, 1,
-                                            lead + UM_DIAGNOSIS_NEXT_BEST, &trial);
-  if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) { /* the effect refuses such values */
-    um_core_message_clear(context);
-    alternative->refused = true;
-    return UM_OK;
-  }
-  UM_TRY(status);
-  if (work->candidates->candidate[alternative->candidate].nunidentified > 0 &&
-      trial.fit->bic < lead)
-    status = um_diagnosis_simplex_refine(context, work, &trial, trial.nblock - 1);
-  alternative->fitted = true;
-  alternative->converged = trial.fit->converged;
-  alternative->chi2 = trial.fit->chi2;
-  alternative->bic = trial.fit->bic;
-  alternative->chi2_prior = trial.fit->chi2_prior;
-  memcpy(alternative->value, trial.block[trial.nblock - 1].addition.value,
-         sizeof alternative->value);
-  um_diagnosis_state_sigma(&trial, trial.nblock - 1, alternative->sigma);
-  if (status == UM_OK)
-    status = um_diagnosis_state_held_out(context, work, &trial, &alternative->held_out);
-  if (status == UM_OK && (best->fit == NULL || alternative->bic < best->fit->bic)) {
-    um_diagnosis_state_release(context, best);
-    *best = trial;
-    return UM_OK;
-  }
-  um_diagnosis_state_release(context, &trial);
+  UM_CHECK(um_core_allocate(context, n, sizeof *trial, &trial));
+  for (size_t i = 0; i < n; i++)
+    trial[i] = (struct um_diagnosis_trial){.candidate = {alternative[i]->candidate},
+                                           .ncandidate = 1,
+                                           .prune_above = lead + UM_DIAGNOSIS_NEXT_BEST,
+                                           .lead = lead};
+  UM_CHECK(um_diagnosis_trials_fit(context, work, state, trial, n));
+  for (size_t i = 0; i < n; i++) UM_CHECK(note(context, work, &trial[i], alternative[i], best));
+done:
+  um_diagnosis_trials_release(context, trial, n);
+  um_core_free(context, trial);
   return status;
 }
 
@@ -161,26 +112,31 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
 }
 
 /* Fit alternatives from..until. shaped: those with parameters unidentified under the null; else
- * those without. */
+ * those without. Where none is ahead yet, the first one is fitted alone: the others are held
+ * against it. */
 static enum um_status try_alternatives(struct um_context *context,
                                        const struct um_diagnosis_work *work,
                                        const struct um_diagnosis_state *state, bool shaped,
                                        size_t from, size_t until, struct um_diagnosis_step *step,
                                        struct um_diagnosis_state *best)
 {
-  size_t scans = 0;
+  struct um_diagnosis_alternative *at_once[AT_ONCE];
+  const struct um_diagnosis_alternative *ahead = best_fitted(step);
+  size_t n = 0, scans = 0;
   for (size_t i = from; i < until; i++) {
     struct um_diagnosis_alternative *alternative = &step->alternative[i];
     size_t nunidentified = work->candidates->candidate[alternative->candidate].nunidentified;
-    const struct um_diagnosis_alternative *ahead = best_fitted(step);
     if (alternative->fitted || (nunidentified > 0) != shaped) continue;
     if (shaped &&
         (is_hopeless(work, state, nunidentified, ahead) || ++scans > UM_DIAGNOSIS_UNIDENTIFIED_MAX))
       break;
-    UM_TRY(try_alternative(context, work, state, ahead, alternative, best));
-    UM_TRY(um_core_progress_step(context, 1));
+    at_once[n++] = alternative;
+    if (ahead != NULL && n < AT_ONCE) continue;
+    UM_TRY(try_at_once(context, work, state, ahead, at_once, n, best));
+    n = 0;
+    ahead = best_fitted(step);
   }
-  return UM_OK;
+  return try_at_once(context, work, state, ahead, at_once, n, best);
 }
 
 /* Those left whose score comes within the evidence of the best one's, the best score first, up to
@@ -189,21 +145,20 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
                                const struct um_diagnosis_state *state,
                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
-  size_t tried = 0;
-  um_core_progress_begin(context, "fitting candidates with tied scores", UM_DIAGNOSIS_TIES);
-  for (size_t i = 0; i < step->nalternative && tried < UM_DIAGNOSIS_TIES; i++) {
+  struct um_diagnosis_alternative *tied[UM_DIAGNOSIS_TIES];
+  const struct um_diagnosis_alternative *ahead = best_fitted(step);
+  size_t n = 0;
+  for (size_t i = 0; ahead != NULL && i < step->nalternative && n < UM_DIAGNOSIS_TIES; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
-    const struct um_diagnosis_alternative *ahead = best_fitted(step);
     size_t nunidentified = work->candidates->candidate[r->candidate].nunidentified;
-    if (ahead == NULL) break;
     if (r->fitted || r->refused || r->score.absorbed || r->score.p >= UM_INFERENCE_WRONG_SIDE ||
         !(r->score.statistic > ahead->score.statistic - UM_DIAGNOSIS_EVIDENCE) ||
         (nunidentified > 0 && is_hopeless(work, state, nunidentified, ahead)))
       continue;
-    UM_TRY(try_alternative(context, work, state, ahead, r, best));
-    UM_TRY(um_core_progress_step(context, 1));
-    tried++;
+    tied[n++] = r;
   }
+  um_core_progress_begin(context, "fitting candidates with tied scores", n);
+  UM_TRY(try_at_once(context, work, state, ahead, tied, n, best));
   um_core_progress_end(context);
   return UM_OK;
 }

@@ -5,13 +5,6 @@
 #include "evidence/diagnosis/diagnosis.h"
 #include "evidence/diagnosis/state_impl.h"
 
-/* A copy of the state with candidates added at their null values, fitted together. The fit is
- * pruned where its BIC will not come below `prune_above` (INFINITY: never). UM_ERR_REFUSED,
- * UM_ERR_NUMERIC: an effect refuses such values. */
-enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
-                                 const struct um_diagnosis_state *state, const size_t *candidate,
-                                 size_t ncandidate, double prune_above,
-                                 struct um_diagnosis_state *out);
 /* Fit the alternatives of a step in their order, until the scores of those left are too low; sort
  * them by BIC. best: the state with the best of those fitted here; unchanged where none was. */
 enum um_status um_diagnosis_fit_alternatives(struct um_context *context,

@@ -11,9 +11,10 @@
 
 #include "base/inference/algebra.h"
 #include "base/inference/projection.h"
-#include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/directions_impl.h"
 #include "evidence/diagnosis/pair_swap_impl.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/trials_impl.h"
 
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
 
@@ -154,41 +155,47 @@ done:
   return status;
 }
 
+/* Trials of the pairs that are not the two blocks as they are; how many. */
+static size_t trials_of(const struct um_diagnosis_pair *pair, size_t count, const size_t now[2],
+                        double prune_above, struct um_diagnosis_trial *trial)
+{
+  size_t n = 0;
+  for (size_t i = 0; i < count; i++) {
+    const size_t *c = pair[i].candidate;
+    if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
+    trial[n++] = (struct um_diagnosis_trial){
+        .candidate = {c[0], c[1]}, .ncandidate = 2, .prune_above = prune_above, .lead = -INFINITY};
+  }
+  return n;
+}
+
 /* Try pairs instead of the last block and block b. */
 static enum um_status swap_with(struct um_context *context, const struct um_diagnosis_work *work,
                                 size_t b, struct um_diagnosis_state *state, bool *better)
 {
   enum um_status status;
-  struct um_diagnosis_state less = {0}, without = {0}, trial = {0};
+  struct um_diagnosis_state less = {0}, without = {0};
   struct um_diagnosis_pair best[UM_DIAGNOSIS_PAIRS];
+  struct um_diagnosis_trial trial[UM_DIAGNOSIS_PAIRS] = {{.ncandidate = 0}};
   size_t count = 0, now[2] = {state->block[b].candidate, state->block[state->nblock - 1].candidate};
   UM_CHECK(um_diagnosis_without(context, work, state, state->nblock - 1, &less));
   UM_CHECK(um_diagnosis_without(context, work, &less, b, &without));
   UM_CHECK(um_diagnosis_pairs_find(context, work, &without, best, &count));
+  count = trials_of(best, count, now, state->fit->bic - UM_DIAGNOSIS_BETTER, trial);
   um_core_progress_begin(context, "fitting pairs of effects", count);
+  status = um_diagnosis_trials_fit(context, work, &without, trial, count);
+  um_core_progress_end(context);
+  UM_CHECK(status);
   for (size_t i = 0; i < count; i++) {
-    const size_t *c = best[i].candidate;
-    UM_CHECK(um_core_progress_step(context, 1));
-    if ((c[0] == now[0] && c[1] == now[1]) || (c[0] == now[1] && c[1] == now[0])) continue;
-    status = um_diagnosis_with(context, work, &without, c, 2, state->fit->bic - UM_DIAGNOSIS_BETTER,
-                               &trial);
-    if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
-      um_core_message_clear(context);
-      status = UM_OK;
+    if (trial[i].refused || !(trial[i].state.fit->bic < state->fit->bic - UM_DIAGNOSIS_BETTER))
       continue;
-    }
-    UM_CHECK(status);
-    if (trial.fit->bic < state->fit->bic - UM_DIAGNOSIS_BETTER) {
-      struct um_diagnosis_state other = *state;
-      *state = trial;
-      trial = other;
-      *better = true;
-    }
-    um_diagnosis_state_release(context, &trial);
+    struct um_diagnosis_state other = *state;
+    *state = trial[i].state;
+    trial[i].state = other;
+    *better = true;
   }
 done:
-  um_core_progress_end(context);
-  um_diagnosis_state_release(context, &trial);
+  um_diagnosis_trials_release(context, trial, UM_DIAGNOSIS_PAIRS);
   um_diagnosis_state_release(context, &without);
   um_diagnosis_state_release(context, &less);
   return status;

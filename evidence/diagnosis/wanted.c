@@ -6,10 +6,10 @@
 
 #include <math.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/non_smooth_impl.h"
 #include "evidence/diagnosis/nuisance_impl.h"
 #include "evidence/diagnosis/rank_impl.h"
+#include "evidence/diagnosis/trials_impl.h"
 
 static bool is_started(const struct um_model_addition *wanted)
 {

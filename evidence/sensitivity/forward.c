@@ -181,6 +181,28 @@ done:
   return status;
 }
 
+struct um_sensitivity_effort
+um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
+                              const struct um_sensitivity_forward *before)
+{
+  const struct um_sensitivity_effort effort = {
+      .evaluations = forward->evaluations - before->evaluations,
+      .heat_runs = forward->heat_runs - before->heat_runs,
+      .seconds = forward->seconds - before->seconds,
+      .heat_seconds = forward->heat_seconds - before->heat_seconds};
+  *forward = *before;
+  return effort;
+}
+
+void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
+                                       const struct um_sensitivity_effort *effort)
+{
+  forward->evaluations += effort->evaluations;
+  forward->heat_runs += effort->heat_runs;
+  forward->seconds += effort->seconds;
+  forward->heat_seconds += effort->heat_seconds;
+}
+
 /* --- life ------------------------------------------------------------------------------------ */
 
 /* Is there light among the observations in use? Temperatures have no sampling error. */

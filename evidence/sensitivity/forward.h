@@ -58,6 +58,18 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
                                                const struct um_model_addition *addition,
                                                size_t naddition, double *value);
 
+/* What evaluations took since `before`, a copy of the forward then, whose counts it has again: of a
+ * task, which any process may have done; and what is told of it, added. */
+struct um_sensitivity_effort {
+  size_t evaluations, heat_runs;
+  double seconds, heat_seconds;
+};
+struct um_sensitivity_effort
+um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
+                              const struct um_sensitivity_forward *before);
+void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
+                                       const struct um_sensitivity_effort *effort);
+
 /* Heat of a variant, from that of the scenario as it stands. */
 struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward);
 /* The same with everything kept: model, geometry precomputation and result of the variant, for a

@@ -18,8 +18,7 @@ struct work {
 /* What goes before the columns. */
 struct answer {
   struct um_sensitivity_candidate candidate;
-  size_t evaluations, heat_runs; /* as in the forward */
-  double seconds, heat_seconds;
+  struct um_sensitivity_effort effort;
   char why[1024]; /* of a refusal; "": none */
 };
 #define ANSWER ((sizeof(struct answer) + sizeof(double) - 1) / sizeof(double)) /* [doubles] */
@@ -51,21 +50,9 @@ static enum um_status compute(struct um_context *context, void *user, size_t whi
   if (!answer.candidate.insensitive)
     status = um_sensitivity_signature_make(context, work->point, &answer.candidate);
   if (status != UM_OK) status = refused(context, status, &answer);
-  answer.evaluations = f->evaluations - before.evaluations;
-  answer.heat_runs = f->heat_runs - before.heat_runs;
-  answer.seconds = f->seconds - before.seconds;
-  answer.heat_seconds = f->heat_seconds - before.heat_seconds;
-  *f = before; /* `done` counts, whoever computes */
+  answer.effort = um_sensitivity_forward_effort(f, &before);
   memcpy(value, &answer, sizeof answer);
   return status;
-}
-
-static void count(struct um_sensitivity_forward *f, const struct answer *answer)
-{
-  f->evaluations += answer->evaluations;
-  f->heat_runs += answer->heat_runs;
-  f->seconds += answer->seconds;
-  f->heat_seconds += answer->heat_seconds;
 }
 
 /* The candidate as the worker made it, but for what is the parent's own. */
@@ -79,7 +66,7 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   size_t n = work->point->forward->observations.count, columns = columns_of(c);
   UM_TRY(status);
   memcpy(&answer, value, sizeof answer);
-  count(work->point->forward, &answer);
+  um_sensitivity_forward_effort_add(work->point->forward, &answer.effort);
   *c = answer.candidate;
   c->name = own.name;
   c->target = own.target;

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/diagnosis_impl.h"
 #include "evidence/diagnosis/leave_one_out_impl.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/trials_impl.h"
 #include "evidence/diagnosis/verdict_impl.h"
 
 #define PLATE_STEP "24" /* [s] */
@@ -242,6 +242,48 @@ static void what_is_left_of_a_pair_has_its_step(void **state)
   end(&c);
 }
 
+/* Fits of many processes are those of one alone, bit for bit; the model was evaluated as often. */
+static void trials_are_as_one_by_one(void **state)
+{
+  (void)state;
+  const struct lists lists = {.with = LIST("zero_point:vis,factor=0.9"),
+                              .only = LIST("zero_point", "area:wing")};
+  struct diagnosed c = diagnose(&lists);
+  const struct um_diagnosis_options options = {0};
+  const int threads = um_core_context_threads(context);
+  enum um_diagnosis_fate fate[3] = {UM_FATE_NOT_FITTED};
+  const struct um_diagnosis_work work = {
+      .forward = c.forward, .candidates = c.candidates, .options = &options, .fate = fate};
+  struct um_diagnosis_state bare = {0}, alone = {0};
+  size_t evaluations[2], pair[2] = {0, 2};
+  assert_int_equal(c.candidates->count, 3);
+  OK(um_diagnosis_state_fit(context, &work, &bare, c.candidates->base, NULL, INFINITY));
+  OK(um_diagnosis_with(context, &work, &bare, pair, 2, INFINITY, &alone));
+  for (int i = 0; i < 2; i++) {
+    struct um_diagnosis_trial trial[] = {
+        {.candidate = {1}, .ncandidate = 1, .prune_above = 1.0, .lead = -INFINITY},
+        {.candidate = {0, 2}, .ncandidate = 2, .prune_above = INFINITY, .lead = -INFINITY}};
+    const struct um_diagnosis_state *s = &trial[1].state;
+    evaluations[i] = c.forward->evaluations;
+    um_core_context_set_threads(context, i == 0 ? 1 : 3);
+    OK(um_diagnosis_trials_fit(context, &work, &bare, trial, 2));
+    evaluations[i] = c.forward->evaluations - evaluations[i];
+    assert_true(s->nblock == 2 && s->nnuisance == 0 && s->nparameter == alone.nparameter);
+    assert_memory_equal(s->block, alone.block, 2 * sizeof *s->block);
+    assert_true(s->fit->bic == alone.fit->bic && s->fit->iterations == alone.fit->iterations);
+    assert_memory_equal(s->fit->jacobian, alone.fit->jacobian,
+                        s->nparameter * c.forward->observations.count * sizeof(double));
+    assert_false(trial[0].refused);
+    um_diagnosis_trials_release(context, trial, 2);
+  }
+  um_core_context_set_threads(context, threads);
+  assert_int_equal(evaluations[0], evaluations[1]);
+  assert_true(fate[0] == UM_FATE_FITTED && fate[1] == UM_FATE_FITTED);
+  um_diagnosis_state_release(context, &alone);
+  um_diagnosis_state_release(context, &bare);
+  end(&c);
+}
+
 /* Of the visible band alone nothing is said by the heat of the wing, and the Sun is a disc already:
  * both are named with the reason, and nothing is claimed of them. */
 static void what_is_not_tried_is_named(void **state)
@@ -277,6 +319,7 @@ int main(void)
                                      cmocka_unit_test(added_effect_leads_a_better_one),
                                      cmocka_unit_test(hopeless_fit_is_pruned),
                                      cmocka_unit_test(what_is_left_of_a_pair_has_its_step),
+                                     cmocka_unit_test(trials_are_as_one_by_one),
                                      cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

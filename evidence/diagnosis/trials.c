@@ -1,0 +1,181 @@
+/* Fits of a state with candidates added, each a task: a worker sends back the blocks as bytes and
+ * the numbers of the fit. */
+#include "evidence/diagnosis/trials_impl.h"
+
+#include <string.h>
+
+#include "evidence/diagnosis/non_smooth_impl.h"
+#include "variant/many.h"
+
+/* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
+ * parameters. */
+static enum um_status jacobian_with(struct um_context *context,
+                                    const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, const size_t *candidate,
+                                    size_t ncandidate, double **out)
+{
+  size_t n = work->forward->observations.count, columns = state->nparameter, at = 0;
+  for (size_t i = 0; i < ncandidate; i++)
+    columns += um_diagnosis_block_of(work, candidate[i]).nfree;
+  UM_TRY(um_core_allocate(context, columns * n, sizeof **out, out));
+  for (; at < state->nparameter; at++)
+    for (size_t j = 0; j < n; j++)
+      (*out)[at * n + j] = state->fit->jacobian[at * n + j] * work->forward->observations.sigma[j];
+  for (size_t i = 0; i < ncandidate; i++) {
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
+    for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
+      size_t p = c->parameter[k];
+      double slope = um_effect_transformed_slope(&c->effect->parameters[p], c->null_value[p]);
+      for (size_t j = 0; j < n; j++) (*out)[(at + k) * n + j] = slope * c->signature[k * n + j];
+    }
+    /* parameters unidentified under the null do nothing yet: zeros */
+    at += um_diagnosis_block_of(work, candidate[i]).nfree;
+  }
+  return UM_OK;
+}
+
+enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state, const size_t *candidate,
+                                 size_t ncandidate, double prune_above,
+                                 struct um_diagnosis_state *out)
+{
+  enum um_status status;
+  double *jacobian = NULL;
+  bool switched = false;
+  UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, out));
+  for (size_t i = 0; i < ncandidate; i++) {
+    struct um_diagnosis_block block = um_diagnosis_block_of(work, candidate[i]);
+    switched = switched || work->candidates->candidate[candidate[i]].is_switch;
+    UM_CHECK(um_diagnosis_state_append(context, out, &block));
+  }
+  bool shaped = false;
+  for (size_t i = 0; i < ncandidate; i++) {
+    if (work->candidates->candidate[candidate[i]].nunidentified == 0) continue;
+    shaped = true;
+    UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
+  }
+  if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
+  /* a switch is on from the start, so the state's values are not those of the start */
+  UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
+                                  jacobian, prune_above));
+done:
+  um_core_free(context, jacobian);
+  if (status != UM_OK) um_diagnosis_state_release(context, out);
+  return status;
+}
+
+/* What has a parameter unidentified under the null is refined where it leads. */
+static enum um_status refine(struct um_context *context, const struct um_diagnosis_work *work,
+                             const struct um_diagnosis_trial *trial,
+                             struct um_diagnosis_state *state)
+{
+  size_t last = trial->candidate[trial->ncandidate - 1];
+  if (work->candidates->candidate[last].nunidentified == 0 || !(state->fit->bic < trial->lead))
+    return UM_OK;
+  return um_diagnosis_simplex_refine(context, work, state, state->nblock - 1);
+}
+
+/* --- to and from a worker -------------------------------------------------------------------- */
+
+struct job {
+  const struct um_diagnosis_work *work;
+  const struct um_diagnosis_state *state;
+  struct um_diagnosis_trial *trial; /* [n] */
+};
+
+/* What goes before the blocks, and they before the numbers of the fit. Names that blocks point to
+ * are those of the parent. */
+struct answer {
+  struct um_sensitivity_effort effort;
+  bool refused;
+  size_t nblock, nparameter;
+};
+#define DOUBLES(bytes) (((bytes) + sizeof(double) - 1) / sizeof(double))
+#define ANSWER         DOUBLES(sizeof(struct answer))
+
+static size_t blocks(size_t nblock) { return DOUBLES(nblock * sizeof(struct um_diagnosis_block)); }
+
+static size_t room(const struct job *job, const struct um_diagnosis_trial *trial)
+{
+  size_t nparameter = job->state->nparameter;
+  for (size_t i = 0; i < trial->ncandidate; i++)
+    nparameter += um_diagnosis_block_of(job->work, trial->candidate[i]).nfree;
+  return ANSWER + blocks(job->state->nblock + trial->ncandidate) +
+         um_inference_fit_packed(job->work->forward->observations.count, nparameter);
+}
+
+static enum um_status compute(struct um_context *context, void *user, size_t which, double *value)
+{
+  const struct job *job = user;
+  const struct um_diagnosis_trial *trial = &job->trial[which];
+  const struct um_sensitivity_forward before = *job->work->forward;
+  struct um_diagnosis_state state = {0};
+  enum um_status status = um_diagnosis_with(context, job->work, job->state, trial->candidate,
+                                            trial->ncandidate, trial->prune_above, &state);
+  struct answer answer = {.refused = status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC};
+  if (status == UM_OK) status = refine(context, job->work, trial, &state);
+  answer.effort = um_sensitivity_forward_effort(job->work->forward, &before);
+  answer.nblock = state.nblock;
+  answer.nparameter = state.nparameter;
+  memcpy(value, &answer, sizeof answer);
+  if (status == UM_OK) {
+    memcpy(value + ANSWER, state.block, state.nblock * sizeof *state.block);
+    um_inference_fit_pack(state.fit, value + ANSWER + blocks(state.nblock));
+  }
+  um_diagnosis_state_release(context, &state);
+  if (!answer.refused) return status;
+  um_core_message_clear(context);
+  return UM_OK;
+}
+
+static void tell_fate(const struct um_diagnosis_work *work, const struct um_diagnosis_trial *trial)
+{
+  for (size_t i = 0; i < trial->ncandidate; i++)
+    if (work->fate[trial->candidate[i]] != UM_FATE_FITTED)
+      work->fate[trial->candidate[i]] = trial->refused ? UM_FATE_REFUSED : UM_FATE_FITTED;
+}
+
+static enum um_status done(struct um_context *context, void *user, size_t which,
+                           enum um_status status, const double *value)
+{
+  struct answer answer;
+  const struct job *job = user;
+  struct um_diagnosis_trial *trial = &job->trial[which];
+  struct um_diagnosis_state *state = &trial->state;
+  UM_TRY(status);
+  memcpy(&answer, value, sizeof answer);
+  um_sensitivity_forward_effort_add(job->work->forward, &answer.effort);
+  trial->refused = answer.refused;
+  if (trial->refused) return UM_OK;
+  UM_TRY(um_core_allocate(context, answer.nblock, sizeof *state->block, &state->block));
+  memcpy(state->block, value + ANSWER, answer.nblock * sizeof *state->block);
+  state->nblock = answer.nblock;
+  state->nnuisance = job->state->nnuisance;
+  state->nparameter = answer.nparameter;
+  return um_inference_fit_unpack(context, value + ANSWER + blocks(answer.nblock), &state->fit);
+}
+
+enum um_status um_diagnosis_trials_fit(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *state,
+                                       struct um_diagnosis_trial *trial, size_t n)
+{
+  struct job job = {work, state, trial};
+  struct um_batch_each tasks = {.n = n,
+                                .compute = compute,
+                                .done = done,
+                                .user = &job,
+                                .workers = um_core_context_threads(context)};
+  for (size_t i = 0; i < n; i++)
+    if (tasks.nvalue < room(&job, &trial[i])) tasks.nvalue = room(&job, &trial[i]);
+  enum um_status status = um_variant_tasks(context, work->forward->evaluator, &tasks);
+  for (size_t i = 0; i < n && status == UM_OK; i++) tell_fate(work, &trial[i]);
+  return status;
+}
+
+void um_diagnosis_trials_release(struct um_context *context, struct um_diagnosis_trial *trial,
+                                 size_t n)
+{
+  for (size_t i = 0; trial != NULL && i < n; i++)
+    um_diagnosis_state_release(context, &trial[i].state);
+}
