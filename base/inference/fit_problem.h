@@ -23,6 +23,11 @@ struct um_inference_fit_problem {
    * the start and a shorter step elsewhere */
   enum um_status (*evaluate)(struct um_context *context, void *user, const double *x,
                              double *value);
+  /* the same at several x [n][nparameter], into value [n][nobservation]: for who computes them at
+   * once. A row that the model refuses begins with NaN. NULL: one after another, with the same
+   * answers */
+  enum um_status (*evaluate_all)(struct um_context *context, void *user, size_t n, const double *x,
+                                 double *value);
   void *user;
   /* [nparameter][nobservation] d(value)/d(parameter) at the start, or NULL: differences. A Jacobian
    * that is handed in is used, with secant updates, until two steps in succession fail, one

@@ -12,39 +12,108 @@
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
 #define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of the tolerance */
 
+/* r_trial of model values [nobservation]; false where one is not finite. */
+static bool residuals(struct um_inference_descent *d, const double *value)
+{
+  const struct um_inference_fit_problem *p = d->problem;
+  bool finite = true;
+  for (size_t i = 0; i < d->nobservation; i++) {
+    d->r_trial[i] = (p->measured[i] - value[i]) / p->sigma[i];
+    finite = finite && isfinite(d->r_trial[i]);
+  }
+  return finite;
+}
+
 enum um_status um_inference_descent_try(struct um_context *context,
                                         struct um_inference_descent *descent, bool *happened)
 {
   const struct um_inference_fit_problem *p = descent->problem;
   enum um_status status = p->evaluate(context, p->user, descent->x_trial, descent->value_trial);
   descent->evaluations++;
-  *happened = status == UM_OK;
+  *happened = false;
   if (status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC) {
     um_core_message_clear(context);
     return UM_OK;
   }
   UM_TRY(status);
-  for (size_t i = 0; i < descent->nobservation; i++) {
-    descent->r_trial[i] = (p->measured[i] - descent->value_trial[i]) / p->sigma[i];
-    *happened = *happened && isfinite(descent->r_trial[i]);
-  }
+  *happened = residuals(descent, descent->value_trial);
   return UM_OK;
 }
 
-/* One column with the step h; false where the model refuses, or h leaves the range. */
-static enum um_status difference(struct um_context *context, struct um_inference_descent *d,
-                                 size_t j, double h, bool *done)
+/* x_trial with parameter j moved by h; false where that leaves the range. */
+static bool put_step(struct um_inference_descent *d, size_t j, double h)
 {
   const struct um_inference_fit_parameter *p = &d->problem->parameter[j];
-  double *column = d->jacobian + j * d->nobservation;
-  *done = false;
   memcpy(d->x_trial, d->x, d->n * sizeof *d->x);
   d->x_trial[j] = d->x[j] + h;
-  if (h == 0.0 || d->x_trial[j] < p->minimum || d->x_trial[j] > p->maximum) return UM_OK;
-  UM_TRY(um_inference_descent_try(context, d, done));
+  return h != 0.0 && d->x_trial[j] >= p->minimum && d->x_trial[j] <= p->maximum;
+}
+
+/* Column j from r_trial. */
+static void put_column(struct um_inference_descent *d, size_t j)
+{
+  double *column = d->jacobian + j * d->nobservation;
   double step = d->x_trial[j] - d->x[j]; /* what h was after rounding */
-  for (size_t i = 0; *done && i < d->nobservation; i++)
-    column[i] = (d->r[i] - d->r_trial[i]) / step;
+  for (size_t i = 0; i < d->nobservation; i++) column[i] = (d->r[i] - d->r_trial[i]) / step;
+}
+
+/* The step that is tried first: the parameter's own, or what its range leaves. */
+static double first_step(const struct um_inference_descent *d, size_t j)
+{
+  const struct um_inference_fit_parameter *p = &d->problem->parameter[j];
+  double above = p->maximum - d->x[j], below = d->x[j] - p->minimum, h = p->step;
+  if (h > above && h > below) h = above > below ? above : -below; /* a range below the step */
+  return h;
+}
+
+/* Columns of the first steps, all at once. done: [n] */
+static enum um_status first_columns(struct um_context *context, struct um_inference_descent *d,
+                                    bool *done)
+{
+  enum um_status status;
+  size_t n = d->n, count = 0, *which = NULL;
+  double *x = NULL, *value = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *which, &which));
+  UM_CHECK(um_core_allocate(context, n * n, sizeof *x, &x));
+  UM_CHECK(um_core_allocate(context, n * d->nobservation, sizeof *value, &value));
+  for (size_t j = 0; j < n; j++) {
+    if (!put_step(d, j, first_step(d, j))) continue;
+    memcpy(x + count * n, d->x_trial, n * sizeof *x);
+    which[count++] = j;
+  }
+  UM_CHECK(d->problem->evaluate_all(context, d->problem->user, count, x, value));
+  d->evaluations += count;
+  for (size_t k = 0; k < count; k++) {
+    size_t j = which[k];
+    memcpy(d->x_trial, x + k * n, n * sizeof *x);
+    done[j] = residuals(d, value + k * d->nobservation);
+    if (done[j]) put_column(d, j);
+  }
+done:
+  um_core_free(context, which);
+  um_core_free(context, x);
+  um_core_free(context, value);
+  return status;
+}
+
+/* Column j by one step after another, where the first one is refused or leaves the range. */
+static enum um_status column(struct um_context *context, struct um_inference_descent *d, size_t j,
+                             bool *done)
+{
+  static const double part[] = {1.0, -1.0, 0.25, -0.25};
+  size_t from = d->problem->evaluate_all != NULL ? 1 : 0; /* the first was tried */
+  for (size_t k = from; !*done && k < sizeof part / sizeof *part; k++) {
+    if (!put_step(d, j, first_step(d, j) * part[k])) continue;
+    UM_TRY(um_inference_descent_try(context, d, done));
+    if (*done) put_column(d, j);
+  }
+  if (*done) return UM_OK;
+  const struct um_inference_fit_parameter *p = &d->problem->parameter[j];
+  if (p->minimum < p->maximum)
+    return um_core_fail(context, UM_ERR_NUMERIC,
+                        "the model cannot be computed beside %g of parameter %zu of a fit", d->x[j],
+                        j + 1);
+  memset(d->jacobian + j * d->nobservation, 0, d->nobservation * sizeof *d->jacobian);
   return UM_OK;
 }
 
@@ -58,26 +127,17 @@ static void keep_base(struct um_inference_descent *d)
 enum um_status um_inference_descent_differences(struct um_context *context,
                                                 struct um_inference_descent *descent)
 {
-  static const double part[] = {1.0, -1.0, 0.25, -0.25};
-  for (size_t j = 0; j < descent->n; j++) {
-    const struct um_inference_fit_parameter *p = &descent->problem->parameter[j];
-    double above = p->maximum - descent->x[j], below = descent->x[j] - p->minimum, h = p->step;
-    bool done = false;
-    if (h > above && h > below) h = above > below ? above : -below; /* a range below the step */
-    for (size_t k = 0; !done && k < sizeof part / sizeof *part; k++)
-      UM_TRY(difference(context, descent, j, h * part[k], &done));
-    if (done) continue;
-    if (p->minimum < p->maximum)
-      return um_core_fail(context, UM_ERR_NUMERIC,
-                          "the model cannot be computed beside %g of parameter %zu of a fit",
-                          descent->x[j], j + 1);
-    memset(descent->jacobian + j * descent->nobservation, 0,
-           descent->nobservation * sizeof *descent->jacobian);
-  }
+  enum um_status status;
+  bool *done = NULL;
+  UM_CHECK(um_core_allocate(context, descent->n, sizeof *done, &done));
+  if (descent->problem->evaluate_all != NULL) UM_CHECK(first_columns(context, descent, done));
+  for (size_t j = 0; j < descent->n; j++) UM_CHECK(column(context, descent, j, &done[j]));
   keep_base(descent);
   descent->fresh = true;
   descent->updates = 0;
-  return UM_OK;
+done:
+  um_core_free(context, done);
+  return status;
 }
 
 void um_inference_descent_update(struct um_inference_descent *descent)

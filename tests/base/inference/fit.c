@@ -378,6 +378,53 @@ static void test_refusals(void **state)
   }
 }
 
+static enum um_status evaluate_all(struct um_context *c, void *user, size_t n, const double *x,
+                                   double *value)
+{
+  const struct linear *l = user;
+  for (size_t i = 0; i < n; i++) {
+    enum um_status status = evaluate(c, user, x + i * l->n, value + i * ROWS);
+    if (status == UM_OK) continue;
+    if (status == UM_ERR_CANCELLED) return status;
+    um_core_message_clear(c);
+    value[i * ROWS] = NAN;
+  }
+  return UM_OK;
+}
+
+/* Differences that are asked for all at once give the bits of one after another, at as many
+ * evaluations, with a bound in the way, a step that is refused and a parameter that is held. */
+static void test_at_once(void **state)
+{
+  struct um_context *c = *state;
+  struct um_inference_fit *fit[2];
+  size_t calls[2];
+  for (int k = 0; k < 2; k++) {
+    struct linear l = linear_model(3);
+    struct um_inference_fit_parameter p[3] = {FREE, FREE, FREE};
+    struct um_inference_fit_problem problem = problem_of(&l, p);
+    l.refuse_above = 0.5;
+    p[1].maximum = 0.3;
+    p[2].minimum = p[2].maximum = 0.0;
+    p[2].prior_mean = 0.0;
+    p[2].prior_sigma = 1.0;
+    if (k == 1) problem.evaluate_all = evaluate_all;
+    assert_int_equal(um_inference_fit_create(c, &problem, &fit[k]), UM_OK);
+    calls[k] = l.calls;
+    assert_false(l.left);
+    l.with = UM_ERR_CANCELLED;
+    struct um_inference_fit *none;
+    assert_int_equal(um_inference_fit_create(c, &problem, &none), UM_ERR_CANCELLED);
+    um_core_message_clear(c);
+  }
+  assert_int_equal(calls[0], calls[1]);
+  assert_int_equal(fit[0]->evaluations, fit[1]->evaluations);
+  assert_memory_equal(fit[0]->x, fit[1]->x, 3 * sizeof *fit[0]->x);
+  assert_memory_equal(fit[0]->jacobian, fit[1]->jacobian, 3 * ROWS * sizeof *fit[0]->jacobian);
+  um_inference_fit_destroy(c, &fit[0]);
+  um_inference_fit_destroy(c, &fit[1]);
+}
+
 static void test_refused(void **state)
 {
   struct um_context *c = *state;
@@ -537,6 +584,7 @@ int main(void)
       cmocka_unit_test(test_evaluations), cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_refused),     cmocka_unit_test(test_undetermined),
       cmocka_unit_test(test_held_out),    cmocka_unit_test(test_held_out_unknown),
-      cmocka_unit_test(test_memory),      cmocka_unit_test(test_packed)};
+      cmocka_unit_test(test_memory),      cmocka_unit_test(test_packed),
+      cmocka_unit_test(test_at_once)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
