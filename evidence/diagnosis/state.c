@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "evidence/diagnosis/evaluation_impl.h"
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/state_impl.h"
 
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
@@ -63,33 +63,6 @@ void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_
 
 /* --- fit -------------------------------------------------------------------------------------- */
 
-struct evaluation {
-  const struct um_diagnosis_work *work;
-  const struct um_diagnosis_state *state;
-  struct um_model_addition *addition; /* [nblock] */
-};
-
-static void take(const struct um_diagnosis_state *state, const double *x,
-                 struct um_model_addition *addition)
-{
-  for (size_t b = 0, k = 0; b < state->nblock; b++) {
-    addition[b] = state->block[b].addition;
-    for (size_t p = 0; p < state->block[b].nfree; p++, k++) {
-      size_t of = state->block[b].parameter[p];
-      addition[b].value[of] = um_effect_physical(&addition[b].effect->parameters[of], x[k]);
-    }
-  }
-}
-
-static enum um_status evaluate(struct um_context *context, void *user, const double *x,
-                               double *value)
-{
-  struct evaluation *e = user;
-  take(e->state, x, e->addition);
-  return um_sensitivity_forward_evaluate(context, e->work->forward, e->addition, e->state->nblock,
-                                         value);
-}
-
 static void parameters_of(const struct um_diagnosis_state *state,
                           struct um_inference_fit_parameter *out)
 {
@@ -135,7 +108,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const double *jacobian, double prune_above)
 {
   enum um_status status;
-  struct evaluation e = {work, state, NULL};
+  struct um_diagnosis_evaluation e = {work, state, NULL};
   struct um_inference_fit_parameter *parameter = NULL;
   struct um_inference_fit *fit = NULL;
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *e.addition, &e.addition));
@@ -146,7 +119,8 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .measured = work->forward->observations.measured,
                                              .sigma = work->forward->observations.sigma,
                                              .parameter = parameter,
-                                             .evaluate = evaluate,
+                                             .evaluate = um_diagnosis_evaluate,
+                                             .evaluate_all = um_diagnosis_evaluate_all,
                                              .user = &e,
                                              .jacobian = jacobian,
                                              .value = value,
@@ -154,7 +128,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .prunes = isfinite(prune_above),
                                              .prune_above = chi2_of_bic(work, state, prune_above)};
   UM_CHECK(um_inference_fit_create(context, &problem, &fit));
-  take(state, fit->x, e.addition);
+  um_diagnosis_additions_at(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
   um_inference_fit_destroy(context, &state->fit);
   state->fit = fit;
