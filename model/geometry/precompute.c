@@ -1,10 +1,7 @@
 /* Everything geometric about one timeline, traced once.
  *
  * Observations are instants at the observer (several per exposure); the satellite's own times are
- * earlier by the light time. Heat is computed from whole orbits before the first observation. The
- * loads stand on a grid fine enough for the turn of the body and for the penumbra; every observed
- * instant is a grid time, so that optics and heat use the same fluxes. The loads are linear between
- * grid times: a shadow without penumbra, which is a jump, has one on either side of its edge. */
+ * earlier by the light time. Heat is computed from whole orbits before the first observation. */
 #include "model/geometry/precompute.h"
 #include "model/geometry/precompute_group.h"
 
@@ -12,35 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/core/constants.h"
-#include "base/core/sort.h"
 #include "model/build/effects_group.h"
 #include "model/build/timeline.h"
 #include "model/build/words_group.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/bounds_impl.h"
 #include "model/geometry/line_of_sight_impl.h"
+#include "model/geometry/load_grid_impl.h"
 #include "model/geometry/precompute_loads_impl.h"
 #include "optics/paths/photon_maps.h"
-
-#define TURN_PER_STEP    0.08 /* rotation between load rows [rad]; linear error < 1e-3 of a cosine */
-#define PENUMBRA_POINTS  8    /* rows between two events of one eclipse edge */
-#define AIR_LIT          8    /* rows half such a gap apart before the Sun sinks into the air */
-#define AIR_DARK         10   /* and behind the umbra's edge, as far as light is bent: 66 km */
-#define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
-#define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
-#define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
-
-struct grid_time {
-  double t;
-  bool wanted; /* observed instant, or a side of a jump: never displaced */
-};
-
-static int compare_times(const void *a, const void *b)
-{
-  double x = ((const struct grid_time *)a)->t, y = ((const struct grid_time *)b)->t;
-  return (x > y) - (x < y);
-}
 
 /* The time at which an observation was really made. */
 double um_model_true_time(const struct um_model *model, double tag)
@@ -144,134 +121,6 @@ static void trace_span(const struct um_model *model, struct um_model_precomputed
       periodic ? precomputed->t_start + precomputed->period : precomputed->t_start;
 }
 
-static double grid_step(const struct um_model *model,
-                        const struct um_model_precomputed *precomputed)
-{
-  double step = model->scenario->thermal->step_s;
-  if (!isnan(step)) return step;
-  if (precomputed->turn_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
-  double orbital = isnan(precomputed->period) ? 0.0 : 2.0 * UM_PI / precomputed->period;
-  double rate = um_orbit_attitude_rate(model->attitude, orbital);
-  return rate > 0.0 ? fmin(UM_MODEL_LOADS_LONGEST_STEP, TURN_PER_STEP / rate)
-                    : UM_MODEL_LOADS_LONGEST_STEP;
-}
-
-/* Where an event stands in the grid. Behind a cylinder, or before a Sun without a disc, the three
- * events of an edge coincide: penumbra and umbra are then set on its two sides. */
-static struct grid_time event_time(const struct um_model *model,
-                                   const struct um_environment_event *event)
-{
-  double side = 0.0;
-  if (model->environment.shadow == UM_SHADOW_CYLINDER || model->environment.disc == UM_DISC_POINT) {
-    if (event->kind == UM_EVENT_PENUMBRA_ENTRY || event->kind == UM_EVENT_UMBRA_EXIT)
-      side = -JUMP_SIDE;
-    else if (event->kind == UM_EVENT_UMBRA_ENTRY || event->kind == UM_EVENT_PENUMBRA_EXIT)
-      side = JUMP_SIDE;
-  }
-  return (struct grid_time){event->t_tai + side, side != 0.0};
-}
-
-/* Times strictly ascending; a wanted one displaces a neighbour that is not. */
-static size_t merge_times(struct grid_time *grid, size_t n)
-{
-  size_t kept = 0;
-  for (size_t i = 0; i < n; i++) {
-    struct grid_time *last = kept > 0 ? &grid[kept - 1] : NULL;
-    if (last == NULL || grid[i].t - last->t >= SAME_TIME ||
-        (grid[i].wanted && last->wanted && grid[i].t > last->t))
-      grid[kept++] = grid[i];
-    else if (grid[i].wanted && !last->wanted)
-      *last = grid[i];
-  }
-  return kept;
-}
-
-/* Rows before and behind an edge, on which the Earth's air bends and dims the Sun: a gap between
- * two events of an edge is 15 km of height at the limb, the air reaches from 60 km to where a ray
- * along the ground ends, 66 km below. */
-static size_t air_rows(const struct um_environment_event *event, double gap, double end,
-                       struct grid_time *grid, size_t n)
-{
-  int rows = 0;
-  double way = 0.0;
-  switch (event->kind) {
-  case UM_EVENT_PENUMBRA_ENTRY:
-    way = -0.5, rows = AIR_LIT;
-    break;
-  case UM_EVENT_UMBRA_ENTRY:
-    way = 0.5, rows = AIR_DARK;
-    break;
-  case UM_EVENT_UMBRA_EXIT:
-    way = -0.5, rows = AIR_DARK;
-    break;
-  case UM_EVENT_PENUMBRA_EXIT:
-    way = 0.5, rows = AIR_LIT;
-    break;
-  default:
-    break;
-  }
-  for (int k = 1; k <= rows; k++) {
-    double t = event->t_tai + k * way * gap;
-    if (t > grid[0].t && t < end) grid[n++].t = t;
-  }
-  return n;
-}
-
-static enum um_status grid_make(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed, double step,
-                                double **out, size_t *count)
-{
-  size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
-  double last = precomputed->sample[ninstant - 1].t_tai;
-  double end = fmax(last, precomputed->t_periodic_end);
-  /* laid out over an orbit at least, so that what moves the last observation by a little does not
-   * move the rows before it; rows behind the end are left out */
-  double laid =
-      isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
-  size_t nstep = (size_t)ceil((laid - precomputed->t_start) / step);
-  size_t room = nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
-  struct grid_time *grid = NULL;
-  UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
-  for (size_t i = 0; i <= nstep; i++) {
-    double t = nstep == 0 ? end
-                          : precomputed->t_start +
-                                (laid - precomputed->t_start) * (double)i / (double)nstep;
-    if (t < end + SAME_TIME) grid[n++].t = t;
-  }
-  bool averaged =
-      precomputed->turn_period > 0.0; /* observed instants then have a table of theirs */
-  if (averaged) grid[n++] = (struct grid_time){end, true};
-  for (size_t i = 0; i < ninstant && !averaged; i++)
-    grid[n++] = (struct grid_time){precomputed->sample[i].t_tai, true};
-  for (size_t i = 0; i < precomputed->nevent; i++) {
-    grid[n++] = event_time(model, &precomputed->event[i]);
-    if (i + 1 == precomputed->nevent) break;
-    double gap = precomputed->event[i + 1].t_tai - precomputed->event[i].t_tai;
-    if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
-    for (int k = 1; k < PENUMBRA_POINTS; k++)
-      grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
-    n = air_rows(&precomputed->event[i], gap, end, grid, n);
-    n = air_rows(&precomputed->event[i + 1], gap, end, grid, n);
-  }
-  enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
-  n = merge_times(grid, n);
-  if (status == UM_OK) status = um_core_allocate(context, n, sizeof **out, out);
-  for (size_t i = 0; status == UM_OK && i < n; i++) (*out)[i] = grid[i].t;
-  um_core_free(context, grid);
-  *count = n;
-  return status;
-}
-
-/* Times [nevent] at which the integration stops. */
-static enum um_status trace_edges(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed, double **out)
-{
-  UM_TRY(um_core_allocate(context, precomputed->nevent, sizeof **out, out));
-  for (size_t i = 0; i < precomputed->nevent; i++)
-    (*out)[i] = event_time(model, &precomputed->event[i]).t;
-  return UM_OK;
-}
-
 static enum um_status check_times(struct um_context *context, const double *times, size_t n)
 {
   if (n == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
@@ -296,7 +145,7 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
   UM_TRY(um_model_precomputed_hide(context, model, precomputed));
   trace_span(model, precomputed);
   UM_TRY(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
-  double step = grid_step(model, precomputed);
+  double step = um_model_load_step(model, precomputed);
   double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
   UM_TRY(um_model_check_load_rows(context, model, precomputed,
                                   fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
@@ -304,8 +153,8 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
   UM_TRY(um_model_events(context, model, precomputed->t_start,
                          fmax(end, precomputed->t_periodic_end), &precomputed->event,
                          &precomputed->nevent));
-  UM_TRY(grid_make(context, model, precomputed, step, &out->grid, &out->ngrid));
-  return trace_edges(context, model, precomputed, &out->edge);
+  UM_TRY(um_model_load_grid(context, model, precomputed, step, &out->grid, &out->ngrid));
+  return um_model_load_edges(context, model, precomputed, &out->edge);
 }
 
 void um_model_precompute_plan_clear(struct um_context *context,

@@ -1,0 +1,20 @@
+/* Times of the rows of the loads. Private to model/geometry/. */
+#ifndef UMBRA_MODEL_LOAD_GRID_IMPL_H
+#define UMBRA_MODEL_LOAD_GRID_IMPL_H
+
+#include "model/build/model.h"
+#include "model/geometry/precomputed.h"
+
+/* Longest time between two rows [s], of what has its turn period. */
+double um_model_load_step(const struct um_model *model,
+                          const struct um_model_precomputed *precomputed);
+/* Times (*out)[*count], ascending, of what has its observations, span, turn and events; the caller
+ * frees them. UM_ERR_MEMORY. */
+enum um_status um_model_load_grid(struct um_context *context, const struct um_model *model,
+                                  const struct um_model_precomputed *precomputed, double step,
+                                  double **out, size_t *count);
+/* Times (*out)[precomputed->nevent] at which the integration stops; likewise. */
+enum um_status um_model_load_edges(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_precomputed *precomputed, double **out);
+
+#endif
