@@ -1,7 +1,12 @@
 /* Times of the rows of the loads: fine enough for the turn of the body and for the penumbra; every
  * observed instant is one, so that optics and heat use the same fluxes. The loads are linear
  * between grid times: a shadow without penumbra, which is a jump, has one on either side of its
- * edge. */
+ * edge.
+ *
+ * Sparse loads leave out two kinds of rows. Observed instants are none. Rows that are long past
+ * when the observations begin stand SPARSE times further apart: of a body that turns they still
+ * have the right mean over its turns, where trapezoids of what is periodic have no error but that
+ * of its harmonics beyond their number, and what the surfaces missed within a turn they forget. */
 #include "model/geometry/load_grid_impl.h"
 
 #include <math.h>
@@ -17,6 +22,8 @@
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
 #define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
+#define SPARSE           4.0
+#define RECENT           300.0 /* before the first observation, where rows stand as ever [s] */
 
 struct grid_time {
   double t;
@@ -102,6 +109,17 @@ static size_t air_rows(const struct um_environment_event *event, double gap, dou
   return n;
 }
 
+/* Rows `step` apart or less over [from, to], those behind the end left out. */
+static size_t lay(double from, double to, double end, double step, struct grid_time *grid, size_t n)
+{
+  size_t nstep = (size_t)ceil((to - from) / step);
+  for (size_t i = 0; i <= nstep; i++) {
+    double t = nstep == 0 ? end : from + (to - from) * (double)i / (double)nstep;
+    if (t < end + SAME_TIME) grid[n++].t = t;
+  }
+  return n;
+}
+
 enum um_status um_model_load_grid(struct um_context *context, const struct um_model *model,
                                   const struct um_model_precomputed *precomputed, double step,
                                   double **out, size_t *count)
@@ -113,20 +131,21 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
    * move the rows before it; rows behind the end are left out */
   double laid =
       isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
-  size_t nstep = (size_t)ceil((laid - precomputed->t_start) / step);
-  size_t room = nstep + 2 + ninstant + precomputed->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
+  size_t room = (size_t)ceil((laid - precomputed->t_start) / step) + 5 + ninstant +
+                precomputed->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
   struct grid_time *grid = NULL;
   UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
-  for (size_t i = 0; i <= nstep; i++) {
-    double t = nstep == 0 ? end
-                          : precomputed->t_start +
-                                (laid - precomputed->t_start) * (double)i / (double)nstep;
-    if (t < end + SAME_TIME) grid[n++].t = t;
+  double recent = precomputed->t_start;
+  if (precomputed->sparse && precomputed->t_first - RECENT > recent) {
+    recent = precomputed->t_first - RECENT;
+    n = lay(precomputed->t_start, recent, end, fmin(SPARSE * step, UM_MODEL_LOADS_LONGEST_STEP),
+            grid, n);
   }
-  bool averaged =
-      precomputed->turn_period > 0.0; /* observed instants then have a table of theirs */
-  if (averaged) grid[n++] = (struct grid_time){end, true};
-  for (size_t i = 0; i < ninstant && !averaged; i++)
+  n = lay(recent, laid, end, step, grid, n);
+  /* observed instants then have a table of theirs */
+  bool apart = precomputed->turn_period > 0.0 || precomputed->sparse;
+  if (apart) grid[n++] = (struct grid_time){end, true};
+  for (size_t i = 0; i < ninstant && !apart; i++)
     grid[n++] = (struct grid_time){precomputed->sample[i].t_tai, true};
   for (size_t i = 0; i < precomputed->nevent; i++) {
     grid[n++] = event_time(model, &precomputed->event[i]);

@@ -132,19 +132,22 @@ static enum um_status check_times(struct um_context *context, const double *time
 }
 
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
-                                        const double *times, const double *exposures, size_t ntime,
+                                        const struct um_model_instants *instants,
                                         struct um_model_precompute_plan *out)
 {
   struct um_model_precomputed *precomputed = NULL;
   *out = (struct um_model_precompute_plan){0};
   UM_TRY(um_model_check_track(context, model));
-  UM_TRY(check_times(context, times, ntime));
+  UM_TRY(check_times(context, instants->time, instants->count));
   UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
   out->precomputed = precomputed;
-  UM_TRY(trace_observations(context, model, times, exposures, ntime, precomputed));
+  UM_TRY(trace_observations(context, model, instants->time, instants->exposure, instants->count,
+                            precomputed));
   UM_TRY(um_model_precomputed_hide(context, model, precomputed));
   trace_span(model, precomputed);
   UM_TRY(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
+  precomputed->sparse = instants->sparse && isnan(model->scenario->thermal->step_s) &&
+                        !(precomputed->turn_period > 0.0);
   double step = um_model_load_step(model, precomputed);
   double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
   UM_TRY(um_model_check_load_rows(context, model, precomputed,
@@ -187,8 +190,7 @@ enum um_status um_model_precompute_with(struct um_context *context, const struct
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
   *out = NULL;
-  UM_CHECK(um_model_precompute_plan(context, model, instants->time, instants->exposure,
-                                    instants->count, &plan));
+  UM_CHECK(um_model_precompute_plan(context, model, instants, &plan));
   plan.precomputed->body = um_model_body_tables_share(body);
   UM_CHECK(um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge,
                                      plan.precomputed));

@@ -17,9 +17,9 @@ struct um_model_precompute_plan {
   size_t ngrid;
   double *edge; /* [precomputed->nevent] times at which the integration stops */
 };
-/* Arguments and errors of um_model_precompute_at. Cleared by the caller, after a failure too. */
+/* Errors of um_model_precompute_at. Cleared by the caller, after a failure too. */
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
-                                        const double *times, const double *exposures, size_t ntime,
+                                        const struct um_model_instants *instants,
                                         struct um_model_precompute_plan *out);
 void um_model_precompute_plan_clear(struct um_context *context,
                                     struct um_model_precompute_plan *plan);

@@ -160,6 +160,20 @@ done:
   return status;
 }
 
+/* The observed instants of sparse loads, between their rows. */
+static enum um_status find_seen(struct um_context *context,
+                                struct um_model_precomputed *precomputed)
+{
+  size_t n = precomputed->nobs * precomputed->nsub;
+  double *times = NULL;
+  UM_TRY(um_core_allocate(context, n, sizeof *times, &times));
+  for (size_t i = 0; i < n; i++) times[i] = precomputed->sample[i].t_tai;
+  enum um_status status =
+      um_irradiation_loads_between(context, precomputed->loads, times, n, &precomputed->seen);
+  um_core_free(context, times);
+  return status;
+}
+
 /* Loads by way of mirrors, at the rows of the loads. */
 static enum um_status trace_mirrored(struct um_context *context, const struct um_model *model,
                                      const struct um_environment_sample *samples,
@@ -206,6 +220,8 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
                       precomputed->nevent, precomputed->turn_period, false, &precomputed->loads));
   if (precomputed->turn_period > 0.0)
     UM_CHECK(trace_seen(context, model, edge, precomputed));
+  else if (precomputed->sparse)
+    UM_CHECK(find_seen(context, precomputed));
   else
     precomputed->seen = precomputed->loads;
   UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, precomputed));

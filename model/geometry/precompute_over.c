@@ -17,13 +17,12 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
   return um_model_precompute_with(context, model, &instants, NULL, out);
 }
 
-/* Over the scenario's own window. */
+/* Over the scenario's own window, of which the instants have no times. */
 static enum um_status window_trace(struct um_context *context, const struct um_model *model,
-                                   struct um_model_sampling sampling,
+                                   struct um_model_instants window,
                                    struct um_model_body_tables *body,
                                    struct um_model_precomputed **out)
 {
-  struct um_model_instants window = {.sampling = sampling};
   double *times = NULL;
   *out = NULL;
   UM_TRY(um_model_check_track(context, model));
@@ -37,7 +36,7 @@ static enum um_status window_trace(struct um_context *context, const struct um_m
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
                                    struct um_model_precomputed **out)
 {
-  return window_trace(context, model, (struct um_model_sampling){0}, NULL, out);
+  return window_trace(context, model, (struct um_model_instants){.count = 0}, NULL, out);
 }
 
 static enum um_status trace(struct um_context *context, const struct um_model *model,
@@ -45,10 +44,10 @@ static enum um_status trace(struct um_context *context, const struct um_model *m
                             struct um_model_body_tables *body, struct um_model_precomputed **out)
 {
   if (instants == NULL)
-    return window_trace(context, model, (struct um_model_sampling){0}, body, out);
+    return window_trace(context, model, (struct um_model_instants){.count = 0}, body, out);
   if (instants->point != NULL)
     return um_model_precompute_points_with(context, model, instants, body, out);
-  if (instants->time == NULL) return window_trace(context, model, instants->sampling, body, out);
+  if (instants->time == NULL) return window_trace(context, model, *instants, body, out);
   return um_model_precompute_with(context, model, instants, body, out);
 }
 

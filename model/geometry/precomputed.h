@@ -37,7 +37,9 @@ struct um_model_precomputed {
                                          those are means over a turn, a table of its own */
   struct um_environment_sample *load_sample; /* [loads->ntime] what the rows were traced at */
   size_t *load_row;                          /* [nobs * nsub] row of `seen` at each instant */
-  double turn_period;                        /* over which `loads` are means [s]; 0: over none */
+  bool sparse; /* rows of `loads` stand as they need to, `seen` has those of the instants, linear
+                  between them */
+  double turn_period;                  /* over which `loads` are means [s]; 0: over none */
   struct um_irradiation_loads *ripple; /* rows of `seen`: um_irradiation_loads_turn; NULL where
                                           `loads` are no means */
   struct um_model_body_tables *body;   /* shared with others: body_tables.h */

@@ -110,7 +110,7 @@ static bool plan_equal(const struct um_model_precomputed *a,
   const struct um_model_precomputed *b = p->precomputed;
   return observations_equal(a, b) && a->loads->ntime == p->ngrid &&
          same_number(a->period, b->period) && a->t_periodic_end == b->t_periodic_end &&
-         a->turn_period == b->turn_period && events_equal(a, b) &&
+         a->turn_period == b->turn_period && a->sparse == b->sparse && events_equal(a, b) &&
          same(a->loads->t, p->grid, p->ngrid, sizeof *p->grid) && a->loads->nedge == b->nevent &&
          same(a->loads->edge, p->edge, b->nevent, sizeof *p->edge);
 }
@@ -142,7 +142,7 @@ static enum um_status same_times(struct um_context *context,
   if (instants != NULL) of = *instants;
   if (of.time == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
   if (of.time == NULL) of.time = times;
-  UM_CHECK(um_model_precompute_plan(context, model, of.time, of.exposure, of.count, &plan));
+  UM_CHECK(um_model_precompute_plan(context, model, &of, &plan));
   *out = plan_equal(precomputed, &plan);
 done:
   um_core_quiet_end(context);

@@ -92,6 +92,12 @@ bool um_irradiation_wants_sky(const struct um_geometry *geometry,
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,
                                            struct um_irradiation_loads **out);
+/* Rows at times [n] within those of a table, not one over turns, linear between its rows; without
+ * edges. UM_ERR_MEMORY. The caller destroys. Test: model/geometry/sparse. */
+enum um_status um_irradiation_loads_between(struct um_context *context,
+                                            const struct um_irradiation_loads *loads,
+                                            const double *times, size_t n,
+                                            struct um_irradiation_loads **out);
 void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads);
 
 #endif
