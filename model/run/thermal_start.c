@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/run/thermal_solution.h"
 #include "model/run/thermal_solution_group.h"
 
 #define DRAFT_TOLERANCE 0.1   /* of a draft: a rough search while emittances are not known [K] */
@@ -135,7 +136,8 @@ static enum um_status settle_periodic(struct um_context *context,
                                       double tolerance, const double *built)
 {
   size_t n = um_thermal_network_nodes(heat->model->body->network);
-  const double same = UM_MODEL_SAME_EMITTANCE;
+  /* as exactly as the state: 5e-4 of what is exchanged moves a temperature by 0.01 K */
+  const double same = UM_MODEL_SAME_EMITTANCE * tolerance / UM_MODEL_PERIODIC_TOLERANCE;
   double change = 0.0;
   if (!warm)
     UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
