@@ -104,8 +104,10 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
 static void mean_add(struct um_thermal_integrator *integrator, double h)
 {
   struct um_thermal_system *system = integrator->system;
-  if (!um_thermal_system_state_set(system, integrator->t, N_VGetArrayPointer(integrator->y)))
-    return; /* the next evaluation of the rate reports it */
+  const double *y = N_VGetArrayPointer(integrator->y);
+  bool set = system->nthermostat > 0 ? um_thermal_system_state_set(system, integrator->t, y)
+                                     : um_thermal_system_powers_set(system, integrator->t, y);
+  if (!set) return; /* the next evaluation of the rate reports it */
   for (size_t i = 0; i < system->n; i++) {
     integrator->cube[i] += 0.5 * h * (integrator->cube_before[i] + system->cube[i]);
     integrator->power4[i] += 0.5 * h * (integrator->power4_before[i] + system->power4[i]);

@@ -308,6 +308,9 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t);
 /* Put unknowns y[nunknown] and whatever follows from them at time t into system->temperature and
  * its powers. false: the eliminated nodes found no balance. */
 bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y);
+/* The same for who asks for system->cube and power4 alone: what else stands in the system is not of
+ * that state. */
+bool um_thermal_system_powers_set(struct um_thermal_system *system, double t, const double *y);
 /* T^4 and |T|^3 of system->temperature, and what it emits to space; the odd extension |T|^3 T keeps
  * Newton monotone. Of one node, of all. */
 void um_thermal_system_node_powers(struct um_thermal_system *system, size_t i);

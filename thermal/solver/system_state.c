@@ -20,9 +20,8 @@ static bool clusters_settle(struct um_thermal_system *system)
   return false;
 }
 
-bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y)
+static void temperatures_set(struct um_thermal_system *system, const double *y)
 {
-  um_thermal_system_loads_at(system, t);
   for (size_t k = 0; k < system->nunknown; k++) {
     size_t i = system->node[k];
     if (system->store == NULL)
@@ -32,6 +31,19 @@ bool um_thermal_system_state_set(struct um_thermal_system *system, double t, con
           um_thermal_system_temperature_of(system, i, y[k], &system->warming[i]);
   }
   um_thermal_system_powers(system);
+}
+
+bool um_thermal_system_powers_set(struct um_thermal_system *system, double t, const double *y)
+{
+  if (system->ncluster > 0) return um_thermal_system_state_set(system, t, y);
+  temperatures_set(system, y);
+  return true;
+}
+
+bool um_thermal_system_state_set(struct um_thermal_system *system, double t, const double *y)
+{
+  um_thermal_system_loads_at(system, t);
+  temperatures_set(system, y);
   if (system->made != NULL) um_thermal_system_heat_make(system, t);
   if (system->exchange == NULL) return um_thermal_system_clusters_solve(system);
   um_thermal_system_exchange_at(system, t);
