@@ -125,7 +125,7 @@ static enum um_status prepare(struct um_context *context, struct held *h)
 {
   struct um_forecast *f = &h->forecast;
   const struct um_variant_settings settings = {.instants = &h->instant,
-                                               .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}};
+                                               .base = {6.0, 0.02}}; /* where others start */
   UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
@@ -140,7 +140,7 @@ static enum um_status prepare(struct um_context *context, struct held *h)
   UM_TRY(name_outputs(context, h, model));
   UM_TRY(um_forecast_pin(context, model, &h->work));
   h->work.light_has_sign = um_study_light_has_sign(model);
-  h->instant = (struct um_model_instants){.time = &f->from, .count = 1};
+  h->instant = (struct um_model_instants){.time = &f->from, .count = 1, .sparse = true};
   UM_TRY(um_variant_evaluator_create(context, model, &settings, &h->work.evaluator));
   return identify(context, h, model);
 }
