@@ -1,5 +1,5 @@
 /* From heat of a place to the observations. Temperatures of nodes answer by the linear response
- * along the model's own history (thermal/tangent/response.h); from them
+ * along the model's own history (thermal/tangent/sensitivity.h); from them
  *
  *   a temperature      mean of the place, as its observations are made,
  *   light              sum over regions g of  dI/dT_g  sum_s w_s dT_s / sum_s w_s,
@@ -21,7 +21,8 @@
 #include "model/run/run.h"
 #include "model/run/thermal_solution.h"
 
-#define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
+#define TOLERANCE 1e-3 /* of a step of heat [1]; leaves 2e-4 of a place's largest answer */
+#define WARMER    0.1  /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
 
 /* --- the base -------------------------------------------------------------------------------- */
 
@@ -287,27 +288,25 @@ enum um_status um_missing_heat_columns(struct um_context *context,
                     .nbin = nbin,
                     .edge = edge,
                     .column = column};
-  struct um_thermal_response_source *source = NULL;
-  /* steps end where bins do */
-  const struct um_thermal_response_options how = {.longest_step = edge[nbin] - edge[0]};
+  struct um_thermal_pulse *pulse = NULL;
   memset(column, 0, nbin * base->forward->observations.count * sizeof *column);
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->variant.model->geometry)->nsurface,
                             sizeof *t.weight, &t.weight));
   UM_CHECK(um_core_allocate(context, base->nregion, sizeof *t.sum, &t.sum));
   UM_CHECK(um_core_allocate(context, base->nregion * t.nnode, sizeof *t.gradient, &t.gradient));
-  UM_CHECK(um_core_allocate(context, nbin, sizeof *source, &source));
+  UM_CHECK(um_core_allocate(context, nbin, sizeof *pulse, &pulse));
   for (size_t b = 0; b < nbin; b++)
-    source[b] = (struct um_thermal_response_source){.node = place->node,
-                                                    .weight = place->weight,
-                                                    .nnode = place->nnode,
-                                                    .t_from = edge[b],
-                                                    .t_to = edge[b + 1]};
-  UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, source, nbin, &how, take,
-                                              &t));
+    pulse[b] = (struct um_thermal_pulse){.node = place->node,
+                                         .weight = place->weight,
+                                         .nnode = place->nnode,
+                                         .t_from = edge[b],
+                                         .t_to = edge[b + 1]};
+  UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, pulse, nbin, TOLERANCE,
+                                              take, &t));
 done:
   um_core_free(context, t.weight);
   um_core_free(context, t.sum);
   um_core_free(context, t.gradient);
-  um_core_free(context, source);
+  um_core_free(context, pulse);
   return status;
 }

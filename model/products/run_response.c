@@ -9,11 +9,12 @@
 
 enum um_status um_model_thermal_solution_response(struct um_context *context,
                                                   const struct um_model_thermal_solution *heat,
-                                                  const struct um_thermal_response_source *source,
-                                                  size_t nsource,
-                                                  const struct um_thermal_response_options *how,
-                                                  um_thermal_response_take *take, void *user)
+                                                  const struct um_thermal_pulse *pulse,
+                                                  size_t npulse, double tolerance,
+                                                  um_thermal_sensitivity_take *take, void *user)
 {
+  const struct um_thermal_forcings forcings = {.pulse = pulse, .npulse = npulse};
+  const struct um_thermal_sensitivity_options how = {.tolerance = tolerance};
   const struct um_model_precomputed *precomputed = heat->precomputed;
   size_t ninstant = precomputed->nobs * precomputed->nsub;
   const struct um_thermal_history *history = heat->run.history;
@@ -24,9 +25,9 @@ enum um_status um_model_thermal_solution_response(struct um_context *context,
                         "answers to heat: observations that stand alone have no heat to follow");
   UM_TRY(um_core_allocate(context, ninstant, sizeof *times, &times));
   for (size_t i = 0; i < ninstant; i++) times[i] = precomputed->sample[i].t_tai;
-  enum um_status status = um_thermal_response(
+  enum um_status status = um_thermal_sensitivity(
       context, heat->model->body->network, precomputed->loads, &heat->setting.options, first,
-      times[0], times, ninstant, source, nsource, how, take, user);
+      times[0], times, ninstant, &forcings, &how, take, user);
   um_core_free(context, times);
   return status;
 }

@@ -5,7 +5,7 @@
 #include "model/build/model.h"
 #include "model/run/result.h"
 #include "model/run/thermal_solution.h"
-#include "thermal/tangent/response.h"
+#include "thermal/tangent/sensitivity.h"
 
 /* um_model_run_with with the light of every surface made at its temperature plus offset[nsurface]
  * [K], for derivatives. Nodes and their places stay as they are, means of materials move along. */
@@ -14,13 +14,13 @@ enum um_status um_model_run_warmer(struct um_context *context, const struct um_m
                                    const struct um_model_thermal_solution *heat,
                                    const double *offset, struct um_model_result **out);
 /* How node temperatures answer to small heat from the first instant of the geometry precomputation
- * on, along this history: um_thermal_response at the geometry precomputation's instants [nobs *
- * nsub]. UM_ERR_INPUT for points. */
+ * on, along this history: um_thermal_sensitivity to pulses[npulse] at the geometry precomputation's
+ * instants [nobs * nsub], steps held to `tolerance` [1]; 0: the default. UM_ERR_INPUT for points.
+ */
 enum um_status um_model_thermal_solution_response(struct um_context *context,
                                                   const struct um_model_thermal_solution *heat,
-                                                  const struct um_thermal_response_source *source,
-                                                  size_t nsource,
-                                                  const struct um_thermal_response_options *how,
-                                                  um_thermal_response_take *take, void *user);
+                                                  const struct um_thermal_pulse *pulse,
+                                                  size_t npulse, double tolerance,
+                                                  um_thermal_sensitivity_take *take, void *user);
 
 #endif

@@ -121,6 +121,7 @@ static enum um_status follow(struct work *w)
   const struct um_model_thermal_solution *heat = w->heat;
   const struct um_model_precomputed *p = heat->precomputed;
   const struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_forcings forcings = {.variant = w->variant, .nvariant = w->to->nmove};
   struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
   if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
     UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->setting.options,
@@ -129,8 +130,8 @@ static enum um_status follow(struct work *w)
     how.start = w->start;
   }
   return um_thermal_sensitivity(w->context, network, p->loads, &heat->setting.options, heat->start,
-                                heat->run.from, heat->run.history->t, w->to->nrow, w->variant,
-                                w->to->nmove, &how, keep, w->to);
+                                heat->run.from, heat->run.history->t, w->to->nrow, &forcings, &how,
+                                keep, w->to);
 }
 
 enum um_status um_model_thermal_sensitivity_create(struct um_context *context,

@@ -323,8 +323,9 @@ static void sensitivity_figures(struct bench *bench, struct satellite *s)
   double run_time = bench_cpu() - began;
   um_thermal_history_destroy(bench->context, &plain);
   began = bench_cpu();
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = PARAMETERS};
   bench_must(bench, um_thermal_sensitivity(bench->context, s->body->network, s->loads, &options,
-                                           NULL, 0.0, t, 4, variant, PARAMETERS, NULL, keep, kept));
+                                           NULL, 0.0, t, 4, &forcings, NULL, keep, kept));
   double time = bench_cpu() - began;
   for (size_t p = 0; p < 5; p += 2) /* absorptance, capacity, MLI */
     worst = fmax(worst, sensitivity_error(bench, s, p, (const double *)(kept + 1)));

@@ -255,3 +255,18 @@ void um_thermal_system_cluster_answer(const struct um_thermal_cluster *cluster, 
 {
   lu_solve(cluster->matrix, cluster->pivot, cluster->m, x, 1);
 }
+
+void um_thermal_system_cluster_pass(const struct um_thermal_system *system,
+                                    const struct um_thermal_cluster *cluster, double factor,
+                                    const double *change, double *out)
+{
+  for (size_t a = 0; a < cluster->m; a++) {
+    uint32_t node = cluster->node[a];
+    for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
+      uint32_t i = system->other[e], u = system->unknown[i];
+      if (u == UM_THERMAL_NONE) continue;
+      out[u] += factor * um_thermal_system_link_in(system, e, i, node, system->cube) * change[a] /
+                system->capacity[i];
+    }
+  }
+}

@@ -263,21 +263,16 @@ static double clusters_warm(struct um_thermal_system *system, double *follow)
   return largest;
 }
 
-/* Their warmth goes on to the unknowns that they touch (response.c has the same of sources). */
+/* Their warmth goes on to the unknowns that they touch. */
 static void clusters_pass(const struct um_thermal_system *system, double factor,
                           const double *follow, double *out)
 {
-  const double *cube = system->cube;
-  for (size_t c = 0; c < system->ncluster; c++)
-    for (size_t a = 0; a < system->cluster[c].m; a++) {
-      uint32_t node = system->cluster[c].node[a];
-      for (size_t e = system->start[node]; e < system->start[node + 1]; e++) {
-        uint32_t i = system->other[e], u = system->unknown[i];
-        if (u == UM_THERMAL_NONE) continue;
-        out[u] += factor * um_thermal_system_link_in(system, e, i, node, cube) * follow[node] /
-                  system->capacity[i];
-      }
-    }
+  double *change = system->exchange->cluster;
+  for (size_t c = 0; c < system->ncluster; c++) {
+    const struct um_thermal_cluster *cluster = &system->cluster[c];
+    for (size_t a = 0; a < cluster->m; a++) change[a] = follow[cluster->node[a]];
+    um_thermal_system_cluster_pass(system, cluster, factor, change, out);
+  }
 }
 
 void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double factor,

@@ -353,5 +353,10 @@ bool um_thermal_system_cluster_linearize(struct um_thermal_system *system,
                                          struct um_thermal_cluster *cluster);
 /* After that: heat into its nodes x[m] [W] becomes their change of temperature [K]. */
 void um_thermal_system_cluster_answer(const struct um_thermal_cluster *cluster, double *x);
+/* Its nodes are warmer by change[m] [K]: out[nunknown] += factor times what the unknowns that they
+ * touch gain [K/s]. */
+void um_thermal_system_cluster_pass(const struct um_thermal_system *system,
+                                    const struct um_thermal_cluster *cluster, double factor,
+                                    const double *change, double *out);
 
 #endif

@@ -161,15 +161,15 @@ enum um_status um_thermal_sensitivity_periodic(
   struct periodic p = {.run = {.context = context}, .period = period};
   struct um_thermal_sensitivity_run *r = &p.run;
   const struct um_thermal_sensitivity_subject of = {context, network, loads, options, start, from};
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = nvariant};
   double tolerance = how != NULL && how->tolerance > 0.0 ? how->tolerance : TOLERANCE;
   if (!(period > 0.0) || !isfinite(period) || !isfinite(from))
     return um_core_fail(context, UM_ERR_INPUT,
                         "periodic heat sensitivities from %g s over %g s; accepted: finite, period "
                         "more than 0",
                         from, period);
-  UM_TRY(um_thermal_sensitivity_check(context, network, loads, variant, nvariant, how));
-  UM_CHECK(
-      um_thermal_sensitivity_run_create(&of, variant, nvariant, UM_SYSTEM_PERIODIC, period, r));
+  UM_TRY(um_thermal_sensitivity_check(&of, &forcings, how));
+  UM_CHECK(um_thermal_sensitivity_run_create(&of, &forcings, UM_SYSTEM_PERIODIC, period, r));
   UM_CHECK(periodic_storage(&p));
   for (size_t c = 0; c < nvariant && how != NULL && how->start != NULL; c++)
     for (size_t k = 0; k < r->n; k++)

@@ -9,7 +9,8 @@
  * of a step; that of every node is held to `tolerance` of the largest answer of a column.
  *
  * b_k = (f_k - f) / h_k, f_k the balance of variant k at the base's unknowns; the temperatures that
- * follow from these (arithmetic nodes) are the variant's own. */
+ * follow from these (arithmetic nodes) are the variant's own. b_k of a pulse: sensitivity_pulse.c.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -62,10 +63,14 @@ static enum um_status force(struct um_thermal_sensitivity_run *r, size_t column,
     memset(r->moved, 0, r->n * sizeof *r->moved);
     return UM_OK;
   }
+  if (column >= r->nvariant) {
+    um_thermal_pulses_force(r, column, r->moved);
+    return UM_OK;
+  }
   struct um_thermal_system *variant = r->variant[column];
   if (!um_thermal_system_state_set(variant, t, r->y)) return balance_lost(r);
   um_thermal_system_rate(variant, r->moved);
-  double inverse = 1.0 / r->parameter[column].step;
+  double inverse = 1.0 / r->width[column];
   for (size_t i = 0; i < r->n; i++) r->moved[i] = (r->moved[i] - r->rate[i]) * inverse;
   return UM_OK;
 }
@@ -82,6 +87,25 @@ static enum um_status factor(struct um_thermal_sensitivity_run *r)
                       r->t, um_thermal_linear_fault(r->linear, fault, sizeof fault));
 }
 
+/* J is joined by E, the derivative of what surfaces exchange, which is full: (A - scale E) x = b is
+ * iterated with A's factors (exchange_solve.c), E x is a product (system_exchange.c). */
+static enum um_status inner_solve(void *self, double *x)
+{
+  struct um_thermal_sensitivity_run *r = self;
+  return um_thermal_linear_solve(r->linear, 1, r->share, x);
+}
+
+enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
+                                            double share, double *x)
+{
+  if (r->exchange == NULL) return um_thermal_linear_solve(r->linear, r->nactive, share, x);
+  const struct um_thermal_inner inner = {inner_solve, r};
+  r->share = share;
+  for (size_t c = 0; c < r->nactive; c++)
+    UM_TRY(um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, x + c * r->n));
+  return UM_OK;
+}
+
 static enum um_status solve(struct um_thermal_sensitivity_run *r, double *x)
 {
   enum um_status status = um_thermal_sensitivity_solve(r, POLE * r->h, LINEAR_SHARE, x);
@@ -95,7 +119,7 @@ static enum um_status first_rate(struct um_thermal_sensitivity_run *r)
 {
   const struct um_thermal_system *system = r->system;
   UM_TRY(linearize(r, r->t));
-  for (size_t c = 0; c < r->ncolumn; c++) {
+  for (size_t c = 0; c < r->nactive; c++) {
     double *out = r->stage[0] + c * r->n;
     const double *s = r->s + c * r->n;
     UM_TRY(force(r, c, r->t));
@@ -108,11 +132,20 @@ static enum um_status first_rate(struct um_thermal_sensitivity_run *r)
   return UM_OK;
 }
 
+enum um_status um_thermal_sensitivity_edge(struct um_thermal_sensitivity_run *r)
+{
+  um_thermal_pulses_enter(r);
+  r->continued = false;
+  r->opening = true;
+  if (r->pulses.h > 0.0) r->h = r->pulses.h;
+  return first_rate(r);
+}
+
 enum um_status um_thermal_sensitivity_begin(struct um_thermal_sensitivity_run *r)
 {
   double end = um_thermal_integrator_stop(r->base.integrator);
-  for (size_t c = 0; c <= r->ncolumn; c++) {
-    struct um_thermal_system *system = c < r->ncolumn ? r->variant[c] : r->system;
+  for (size_t c = 0; c <= r->nvariant; c++) {
+    struct um_thermal_system *system = c < r->nvariant ? r->variant[c] : r->system;
     um_thermal_system_window(system, r->t, end);
     for (size_t k = 0; k < system->nthermostat; k++) system->thermostat[k].on = r->base.heating[k];
   }
@@ -126,7 +159,7 @@ static enum um_status stage_make(struct um_thermal_sensitivity_run *r, int i)
   double t = r->t + instant[i] * r->h, gh = POLE * r->h;
   UM_TRY(linearize(r, t));
   UM_TRY(factor(r));
-  for (size_t c = 0; c < r->ncolumn; c++) {
+  for (size_t c = 0; c < r->nactive; c++) {
     size_t at = c * r->n;
     double *known = r->known + at, *next = r->next + at;
     memcpy(known, r->s + at, r->n * sizeof *known);
@@ -139,22 +172,22 @@ static enum um_status stage_make(struct um_thermal_sensitivity_run *r, int i)
     for (size_t k = 0; k < r->n; k++) next[k] = known[k] + gh * r->moved[k];
   }
   UM_TRY(solve(r, r->next));
-  for (size_t k = 0; k < r->ncolumn * r->n; k++) r->stage[i][k] = (r->next[k] - r->known[k]) / gh;
+  for (size_t k = 0; k < r->nactive * r->n; k++) r->stage[i][k] = (r->next[k] - r->known[k]) / gh;
   return UM_OK;
 }
 
 /* Largest error of a column over what is allowed [1]. */
 static enum um_status error_find(struct um_thermal_sensitivity_run *r, double *out)
 {
-  memset(r->error, 0, r->ncolumn * r->n * sizeof *r->error);
+  memset(r->error, 0, r->nactive * r->n * sizeof *r->error);
   for (int j = 0; j < STAGES; j++) {
     double w = r->h * (weight[STAGES - 1][j] - embedded[j]);
-    for (size_t k = 0; k < r->ncolumn * r->n; k++) r->error[k] += w * r->stage[j][k];
+    for (size_t k = 0; k < r->nactive * r->n; k++) r->error[k] += w * r->stage[j][k];
   }
   UM_TRY(solve(r, r->error));
   *out = 0.0;
-  for (size_t c = 0; c < r->ncolumn; c++) {
-    double largest = fmax(r->largest[c], ROUNDING / fabs(r->parameter[c].step)), worst = 0.0;
+  for (size_t c = 0; c < r->nactive; c++) {
+    double largest = fmax(r->largest[c], ROUNDING / fabs(r->width[c])), worst = 0.0;
     for (size_t k = c * r->n; k < (c + 1) * r->n; k++) {
       largest = fmax(largest, fabs(r->next[k]));
       worst = fmax(worst, fabs(r->error[k]));
@@ -186,7 +219,7 @@ static void mean_add(struct um_thermal_sensitivity_run *r, double h)
 static void take(struct um_thermal_sensitivity_run *r)
 {
   swap(&r->s, &r->next);
-  for (size_t c = 0; c < r->ncolumn; c++)
+  for (size_t c = 0; c < r->nactive; c++)
     for (size_t k = c * r->n; k < (c + 1) * r->n; k++)
       r->largest[c] = fmax(r->largest[c], fabs(r->s[k]));
   r->t += r->h;
@@ -228,6 +261,8 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
       mean_add(r, h);
       take(r);
       r->continued = true;
+      if (r->opening) r->pulses.h = factor * h;
+      r->opening = false;
       /* a step cut short by `end` says little of the next; one that was refused before, enough */
       r->h = fmax((refused ? fmin(factor, 1.0) : factor) * h,
                   !refused && factor > 1.0 && h < wanted ? wanted : 0.0);

@@ -139,9 +139,8 @@ static enum um_status respond(struct work *w)
 {
   const uint32_t node = 0;
   const double one = 1.0, from = w->shared->precomputed->t_first;
-  const struct um_thermal_response_source source = {&node, &one, 1, from, from + 60.0};
-  const struct um_thermal_response_options how = {30.0, NULL};
-  return um_model_thermal_solution_response(w->context, w->shared->heat, &source, 1, &how, take, w);
+  const struct um_thermal_pulse pulse = {&node, &one, 1, from, from + 60.0};
+  return um_model_thermal_solution_response(w->context, w->shared->heat, &pulse, 1, 0.0, take, w);
 }
 
 /* A variant of the shared model with an effect at a value. */

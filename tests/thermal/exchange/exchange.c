@@ -19,7 +19,7 @@
 
 #include "tests/support/allocator.h"
 #include "tests/thermal/exchange/room_help.h"
-#include "thermal/tangent/response.h"
+#include "thermal/tangent/sensitivity.h"
 
 static const double wall_emittance[6] = {0.8, 0.8, 0.3, 0.3, 0.05, 0.9};
 static const double wall_temperature[6] = {300, 320, 280, 310, 250, 400};
@@ -228,10 +228,10 @@ static void responses(void **state)
   cube_of_walls(&r, 60, 300.0);
   static const uint32_t node[1] = {0};
   static const double one[1] = {1.0};
-  const struct um_thermal_response_source source = {node, one, 1, 0.0, 400.0};
-  const struct um_thermal_response_options how = {.longest_step = 10.0};
-  OK(um_thermal_response(context, r.network, NULL, &r.options, NULL, 0.0, time, 2, &source, 1, &how,
-                         take, &taken));
+  const struct um_thermal_pulse pulse = {node, one, 1, 0.0, 400.0};
+  const struct um_thermal_forcings forcings = {.pulse = &pulse, .npulse = 1};
+  OK(um_thermal_sensitivity(context, r.network, NULL, &r.options, NULL, 0.0, time, 2, &forcings,
+                            NULL, take, &taken));
   for (int side = 0; side < 2; side++) {
     struct um_thermal_history *h = NULL;
     um_thermal_network_power_set(r.network, 0, side ? 5.0 : -5.0);

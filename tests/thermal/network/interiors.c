@@ -3,7 +3,6 @@
  *   wall (C, radiates or not) -- G1 -- boards (C = 0) -- G2 -- base (its temperature is given)
  */
 #include "tests/thermal/body_help.h"
-#include "thermal/tangent/response.h"
 #include "thermal/tangent/sensitivity.h"
 
 #define G1    4.0     /* [W/K] all six walls to the boards */
@@ -135,16 +134,17 @@ static void heat_in_boards_answers(void **state)
   const uint32_t node[3] = {node_of(&s, "bus.+x"), node_of(&s, "bus.boards"),
                             node_of(&s, "bus.base")};
   const double weight = 1.0;
-  const struct um_thermal_response_source source[2] = {{&node[1], &weight, 1, 0.0, 2.0 * tau},
-                                                       {&node[2], &weight, 1, 0.0, 2.0 * tau}};
-  const struct um_thermal_response_options how = {.longest_step = 0.05 * tau};
+  const struct um_thermal_pulse pulse[2] = {{&node[1], &weight, 1, 0.0, 2.0 * tau},
+                                            {&node[2], &weight, 1, 0.0, 2.0 * tau}};
+  const struct um_thermal_forcings forcings = {.pulse = pulse, .npulse = 2};
+  const struct um_thermal_sensitivity_options how = {.tolerance = 1e-8};
   struct kept kept = {
       .node = node, .nnode = 3, .total = um_thermal_network_nodes(s.body->network), .ncolumn = 2};
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
-  OK(um_thermal_response(help_context, s.body->network, NULL, &options, NULL, 0.0, &t, 1, source, 2,
-                         &how, keep, &kept));
+  OK(um_thermal_sensitivity(help_context, s.body->network, NULL, &options, NULL, 0.0, &t, 1,
+                            &forcings, &how, keep, &kept));
   double wall = -expm1(-t / tau) / G2;
-  /* (0.05)^5 of a step is 3e-7 */
+  /* asked for 1e-8 a step */
   NEAR("wall", kept.value[0], wall, 1e-6);
   NEAR("boards", kept.value[1], (G1 * wall + 1.0) / (G1 + G2), 1e-6);
   NEAR("base", kept.value[2], 0.0, 0.0);
@@ -166,6 +166,7 @@ static void sensitivities_agree(void **state)
   const uint32_t node = node_of(&s[0], "bus.+x");
   const struct um_thermal_variant variant[2] = {{s[1].body->network, NULL, NULL, step, NULL},
                                                 {s[2].body->network, NULL, NULL, step, NULL}};
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = 2};
   const struct um_thermal_sensitivity_options how = {.tolerance = 1e-6};
   struct kept kept = {.node = &node,
                       .nnode = 1,
@@ -173,7 +174,7 @@ static void sensitivities_agree(void **state)
                       .ncolumn = 2};
   struct um_thermal_solve_options options = help_options(1e-8, 1e-7, 0.0);
   OK(um_thermal_sensitivity(help_context, s[0].body->network, NULL, &options, NULL, 0.0, &t, 1,
-                            variant, 2, &how, keep, &kept));
+                            &forcings, &how, keep, &kept));
   /* asked for 1e-6 a step; G1 is moved by 2.5e-5 of itself */
   NEAR("by the base", kept.value[0], -expm1(-t / tau), 3e-5);
   double share = G2 / (G1 + G2);

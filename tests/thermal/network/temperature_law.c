@@ -6,7 +6,7 @@
 #include "base/core/constants.h"
 #include "tests/thermal/law_help.h"
 #include "thermal/network/mli_law.h"
-#include "thermal/tangent/response.h"
+#include "thermal/tangent/sensitivity.h"
 
 #define CAPACITY 1500.0 /* [J/K] at 300 K */
 #define RADIATOR 0.8    /* [m^2] */
@@ -205,7 +205,7 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
 }
 
 /* The response to a watt on one wall, on for 1000 s, against the difference of tight runs with +-1
- * W: third order in the watt, 1e-5; the linearisation at the middle of 60 s steps leaves 2e-3. */
+ * W: third order in the watt, 1e-5. */
 static void responses_follow(void **state)
 {
   (void)state;
@@ -218,10 +218,10 @@ static void responses_follow(void **state)
     struct um_thermal_solve_options options = help_options(1e-10, 1e-8, 3.0);
     struct answers answers = {calloc(network->nnode, sizeof(double)), network->nnode};
     assert_non_null(answers.response);
-    const struct um_thermal_response_source source = {&wall, &one, 1, 0.0, 1000.0};
-    const struct um_thermal_response_options how = {60.0, NULL};
-    OK(um_thermal_response(help_context, network, loads, &options, NULL, 0.0, times, 2, &source, 1,
-                           &how, take, &answers));
+    const struct um_thermal_pulse pulse = {&wall, &one, 1, 0.0, 1000.0};
+    const struct um_thermal_forcings forcings = {.pulse = &pulse, .npulse = 1};
+    OK(um_thermal_sensitivity(help_context, network, loads, &options, NULL, 0.0, times, 2,
+                              &forcings, NULL, take, &answers));
     struct um_thermal_history *history[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
       struct um_thermal_network *moved = box_network(2, c == 0 ? 77.39 : 0.0, &interior);

@@ -2,7 +2,6 @@
  * once: the answer is "out of memory", nothing is left behind, and the next try works. */
 #include "tests/support/allocator.h"
 #include "tests/thermal/box_help.h"
-#include "thermal/tangent/response.h"
 #include "thermal/tangent/sensitivity.h"
 
 struct subject {
@@ -52,25 +51,17 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
   (void)user, (void)k, (void)temperature, (void)response;
   return UM_OK;
 }
-static enum um_status respond(const struct subject *s)
+static enum um_status sensitive(const struct subject *s)
 {
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   const uint32_t node = 0;
   const double t[2] = {300.0, 600.0}, weight = 1.0;
-  const struct um_thermal_response_source source = {&node, &weight, 1, 100.0, 500.0};
-  return um_thermal_response(s->context, s->network, s->loads, &options, NULL, 0.0, t, 2, &source,
-                             1, NULL, take, NULL);
-}
-
-static enum um_status sensitive(const struct subject *s)
-{
-  struct um_thermal_solve_options options;
-  um_thermal_solve_defaults(&options);
-  const double t[2] = {300.0, 600.0};
   const struct um_thermal_variant variant = {s->network, s->loads, NULL, 1.0, NULL};
+  const struct um_thermal_pulse pulse = {&node, &weight, 1, 100.0, 500.0};
+  const struct um_thermal_forcings forcings = {&variant, 1, &pulse, 1};
   return um_thermal_sensitivity(s->context, s->network, s->loads, &options, NULL, 0.0, t, 2,
-                                &variant, 1, NULL, take, NULL);
+                                &forcings, NULL, take, NULL);
 }
 static enum um_status sensitive_orbit(const struct subject *s)
 {
@@ -148,7 +139,6 @@ static void test_every_allocation(void **state)
   fail_everywhere(periodic, s);
   fail_everywhere(steady, s);
   fail_everywhere(read, s);
-  fail_everywhere(respond, s);
   fail_everywhere(sensitive, s);
   fail_everywhere(sensitive_orbit, s);
   fail_everywhere(build, s);

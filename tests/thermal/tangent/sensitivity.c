@@ -1,5 +1,5 @@
 /* Sensitivities: closed forms of one node, differences of tight runs of the spinning box over all
- * kinds of parameters, instants of switching, the periodic state, the observed order.
+ * kinds of parameters, instants of switching, the periodic state.
  *
  *   C dT/dt = P - G (T - T_b), T(0) = T_0, tau = C/G, e = exp(-t/tau), T_e = T_b + P/G
  *   dT/dP = (1 - e) / G        dT/dT_0 = e           dT/dT_b = 1 - e
@@ -58,7 +58,8 @@ static void test_closed_forms(void **state)
   struct kept kept = {s, 5, 2, 0};
   for (int k = 0; k < 5; k++)
     variant[k] = (struct um_thermal_variant){node_network(k, step[k]), NULL, NULL, step[k], NULL};
-  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 5, variant, 5,
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = 5};
+  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 5, &forcings,
                             NULL, keep, &kept));
   assert_int_equal(kept.calls, 5);
   for (size_t i = 0; i < 5; i++) {
@@ -167,8 +168,9 @@ static void against_differences(double skin, int shift)
   assert_non_null(kept.s);
   for (int p = 0; p < count; p++)
     variant[p] = (struct um_thermal_variant){box(p, 1.00001, skin), loads, NULL, 1e-5, NULL};
-  OK(um_thermal_sensitivity(help_context, network, loads, &options, NULL, 0.0, times, 4, variant,
-                            (size_t)count, &how, keep, &kept));
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = (size_t)count};
+  OK(um_thermal_sensitivity(help_context, network, loads, &options, NULL, 0.0, times, 4, &forcings,
+                            &how, keep, &kept));
   for (int p = 0; p < count; p++) {
     struct um_thermal_history *h[2];
     double worst = 0.0, largest, most = 0.0;
@@ -319,7 +321,8 @@ static void test_thermostat(void **state)
   struct kept kept = {s, 5, 2, 0};
   for (int p = 0; p < 5; p++)
     variant[p] = (struct um_thermal_variant){heated(p, 1.00001), NULL, NULL, 1e-5, NULL};
-  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 3, variant, 5,
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = 5};
+  OK(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, times, 3, &forcings,
                             NULL, keep, &kept));
   for (int p = 0; p < 5; p++) {
     struct um_thermal_history *h[2];
@@ -365,9 +368,10 @@ static void test_refused(void **state)
                                        "other times or edges"};
   const double t = 10.0;
   for (int k = 0; k < 3; k++) {
+    const struct um_thermal_forcings forcings = {.variant = &variant[k], .nvariant = 1};
     um_core_message_clear(help_context);
     assert_int_equal(um_thermal_sensitivity(help_context, network, NULL, &options, NULL, 0.0, &t, 1,
-                                            &variant[k], 1, NULL, ignore, NULL),
+                                            &forcings, NULL, ignore, NULL),
                      UM_ERR_INPUT);
     if (strstr(um_core_message(help_context), words[k]) == NULL)
       fail_msg("'%s' lacks '%s'", um_core_message(help_context), words[k]);

@@ -96,8 +96,9 @@ static void box_of(bool massless)
     variant[k] =
         (struct um_thermal_variant){moved[k].s.body->network, NULL, &moved[k].options, 1e-5, NULL};
   }
+  const struct um_thermal_forcings forcings = {.variant = variant, .nvariant = PARAMETERS};
   OK(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options, NULL, 0.0,
-                            times, TIMES, variant, PARAMETERS, NULL, keep, &kept));
+                            times, TIMES, &forcings, NULL, keep, &kept));
   for (int k = 0; k < PARAMETERS; k++) {
     struct um_thermal_history *h[2];
     double largest = 0.0, worst = 0.0;
@@ -206,8 +207,9 @@ static void refusals(void **state)
   box_open(&base, -1, 1.0, false, &table);
   box_open(&moved, 4, 1.00001, false, &table);
   struct um_thermal_variant variant = {moved.s.body->network, NULL, NULL, 1e-5, NULL};
+  const struct um_thermal_forcings forcings = {.variant = &variant, .nvariant = 1};
   assert_int_equal(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options,
-                                          NULL, 0.0, &time, 1, &variant, 1, NULL, keep, &kept),
+                                          NULL, 0.0, &time, 1, &forcings, NULL, keep, &kept),
                    UM_ERR_INPUT);
   assert_string_equal(um_core_message(help_context),
                       "heat sensitivity 0: the variant has other optics and the base's exchange "
@@ -216,7 +218,7 @@ static void refusals(void **state)
   moved.options.exchange = NULL;
   variant.options = &moved.options;
   assert_int_equal(um_thermal_sensitivity(help_context, base.s.body->network, NULL, &base.options,
-                                          NULL, 0.0, &time, 1, &variant, 1, NULL, keep, &kept),
+                                          NULL, 0.0, &time, 1, &forcings, NULL, keep, &kept),
                    UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(help_context), "in the base and not in the variant"));
   um_core_message_clear(help_context);
