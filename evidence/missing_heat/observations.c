@@ -157,9 +157,9 @@ void um_missing_heat_base_release(struct um_context *context, struct um_missing_
 
 struct taker {
   const struct um_missing_heat_base *base;
-  size_t nnode, nbin;
+  size_t nnode, nplace, nbin;
   const double *edge; /* [nbin + 1] */
-  double *column;     /* [nbin][nobservation] */
+  double *column;     /* [nplace][nbin][nobservation] */
   double *weight;     /* [nsurface] of the surfaces in their regions, sum 1, or 0 */
   double *sum;        /* [nregion] */
   double *gradient;   /* [nregion][nnode] d(mean of the region)/d(node) at this instant */
@@ -245,13 +245,31 @@ static double light_change(const struct taker *t, size_t row, const double *regi
   return sum;
 }
 
+/* The observations of one instant by the nodes' changes s[nnode], to column[nobservation]. */
+static void take_bin(struct taker *t, size_t observation, bool light, const double *s,
+                     double *column)
+{
+  const struct um_missing_heat_base *base = t->base;
+  const struct um_sensitivity_forward *f = base->forward;
+  double share = 1.0 / (double)base->variant.precomputed->nsub, *mean = t->sum;
+  for (size_t g = 0; g < base->nregion && light; g++) {
+    mean[g] = 0.0;
+    for (size_t i = 0; i < t->nnode; i++) mean[g] += t->gradient[g * t->nnode + i] * s[i];
+  }
+  for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++) {
+    size_t row = base->row[i];
+    column[row] +=
+        share * (is_light(f, row) ? light_change(t, row, mean)
+                                  : temperature_change(base, row, s) / f->observations.sigma[row]);
+  }
+}
+
 static enum um_status take(void *user, size_t k, const double *temperature, const double *response)
 {
   struct taker *t = user;
   const struct um_missing_heat_base *base = t->base;
   const struct um_sensitivity_forward *f = base->forward;
   size_t observation = k / base->variant.precomputed->nsub;
-  double share = 1.0 / (double)base->variant.precomputed->nsub;
   bool light = false;
   for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++)
     light |= is_light(f, base->row[i]);
@@ -259,50 +277,40 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
     weigh(t, k);
     differentiate(t, temperature);
   }
-  for (size_t b = 0; b < t->nbin && t->edge[b] < base->variant.precomputed->sample[k].t_tai; b++) {
-    const double *s = response + b * t->nnode;
-    double *mean = t->sum;
-    for (size_t g = 0; g < base->nregion && light; g++) {
-      mean[g] = 0.0;
-      for (size_t i = 0; i < t->nnode; i++) mean[g] += t->gradient[g * t->nnode + i] * s[i];
-    }
-    for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++) {
-      size_t row = base->row[i];
-      t->column[b * f->observations.count + row] +=
-          share * (is_light(f, row)
-                       ? light_change(t, row, mean)
-                       : temperature_change(base, row, s) / f->observations.sigma[row]);
-    }
-  }
+  for (size_t p = 0; p < t->nplace; p++)
+    for (size_t b = 0; b < t->nbin && t->edge[b] < base->variant.precomputed->sample[k].t_tai; b++)
+      take_bin(t, observation, light, response + (p * t->nbin + b) * t->nnode,
+               t->column + (p * t->nbin + b) * base->forward->observations.count);
   return UM_OK;
 }
 
 enum um_status um_missing_heat_columns(struct um_context *context,
                                        const struct um_missing_heat_base *base,
-                                       const struct um_missing_heat_place *place, size_t nbin,
-                                       const double *edge, double *column)
+                                       const struct um_missing_heat_place *place, size_t nplace,
+                                       size_t nbin, const double *edge, double *column)
 {
   enum um_status status;
   struct taker t = {.base = base,
                     .nnode = um_thermal_network_nodes(base->variant.model->body->network),
+                    .nplace = nplace,
                     .nbin = nbin,
                     .edge = edge,
                     .column = column};
   struct um_thermal_pulse *pulse = NULL;
-  memset(column, 0, nbin * base->forward->observations.count * sizeof *column);
+  memset(column, 0, nplace * nbin * base->forward->observations.count * sizeof *column);
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->variant.model->geometry)->nsurface,
                             sizeof *t.weight, &t.weight));
   UM_CHECK(um_core_allocate(context, base->nregion, sizeof *t.sum, &t.sum));
   UM_CHECK(um_core_allocate(context, base->nregion * t.nnode, sizeof *t.gradient, &t.gradient));
-  UM_CHECK(um_core_allocate(context, nbin, sizeof *pulse, &pulse));
-  for (size_t b = 0; b < nbin; b++)
-    pulse[b] = (struct um_thermal_pulse){.node = place->node,
-                                         .weight = place->weight,
-                                         .nnode = place->nnode,
-                                         .t_from = edge[b],
-                                         .t_to = edge[b + 1]};
-  UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, pulse, nbin, TOLERANCE,
-                                              take, &t));
+  UM_CHECK(um_core_allocate(context, nplace * nbin, sizeof *pulse, &pulse));
+  for (size_t k = 0; k < nplace * nbin; k++)
+    pulse[k] = (struct um_thermal_pulse){.node = place[k / nbin].node,
+                                         .weight = place[k / nbin].weight,
+                                         .nnode = place[k / nbin].nnode,
+                                         .t_from = edge[k % nbin],
+                                         .t_to = edge[k % nbin + 1]};
+  UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, pulse, nplace * nbin,
+                                              TOLERANCE, take, &t));
 done:
   um_core_free(context, t.weight);
   um_core_free(context, t.sum);

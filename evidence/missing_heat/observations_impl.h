@@ -33,12 +33,11 @@ enum um_status um_missing_heat_predict(struct um_context *context,
                                        const struct um_missing_heat_base *base,
                                        const struct um_model_result *result, double *out);
 
-/* Change of the observations per watt in each bin: column [nbin][nobservation] [sigma/W]; edge:
- * [nbin + 1] t_tai.
- */
+/* Change of the observations per watt in each bin of places[nplace], together along one run of
+ * heat: column [nplace][nbin][nobservation] [sigma/W]; edge: [nbin + 1] t_tai. */
 enum um_status um_missing_heat_columns(struct um_context *context,
                                        const struct um_missing_heat_base *base,
-                                       const struct um_missing_heat_place *place, size_t nbin,
-                                       const double *edge, double *column);
+                                       const struct um_missing_heat_place *place, size_t nplace,
+                                       size_t nbin, const double *edge, double *column);
 
 #endif

@@ -41,7 +41,7 @@ struct search {
   size_t nplace;
   struct um_inference_projection projection;
   double *residual; /* [nleft] */
-  double *column;   /* [nbin_max][nobservation] */
+  double *column;   /* [UM_MISSING_HEAT_TOGETHER][nbin][nobservation] */
   size_t nobs;
   double *t;                           /* [nobs] at the satellite */
   size_t *edge;                        /* [nbin + 1] of the observations */
@@ -108,14 +108,21 @@ static enum um_status find_edges(struct um_context *context, struct search *s)
   return UM_OK;
 }
 
-static enum um_status bins_of(struct um_context *context, struct search *s, size_t place,
-                              size_t nbin, const double *edge, struct um_missing_heat_bins *out)
+/* Columns of `count` places from `first` on. */
+static enum um_status columns_make(struct um_context *context, struct search *s, size_t first,
+                                   size_t count, size_t nbin, const double *edge)
 {
-  UM_TRY(um_core_reallocate(context, nbin * s->base.forward->observations.count, sizeof *s->column,
-                            &s->column));
-  UM_TRY(um_missing_heat_columns(context, &s->base, &s->place[place], nbin, edge, s->column));
-  return um_missing_heat_bins_create(context, &s->projection, s->residual, nbin, edge, s->column,
-                                     out);
+  UM_TRY(um_core_reallocate(context, count * nbin * s->base.forward->observations.count,
+                            sizeof *s->column, &s->column));
+  return um_missing_heat_columns(context, &s->base, &s->place[first], count, nbin, edge, s->column);
+}
+
+/* Bins of place number `at` of those. */
+static enum um_status bins_make(struct um_context *context, struct search *s, size_t at,
+                                size_t nbin, const double *edge, struct um_missing_heat_bins *out)
+{
+  const double *column = s->column + at * nbin * s->base.forward->observations.count;
+  return um_missing_heat_bins_create(context, &s->projection, s->residual, nbin, edge, column, out);
 }
 
 static void take_pulse(const struct um_missing_heat_bins *bins,
@@ -130,16 +137,15 @@ static void take_pulse(const struct um_missing_heat_bins *bins,
   heat->energy_sigma = pulse->energy_sigma;
 }
 
-/* Best pulse and history of a place, on the bins of the first search. */
+/* Best pulse and history of a place, on the bins of the first search, whose columns are made. */
 static enum um_status look(struct um_context *context, struct search *s, size_t place,
                            struct um_missing_heat *heat)
 {
   enum um_status status;
   struct um_missing_heat_bins bins = {0};
   s->origin[place] = place;
-  for (size_t b = 0; b <= s->nbin; b++) s->time[b] = s->t[s->edge[b]];
   UM_CHECK(um_core_strdup(context, s->place[place].name, &heat->place));
-  UM_CHECK(bins_of(context, s, place, s->nbin, s->time, &bins));
+  UM_CHECK(bins_make(context, s, place % UM_MISSING_HEAT_TOGETHER, s->nbin, s->time, &bins));
   um_missing_heat_pulse_find(&bins, &s->pulse[place]);
   take_pulse(&bins, &s->pulse[place], heat);
   heat->nbin = s->nbin;
@@ -178,7 +184,8 @@ static enum um_status look_again(struct um_context *context, struct search *s,
   want(s, first->to);
   for (size_t k = 0; k < s->nobs; k++)
     if (s->wanted[k]) s->time[n++] = s->t[k];
-  UM_CHECK(bins_of(context, s, place, n - 1, s->time, &bins));
+  UM_CHECK(columns_make(context, s, place, 1, n - 1, s->time));
+  UM_CHECK(bins_make(context, s, 0, n - 1, s->time, &bins));
   um_missing_heat_pulse_find(&bins, &pulse);
   double width = heat->t[1] - heat->t[0];
   pulse.start_sigma =
@@ -232,10 +239,16 @@ static enum um_status look_everywhere(struct um_context *context, struct search 
 {
   enum um_status status = UM_OK;
   um_core_progress_begin(context, "looking for missing heat", s->nplace);
+  for (size_t b = 0; b <= s->nbin; b++) s->time[b] = s->t[s->edge[b]];
   for (size_t p = 0; p < s->nplace && status == UM_OK; p++) {
-    out->nheat = p + 1;
+    size_t left = s->nplace - p;
     um_core_quiet_begin(context);
-    status = look(context, s, p, &out->heat[p]);
+    if (p % UM_MISSING_HEAT_TOGETHER == 0)
+      status = columns_make(context, s, p,
+                            left < UM_MISSING_HEAT_TOGETHER ? left : UM_MISSING_HEAT_TOGETHER,
+                            s->nbin, s->time);
+    out->nheat = p + 1;
+    if (status == UM_OK) status = look(context, s, p, &out->heat[p]);
     um_core_quiet_end(context);
     if (status == UM_OK) status = um_core_progress_step(context, 1);
   }

@@ -149,7 +149,7 @@ static void test_columns(void **state)
     assert_int_equal(nplace, 8); /* six walls, an interior, a panel */
     while (strcmp(place[at].name, p.place) != 0) assert_true(++at < nplace);
     const double edge[2] = {day0() + p.from, day0() + p.to};
-    assert_ok(um_missing_heat_columns(context, &base, &place[at], 1, edge, column));
+    assert_ok(um_missing_heat_columns(context, &base, &place[at], 1, 1, edge, column));
     for (size_t j = 0; j < f->observations.count; j++) {
       double change = (f->observations.measured[j] - value[j]) / f->observations.sigma[j];
       most = fmax(most, fabs(change));
