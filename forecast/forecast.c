@@ -124,8 +124,9 @@ enum um_status um_forecast_open(struct um_context *context, const struct um_fore
 static enum um_status prepare(struct um_context *context, struct held *h)
 {
   struct um_forecast *f = &h->forecast;
+  const struct um_variant_error asked = {1e-3, 1e-3, 0.1}; /* of the heat that others start from */
   const struct um_variant_settings settings = {.instants = &h->instant,
-                                               .base = {6.0, 0.02}}; /* where others start */
+                                               .base = um_variant_tolerance_asked(&asked, NULL)};
   UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));

@@ -8,11 +8,11 @@
 #include "model/run/run.h"
 #include "orbit/time.h"
 
-/* Of a pass, whose means are asked to 0.1 K and whose light is to 1e-3 of its brightest; with
- * sparse loads ENVISAT's 21 passes have 0.06 K, in LWIR 7e-4 and in VIS 5e-4. A part that turns
+/* Means of a pass are asked to 0.1 K, its light to 1e-3 of its brightest. Tolerances for 0.2 K with
+ * sparse loads leave 0.06 K of ENVISAT's 21 passes, 7e-4 in LWIR and 5e-4 in VIS. A part that turns
  * into the shadow of another is up to 0.2 K off at an instant, as rows of the loads are 3 s apart.
  */
-static const struct um_variant_tolerance tolerance = {12.0, 0.05};
+static const struct um_variant_error asked = {1e-3, 1e-3, 0.2};
 
 static enum um_status pin(struct um_context *context, struct um_forecast_work *work,
                           const char *key)
@@ -165,7 +165,7 @@ enum um_status um_forecast_compute(struct um_context *context, void *user, const
   const struct um_forecast_work *work = user;
   const bool periodic = work->model->scenario->thermal->start == UM_START_PERIODIC;
   const struct um_variant_heat heat = {.start = periodic ? UM_VARIANT_WARM : UM_VARIANT_COLD,
-                                       .tolerance = tolerance};
+                                       .tolerance = um_variant_tolerance_asked(&asked, NULL)};
   const struct um_model_instants own_window = {.sparse = periodic};
   struct um_variant v = {0};
   struct um_model_result *result = NULL;

@@ -200,13 +200,14 @@ struct umbra_variants;
 
 struct umbra_variants_settings {
   size_t size;
-  int exact;            /* not 0: heat of each as umbra_run has it; else to temperature_K */
-  double temperature_K; /* of the state that repeats; 0: 0.02 */
+  int exact;            /* not 0: heat of each as umbra_run has it; else to the errors below */
+  double temperature_K; /* error asked of temperatures; 0: 0.1 */
   size_t memory;        /* that kept geometries may take [bytes]; 0: 1 GiB */
+  double light;         /* error asked of light, of its value; 0: 1e-3 */
 };
 #define UMBRA_VARIANTS_SETTINGS                                                                    \
   {                                                                                                \
-    sizeof(struct umbra_variants_settings), 0, 0.0, 0                                              \
+    sizeof(struct umbra_variants_settings), 0, 0.0, 0, 0.0                                         \
   }
 
 /* Nothing is computed before a variant asks for it. settings: NULL for the defaults.

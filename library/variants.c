@@ -8,8 +8,8 @@
 #include "library/variants_impl.h"
 #include "model/build/effect_files.h"
 
-#define TEMPERATURE 0.02 /* of the state that repeats, unless it is said [K] */
-#define FACTOR      6.0  /* on tolerances of the integration, with that */
+#define LIGHT       1e-3 /* asked error, unless it is said [1] */
+#define TEMPERATURE 0.1  /* [K] */
 
 struct umbra_variants *um_library_variants_share(struct umbra_variants *variants)
 {
@@ -45,11 +45,15 @@ static enum um_status take_settings(struct um_context *context,
   if (!(s.temperature_K >= 0.0 && s.temperature_K <= 10.0))
     return um_core_fail(context, UM_ERR_INPUT, "temperature_K %g; accepted: 0 to 10 K",
                         s.temperature_K);
-  *settings = (struct um_variant_settings){
-      .base = {1.0, UM_MODEL_PERIODIC_TOLERANCE}, .photons = true, .bytes = s.memory};
+  if (!(s.light >= 0.0 && s.light <= 1.0))
+    return um_core_fail(context, UM_ERR_INPUT, "light %g; accepted: 0 to 1", s.light);
+  double light = s.light > 0.0 ? s.light : LIGHT;
+  const struct um_variant_error asked = {light, light,
+                                         s.temperature_K > 0.0 ? s.temperature_K : TEMPERATURE};
+  *settings =
+      (struct um_variant_settings){.base = UM_VARIANT_TIGHT, .photons = true, .bytes = s.memory};
   heat->start = s.exact != 0 ? UM_VARIANT_COLD : UM_VARIANT_WARM;
-  heat->tolerance.factor = FACTOR;
-  heat->tolerance.periodic = s.temperature_K > 0.0 ? s.temperature_K : TEMPERATURE;
+  heat->tolerance = um_variant_tolerance_asked(&asked, NULL);
   return UM_OK;
 }
 

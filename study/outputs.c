@@ -77,10 +77,11 @@ enum um_status um_study_outputs_make(struct um_context *context, struct um_study
   return um_study_limits_check(context, study);
 }
 
-enum um_status um_study_outputs_take(struct um_context *context, const struct um_study *study,
+enum um_status um_study_outputs_take(struct um_context *context, const void *user,
                                      const struct um_model *model,
                                      const struct um_model_result *result, double *value)
 {
+  const struct um_study *study = user;
   for (size_t q = 0; q < study->noutput; q++) {
     const struct um_study_output *output = &study->output[q];
     double *to = value + q * study->ntime;
@@ -108,32 +109,28 @@ enum um_status um_study_outputs_take(struct um_context *context, const struct um
   return UM_OK;
 }
 
-double um_study_asked(const struct um_study *study, size_t output)
+static double asked(const struct um_study_file_error *error, enum um_study_wanted kind)
 {
-  const struct um_study_file_error *error = study->file->error;
-  switch (study->output[output].kind) {
-  case UM_STUDY_TEMPERATURE:
-    return error->temperature_K;
-  case UM_STUDY_MAGNITUDE:
-    return UM_POGSON * error->light;
-  case UM_STUDY_IRRADIANCE:
-    break;
-  }
-  return error->light;
+  if (kind == UM_STUDY_TEMPERATURE) return error->temperature_K;
+  return kind == UM_STUDY_MAGNITUDE ? UM_POGSON * error->light : error->light;
 }
 
-void um_study_differences(const struct um_study *study, const double *a, const double *b,
-                          double *largest)
+enum um_status um_study_curves_make(struct um_context *context, struct um_study *study)
 {
-  for (size_t q = 0; q < study->noutput; q++) {
-    bool relative = study->output[q].kind == UM_STUDY_IRRADIANCE;
-    largest[q] = 0.0;
-    for (size_t k = q * study->ntime; k < (q + 1) * study->ntime; k++) {
-      double unit = relative ? fmax(fabs(b[k]), UM_STUDY_FLOOR * study->scale[q]) : 1.0;
-      if (isnan(a[k]) && isnan(b[k])) continue;
-      double difference = fabs(a[k] - b[k]);
-      if (difference == 0.0) continue; /* where nothing shines, unit may be 0 */
-      largest[q] = isnan(difference) ? (double)INFINITY : fmax(largest[q], difference / unit);
-    }
-  }
+  UM_TRY(um_core_allocate(context, study->noutput, sizeof *study->curve, &study->curve));
+  for (size_t q = 0; q < study->noutput; q++)
+    study->curve[q] =
+        (struct um_variant_curve){.count = study->ntime,
+                                  .relative = study->output[q].kind == UM_STUDY_IRRADIANCE,
+                                  .floor = UM_STUDY_FLOOR * study->scale[q],
+                                  .asked = asked(study->file->error, study->output[q].kind)};
+  study->curves = (struct um_variant_curves){.evaluator = study->evaluator,
+                                             .base = &study->base,
+                                             .curve = study->curve,
+                                             .ncurve = study->noutput,
+                                             .nvalue = study->nvalue,
+                                             .nominal = study->nominal,
+                                             .take = um_study_outputs_take,
+                                             .user = study};
+  return UM_OK;
 }

@@ -19,7 +19,7 @@
 static enum um_status identify(struct um_context *context, struct um_study *study)
 {
   uint64_t ways = UM_CORE_DIGEST_BEGIN, outputs = UM_CORE_DIGEST_BEGIN;
-  const double tolerance[] = {study->tolerance.factor, study->tolerance.periodic};
+  const double tolerance[] = {study->accuracy.tolerance.factor, study->accuracy.tolerance.periodic};
   for (size_t i = 0; i < study->nway; i++) {
     const struct um_study_way *w = &study->way[i];
     const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
@@ -145,7 +145,7 @@ static enum um_status grow(struct um_context *context, const struct um_study *st
   UM_CHECK(um_core_allocate(context, r->nquantity, sizeof *group, &group));
   for (size_t q = 0; q < r->nquantity; q++) {
     bool relative = study->output[q].kind == UM_STUDY_IRRADIANCE;
-    double asked = um_study_asked(study, q);
+    double asked = study->curve[q].asked;
     group[q] = (struct um_uncertainty_group){.name = r->quantity[q].name,
                                              .first = r->quantity[q].first,
                                              .count = r->quantity[q].count,
@@ -210,7 +210,7 @@ static enum um_status describe_quantities(struct um_context *context, const stru
     to->first = q * study->ntime;
     to->count = study->ntime;
     to->light = from->kind != UM_STUDY_TEMPERATURE;
-    r->error[q] = study->measured[q];
+    r->error[q] = study->accuracy.error != NULL ? study->accuracy.error[q] : 0.0;
   }
   return UM_OK;
 }

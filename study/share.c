@@ -38,8 +38,8 @@ static enum um_status check_light(struct um_context *context, const struct um_st
   const struct um_mark *at = &study->way[i].file->at;
   UM_TRY(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
   for (int e = 0; e < 2; e++)
-    UM_CHECK(
-        um_study_values(context, study, &end[e].variant, false, value + (size_t)e * study->nvalue));
+    UM_CHECK(um_variant_values(context, &study->curves, &study->accuracy, &end[e].variant,
+                               value + (size_t)e * study->nvalue));
   if (memcmp(value, value + study->nvalue, study->nvalue * sizeof *value) == 0)
     status = um_document_mark_fail(
         context, at,

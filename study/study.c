@@ -27,8 +27,7 @@ static enum um_status find_ways(struct um_context *context, struct um_study *stu
 /* The scenario as it stands, with the time that it takes. */
 static enum um_status solve_nominal(struct um_context *context, struct um_study *study)
 {
-  const struct um_variant_settings settings = {.base = {1.0, UM_MODEL_PERIODIC_TOLERANCE},
-                                               .photons = true};
+  const struct um_variant_settings settings = {.base = UM_VARIANT_TIGHT, .photons = true};
   const struct um_variant *base = &study->base;
   struct um_model_result *result = NULL;
   double begin = omp_get_wtime();
@@ -59,13 +58,12 @@ static enum um_status make_nominal(struct um_context *context, struct um_study *
         study->noutput, study->ntime, time->step_s, UM_STUDY_VALUES_MAX);
   UM_TRY(um_core_allocate(context, study->nvalue, sizeof(double), &study->nominal));
   UM_TRY(um_core_allocate(context, study->noutput, sizeof(double), &study->scale));
-  UM_TRY(um_core_allocate(context, study->noutput, sizeof(double), &study->measured));
   UM_TRY(solve_nominal(context, study));
   for (size_t q = 0; q < study->noutput; q++)
     for (size_t k = q * study->ntime; k < (q + 1) * study->ntime; k++)
       if (!isnan(study->nominal[k]))
         study->scale[q] = fmax(study->scale[q], fabs(study->nominal[k]));
-  return UM_OK;
+  return um_study_curves_make(context, study);
 }
 
 /* Whose measurements; what cannot be read is refused before hours of work. */
@@ -95,6 +93,9 @@ static enum um_status find_measurements(struct um_context *context, const char *
 static enum um_status prepare(struct um_context *context, const char *path, struct um_study *study)
 {
   UM_TRY(um_study_file_read(context, path, &study->document, &study->file));
+  const struct um_study_file_error *error = study->file->error;
+  const struct um_variant_error asked = {error->light, error->light, error->temperature_K};
+  study->accuracy.tolerance = um_variant_tolerance_asked(&asked, NULL); /* until it is measured */
   UM_TRY(um_core_path_resolve(context, path, study->file->scenario, &study->scenario));
   UM_TRY(find_measurements(context, path, study));
   UM_TRY(um_core_files_hold(context));
@@ -119,7 +120,6 @@ enum um_status um_study_create(struct um_context *context, const char *path,
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *study, &study));
   study->options = *options;
-  study->tolerance = (struct um_variant_tolerance){6.0, 0.02};
   enum um_status status = prepare(context, path, study);
   if (status != UM_OK) um_study_destroy(context, &study);
   *out = study;
@@ -140,9 +140,8 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_core_free(context, s->output);
   um_core_free(context, s->nominal);
   um_core_free(context, s->scale);
-  um_core_free(context, s->looseness);
-  um_core_free(context, s->taken_off);
-  um_core_free(context, s->measured);
+  um_core_free(context, s->curve);
+  um_variant_accuracy_release(context, &s->accuracy);
   um_core_free(context, s->scenario);
   um_core_free(context, s->measurements);
   um_document_destroy(&s->document);

@@ -6,7 +6,7 @@
 #include "study/identity.h"
 #include "study/parameter_impl.h"
 #include "study/study.h"
-#include "variant/evaluator.h"
+#include "variant/accuracy.h"
 
 /* What is wanted of a point. */
 enum um_study_wanted { UM_STUDY_IRRADIANCE, UM_STUDY_MAGNITUDE, UM_STUDY_TEMPERATURE };
@@ -29,32 +29,27 @@ struct um_study {
   struct um_study_identity *identity; /* of the scenario; of the points once they are run */
   struct um_study_way *way;           /* [nway] */
   size_t nway;
-  bool *moves_geometry, *moves_heat; /* [nway] */
-  struct um_study_output *output;    /* [noutput] */
-  size_t noutput, ntime, nvalue;     /* nvalue: noutput curves of ntime */
-  double *nominal;                   /* [nvalue]; NaN: nothing is seen */
-  double *scale;                     /* [noutput] largest of the nominal curve */
-  double *looseness;                 /* [nvalue] what loose tolerances take from the nominal's
-                                        curves, of light a factor; NULL: not known (point.c) */
-  double *taken_off;                 /* [noutput] the largest of it, as differences are [1], [K] */
-  double *measured;                  /* [noutput] error of a point by its tolerances, as measured */
-  struct um_variant_tolerance tolerance; /* of a point's heat (tolerance.c) */
-  size_t lost;                           /* by the batch */
-  double seconds_run; /* wall time of the nominal's geometry, heat and light [s] */
+  bool *moves_geometry, *moves_heat;   /* [nway] */
+  struct um_study_output *output;      /* [noutput] */
+  size_t noutput, ntime, nvalue;       /* nvalue: noutput curves of ntime */
+  double *nominal;                     /* [nvalue]; NaN: nothing is seen */
+  double *scale;                       /* [noutput] largest of the nominal curve */
+  struct um_variant_curve *curve;      /* [noutput] */
+  struct um_variant_curves curves;     /* of a point */
+  struct um_variant_accuracy accuracy; /* of a point's heat (tolerance.c) */
+  size_t lost;                         /* by the batch */
+  double seconds_run;                  /* wall time of the nominal's geometry, heat and light [s] */
 };
 
 /* --- outputs.c --- */
 /* Which curves; the nominal model is built. UM_ERR_INPUT: no such band or place. */
 enum um_status um_study_outputs_make(struct um_context *context, struct um_study *study);
-/* From a run to value [nvalue]; what is not finite is NaN. */
-enum um_status um_study_outputs_take(struct um_context *context, const struct um_study *study,
+/* The same with what is asked of them; the nominal curves are known. */
+enum um_status um_study_curves_make(struct um_context *context, struct um_study *study);
+/* From a run to value [nvalue]; what is not finite is NaN. user: the study. */
+enum um_status um_study_outputs_take(struct um_context *context, const void *user,
                                      const struct um_model *model,
                                      const struct um_model_result *result, double *value);
-/* Asked error of an output at a value of its curve, and largest difference of two points over it
- * [noutput], in units of light: relative, else of the output. */
-double um_study_asked(const struct um_study *study, size_t output);
-void um_study_differences(const struct um_study *study, const double *a, const double *b,
-                          double *largest);
 
 /* --- limits.c --- */
 /* UM_ERR_INPUT with file and line: a limit of what is not among the outputs. */
@@ -72,13 +67,6 @@ enum um_status um_study_point(struct um_context *context, void *user, const doub
 enum um_status um_study_open(struct um_context *context, const struct um_study *study,
                              const struct um_study_way *way, size_t nway, const double *value,
                              struct um_variant *out);
-/* Values of an open variant: heat from the nominal's with the study's tolerance, or tight, with the
- * scenario's own. */
-enum um_status um_study_values(struct um_context *context, const struct um_study *study,
-                               struct um_variant *variant, bool tight, double *value);
-/* What the tolerances as they are now do to the scenario as it stands, into looseness and
- * taken_off. */
-enum um_status um_study_looseness(struct um_context *context, struct um_study *study);
 
 /* --- accepts.c --- */
 /* um_batch_accepts, whose user is the study: temperatures are above 0 K, light is finite and not

@@ -1,7 +1,4 @@
-/* Tolerances of the points' heat. A factor on the scenario's own saves most of an integration; what
- * it costs in accuracy is measured, not guessed: at the upper ends of all ranges a point is
- * computed both ways. What they do to the scenario as it stands is taken off every point (point.c),
- * so that little is left of it. */
+/* Tolerances of the points' heat, measured at the upper ends of all ranges (variant/accuracy.h). */
 #include <math.h>
 
 #include "study/study_impl.h"
@@ -11,16 +8,6 @@
  * tighter tolerances cost; its held-out points then agree within half of the asked error. */
 #define SHARE           0.5
 #define SHARE_SURROGATE 0.3
-
-/* Of what is taken off a point, left elsewhere than where it is measured. */
-#define SHARE_LEFT 0.2
-
-/* Looser ones do not pay: steps of an integration are then as long as loads are smooth over. */
-static const struct um_variant_tolerance choices[] = {{12.0, 0.05},
-                                                      {6.0, 0.02},
-                                                      {3.0, UM_MODEL_PERIODIC_TOLERANCE},
-                                                      {1.0, UM_MODEL_PERIODIC_TOLERANCE}};
-#define CHOICES (sizeof choices / sizeof choices[0])
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
 static enum um_status corner_open(struct um_context *context, const struct um_study *study,
@@ -53,55 +40,22 @@ static bool any_heat(const struct um_study *study)
   return false;
 }
 
-static bool good_enough(const struct um_study *study)
-{
-  double share = study->file->mode == UM_STUDY_SURROGATE ? SHARE_SURROGATE : SHARE;
-  for (size_t q = 0; q < study->noutput; q++)
-    if (!(study->measured[q] <= share * um_study_asked(study, q))) return false;
-  return true;
-}
-
-/* What the tolerances chosen leave of a variant whose values with the scenario's own are
- * own[nvalue]; value [nvalue] is scratch. */
-static enum um_status measure(struct um_context *context, struct um_study *study,
-                              struct um_variant *variant, const double *own, double *value)
-{
-  UM_TRY(um_study_looseness(context, study));
-  UM_TRY(um_study_values(context, study, variant, false, value));
-  um_study_differences(study, value, own, study->measured);
-  for (size_t q = 0; q < study->noutput; q++)
-    study->measured[q] += SHARE_LEFT * study->taken_off[q];
-  return UM_OK;
-}
-
 enum um_status um_study_tolerance(struct um_context *context, struct um_study *study)
 {
   enum um_status status = UM_OK;
+  const struct um_variant_error any = {INFINITY, INFINITY, INFINITY};
+  double share = study->file->mode == UM_STUDY_SURROGATE ? SHARE_SURROGATE : SHARE;
   struct um_variant corner = {0};
-  double *value = NULL, *own;
-  study->tolerance = choices[0];
+  study->accuracy.tolerance = um_variant_tolerance_asked(&any, NULL);
   if (!any_heat(study)) return UM_OK;
-  UM_CHECK(um_core_allocate(context, 2 * study->nvalue, sizeof *value, &value));
-  own = value + study->nvalue;
   UM_CHECK(corner_open(context, study, &corner));
   /* what two parameters do together may need another geometry though neither does alone */
-  if (corner.precomputed != study->base.precomputed) {
-    study->tolerance = choices[CHOICES - 1];
-    goto done;
-  }
-  UM_CHECK(um_study_values(context, study, &corner, true, own));
-  for (size_t i = 0; i < CHOICES; i++) {
-    study->tolerance = choices[i];
-    status = measure(context, study, &corner, own, value);
-    if (status == UM_ERR_NUMERIC && i + 1 < CHOICES) { /* too loose to find a state that repeats */
-      um_core_message_clear(context);
-      continue;
-    }
-    UM_CHECK(status);
-    if (good_enough(study)) break;
-  }
+  if (corner.precomputed != study->base.precomputed)
+    study->accuracy.tolerance = UM_VARIANT_TIGHT;
+  else
+    UM_CHECK(
+        um_variant_accuracy_measure(context, &study->curves, share, &corner, &study->accuracy));
 done:
   um_variant_close(context, &corner);
-  um_core_free(context, value);
   return status;
 }

@@ -31,9 +31,7 @@ struct um_sensitivity_forward {
   struct um_sensitivity_forward_cache *cache; /* private */
 };
 
-/* What `tolerance_factor` may well be: on the ENVISAT pass observations of 1 % move by 0.007 sigma
- * at most, an evaluation repeats to 0.004 sigma, and heat costs half. */
-#define UM_SENSITIVITY_TOLERANCE_FACTOR 6.0
+#define UM_SENSITIVITY_TOLERANCE_FACTOR UM_VARIANT_FACTOR
 /* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
  * compare does (um_compare_refine), for every variant (plan->sampling): all look at the body with
  * the same points, and differences between them are smooth. forward->samples says what was used.

@@ -1,6 +1,6 @@
 /* Numbers of sensitivity/ that decide which candidates are alive and where their search begins:
  * unit, and where each comes from. HAND and LAB mean what evidence/diagnosis/policy.h says. The
- * tolerance of evaluations is derived in evidence/sensitivity/forward.h, the share of a step that
+ * tolerance of evaluations is derived in variant/tolerance.h, the share of a step that
  * temperatures are moved by in evidence/sensitivity/moves.c. */
 #ifndef UMBRA_SENSITIVITY_POLICY_H
 #define UMBRA_SENSITIVITY_POLICY_H

@@ -52,7 +52,7 @@ static void note_worst(const struct um_study *study, const double *value, const 
                        double *largest)
 {
   double worst[QUANTITIES];
-  um_study_differences(study, value, own, worst);
+  um_variant_differences(&study->curves, value, own, worst);
   for (size_t q = 0; q < study->noutput; q++) largest[q] = fmax(largest[q], worst[q]);
 }
 
@@ -80,7 +80,7 @@ static void report(struct bench *bench, const struct um_study *study,
   char name[80];
   for (size_t q = 0; q < study->noutput; q++) {
     const char *unit = study->output[q].kind == UM_STUDY_TEMPERATURE ? "K" : "1";
-    double asked = um_study_asked(study, q);
+    double asked = study->curve[q].asked;
     snprintf(name, sizeof name, "stated of %.40s over asked", study->output[q].of);
     bench_number(bench, name, unit, r->error[q], asked, 1.0);
     snprintf(name, sizeof name, "surrogate from runs, %.40s, over stated", study->output[q].of);
@@ -107,7 +107,7 @@ int main(int argc, char **argv)
   if (study->noutput > QUANTITIES) return 1;
   double preparing = bench_cpu() - begin;
   bench_must(&bench, um_study_run(bench.context, study, &result));
-  double all = bench_cpu() - begin, surrogate_factor = study->tolerance.factor;
+  double all = bench_cpu() - begin, surrogate_factor = study->accuracy.tolerance.factor;
   study->file->mode = UM_STUDY_EXACT;
   bench_must(&bench, um_study_tolerance(bench.context, study));
   um_study_records_remove(bench.context, records);
@@ -118,7 +118,7 @@ int main(int argc, char **argv)
   bench_number(&bench, "of it the scenario as it stands", "s", preparing, own, NAN);
   bench_number(&bench, "points solved for it", "1", (double)result->exact, NAN, NAN);
   bench_number(&bench, "factor on their tolerances", "1", surrogate_factor, NAN, NAN);
-  bench_number(&bench, "and of an exact study", "1", study->tolerance.factor, NAN, NAN);
+  bench_number(&bench, "and of an exact study", "1", study->accuracy.tolerance.factor, NAN, NAN);
   bench_time(&bench, "an exact point", "s", &point, &run, 0.1);
   report(&bench, study, result, &d);
   um_study_result_destroy(bench.context, &result);

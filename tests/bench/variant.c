@@ -1,10 +1,16 @@
 /* What a change of ENVISAT's pass costs over a run of its own from the model on, in processor time
- * of one thread. Some three minutes. */
+ * of one thread, and what looser tolerances leave of it over what is stated of them. Some four
+ * minutes. */
+#include <math.h>
+#include <stdio.h>
+
 #include "effects/effects.h"
+#include "model/build/bands.h"
 #include "model/build/build.h"
 #include "model/run/run.h"
 #include "tests/bench/bench.h"
 #include "variant/evaluator.h"
+#include "variant/tolerance_impl.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
 #define DAY      86400.0
@@ -78,12 +84,53 @@ static double change(const struct bench *bench, struct um_variant_evaluator *eva
   return seconds;
 }
 
+/* Largest differences of temperatures and of LWIR, of its value or a hundredth of the largest. */
+static void difference(const struct um_model_result *a, const struct um_model_result *b,
+                       size_t band, double *temperature, double *lwir)
+{
+  double most = 0.0;
+  for (size_t p = 0; p < a->nplace; p++)
+    for (size_t k = 0; k < a->nobs; k++)
+      *temperature = fmax(*temperature, fabs(a->place[p].mean[k] - b->place[p].mean[k]));
+  for (size_t k = band; k < a->nobs * a->nband; k += a->nband) most = fmax(most, b->irradiance[k]);
+  for (size_t k = band; k < a->nobs * a->nband; k += a->nband)
+    *lwir = fmax(*lwir,
+                 fabs(a->irradiance[k] - b->irradiance[k]) / fmax(b->irradiance[k], 0.01 * most));
+}
+
+/* The scenario as it stands by each choice of tolerances. */
+static void tolerance_figures(struct bench *bench, struct um_variant_evaluator *evaluator,
+                              const struct um_variant *base)
+{
+  struct um_model_result *exact = NULL;
+  size_t band = um_model_band_find(base->model, "lwir");
+  bench_must(bench, um_variant_observe(bench->context, evaluator, base, &exact));
+  for (size_t i = 0; i < UM_VARIANT_CHOICES; i++) {
+    const struct um_variant_tolerance_choice *choice = &um_variant_tolerance_choices[i];
+    const struct um_variant_heat loose = {.start = UM_VARIANT_WARM, .tolerance = choice->tolerance};
+    struct um_variant v = *base;
+    struct um_model_result *result = NULL;
+    double temperature = 0.0, lwir = 0.0;
+    char name[80];
+    bench_must(bench, um_variant_heat_again(bench->context, evaluator, &loose, &v));
+    bench_must(bench, um_variant_observe(bench->context, evaluator, &v, &result));
+    difference(result, exact, band, &temperature, &lwir);
+    snprintf(name, sizeof name, "temperatures by %g times the tolerances",
+             choice->tolerance.factor);
+    bench_number(bench, name, "K", temperature, choice->leaves.temperature, 1.0);
+    snprintf(name, sizeof name, "LWIR by %g times the tolerances", choice->tolerance.factor);
+    bench_number(bench, name, "1", lwir, choice->leaves.lwir, 1.0);
+    um_model_result_destroy(bench->context, &result);
+    um_variant_close(bench->context, &v);
+  }
+  um_model_result_destroy(bench->context, &exact);
+}
+
 int main(int argc, char **argv)
 {
   struct bench bench;
   struct bench_series run = {{0}, 0}, cost[COSTS] = {{{0}, 0}};
-  const struct um_variant_settings settings = {.base = {1.0, UM_MODEL_PERIODIC_TOLERANCE},
-                                               .photons = true};
+  const struct um_variant_settings settings = {.base = UM_VARIANT_TIGHT, .photons = true};
   struct um_model *model = NULL;
   struct um_variant_evaluator *evaluator = NULL;
   struct um_variant base;
@@ -98,6 +145,7 @@ int main(int argc, char **argv)
   }
   for (size_t k = 0; k < COSTS; k++)
     bench_time(&bench, costs[k].name, "s", &cost[k], &run, costs[k].goal);
+  tolerance_figures(&bench, evaluator, &base);
   um_variant_evaluator_destroy(bench.context, &evaluator);
   um_model_destroy(bench.context, &model);
   return bench_end(&bench);

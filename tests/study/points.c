@@ -134,22 +134,22 @@ static void test_taken_off(void **state)
   world_clear(context);
   world_put(PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n");
   need(um_study_create(context, WORLD_STUDY, &options, &study));
-  study->tolerance = (struct um_variant_tolerance){1000.0, 0.01};
-  need(um_study_looseness(context, study));
+  study->accuracy.tolerance = (struct um_variant_tolerance){1000.0, 0.01};
+  need(um_variant_accuracy_bias(context, &study->curves, &study->accuracy));
   double *value = malloc(2 * study->nvalue * sizeof *value), *own = value + study->nvalue;
   assert_non_null(value);
   need(um_study_open(context, study, study->way, study->nway, parameter, &variant));
-  need(um_study_values(context, study, &variant, true, own));
-  known = study->looseness;
+  need(um_variant_values(context, &study->curves, NULL, &variant, own));
+  known = study->accuracy.correction;
   for (int taken = 0; taken < 2; taken++) {
-    study->looseness = taken ? known : NULL;
-    need(um_study_values(context, study, &variant, false, value));
-    um_study_differences(study, value, own, off[taken]);
+    study->accuracy.correction = taken ? known : NULL;
+    need(um_variant_values(context, &study->curves, &study->accuracy, &variant, value));
+    um_variant_differences(&study->curves, value, own, off[taken]);
   }
   for (size_t q = 1; q < 4; q++) {
-    print_message("loose: %.3g off, %.3g taken off, %.3g left\n", off[0][q], study->taken_off[q],
-                  off[1][q]);
-    assert_true(study->taken_off[q] > 0.0 && off[1][q] < 0.5 * off[0][q]);
+    print_message("loose: %.3g off, %.3g taken off, %.3g left\n", off[0][q],
+                  study->accuracy.bias[q], off[1][q]);
+    assert_true(study->accuracy.bias[q] > 0.0 && off[1][q] < 0.5 * off[0][q]);
   }
   free(value);
   um_variant_close(context, &variant);
