@@ -240,6 +240,38 @@ static void test_against_runs(void **state)
   um_irradiation_loads_destroy(help_context, &loads);
 }
 
+/* Power inside, moved by a watt, and the watt of a pulse all along, in one run: the same forcing.
+ * The pulse is listed after one that begins later. */
+static void test_beside_variants(void **state)
+{
+  (void)state;
+  struct um_irradiation_loads *loads = NULL, *own = NULL;
+  struct um_thermal_network *network = box(&loads), *moved = box(&own);
+  const uint32_t interior = INTERIOR;
+  const double one = 1.0, times[3] = {START, START + 500.0, START + 1000.0};
+  um_thermal_network_power_set(moved, INTERIOR, 1.0);
+  const struct um_thermal_variant variant = {moved, own, NULL, 1.0, NULL};
+  const struct um_thermal_pulse pulses[2] = {{&interior, &one, 1, START + 600.0, START + 700.0},
+                                             {&interior, &one, 1, START - 1.0, START + 2000.0}};
+  const struct um_thermal_forcings forcings = {&variant, 1, pulses, 2};
+  struct um_thermal_solve_options options = help_options(1e-8, 1e-6, 2.7);
+  struct kept kept = kept_create(3, 3, NODES);
+  OK(um_thermal_sensitivity(help_context, network, loads, &options, NULL, START, times, 3,
+                            &forcings, NULL, keep, &kept));
+  for (size_t i = 0; i < NODES; i++) {
+    double largest = at(&kept, 2, 0, INTERIOR);
+    for (size_t k = 0; k < 3; k++)
+      NEAR("the same watt", at(&kept, k, 2, i), at(&kept, k, 0, i), 1e-9 * largest);
+    NEAR("not begun", at(&kept, 1, 1, i), 0.0, 0.0);
+  }
+  assert_true(at(&kept, 2, 1, INTERIOR) > 0.09 * at(&kept, 2, 0, INTERIOR));
+  kept_free(&kept);
+  um_thermal_network_destroy(&network);
+  um_thermal_network_destroy(&moved);
+  um_irradiation_loads_destroy(help_context, &loads);
+  um_irradiation_loads_destroy(help_context, &own);
+}
+
 static enum um_status stop(void *user, size_t k, const double *temperature, const double *response)
 {
   (void)user, (void)k, (void)temperature, (void)response;
@@ -289,7 +321,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_single_node), cmocka_unit_test(test_inside),
       cmocka_unit_test(test_tolerance),   cmocka_unit_test(test_against_runs),
-      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_refused),     cmocka_unit_test(test_beside_variants),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
