@@ -123,8 +123,7 @@ int um_app_cases(struct um_context *context, const struct um_app_options *option
 done:
   um_core_folder_abort(&folder);
   um_variant_cases_destroy(context, &cases);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, out, name);
   if (status != UM_OK) return um_app_fail(context);
   return exceeded > 0 ? UM_APP_EXCEEDED : UM_APP_DONE;
 }

@@ -68,7 +68,6 @@ done:
   um_thermal_exchange_destroy(context, &exchange);
   um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, out, name);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -283,9 +283,6 @@ done:
   um_forecast_destroy(context, &forecast);
   for (size_t i = 0; station != NULL && i < options->nstation; i++)
     um_core_free(context, (void *)station[i].name);
-  um_core_free(context, station);
-  um_core_free(context, records);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, station, records, out, name);
   return status == UM_OK ? code : um_app_fail(context);
 }

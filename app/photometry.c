@@ -176,8 +176,7 @@ static enum um_status measure_stars(struct um_context *context,
   print_head();
   for (size_t i = 0; i < n; i++) print_row(frame_at(options, i / stars.n), &stars.of[i]);
 done:
-  um_core_free(context, stars.asked);
-  um_core_free(context, stars.of);
+  UM_FREE(context, stars.asked, stars.of);
   return status;
 }
 

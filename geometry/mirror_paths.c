@@ -267,12 +267,7 @@ enum um_status um_geometry_mirror_paths_create(
   paths = NULL;
 done:
   um_geometry_ray_counts_clear(context, &t.counts);
-  um_core_free(context, t.density);
-  um_core_free(context, t.each);
-  um_core_free(context, t.ray);
-  um_core_free(context, t.hit);
-  um_core_free(context, t.way);
-  um_core_free(context, t.end);
+  UM_FREE(context, t.density, t.each, t.ray, t.hit, t.way, t.end);
   um_geometry_mirror_paths_destroy(context, &paths);
   return status;
 }
@@ -282,10 +277,6 @@ void um_geometry_mirror_paths_destroy(struct um_context *context,
 {
   if (paths == NULL || *paths == NULL) return;
   um_geometry_mirror_sets_clear(context, &(*paths)->sets);
-  um_core_free(context, (*paths)->begin);
-  um_core_free(context, (*paths)->path);
-  um_core_free(context, (*paths)->sky_begin);
-  um_core_free(context, (*paths)->sky);
-  um_core_free(context, *paths);
+  UM_FREE(context, (*paths)->begin, (*paths)->path, (*paths)->sky_begin, (*paths)->sky, *paths);
   *paths = NULL;
 }

@@ -69,9 +69,7 @@ static enum um_status pass_create(const struct um_geometry_patch *patch, struct 
 static void pass_destroy(struct um_context *context, struct pass *pass)
 {
   um_geometry_edges_destroy(context, &pass->edges);
-  um_core_free(context, pass->length2);
-  um_core_free(context, pass->midpoint);
-  um_core_free(context, pass->marked);
+  UM_FREE(context, pass->length2, pass->midpoint, pass->marked);
 }
 
 static enum um_status add_midpoints(struct um_geometry_patch *patch, struct pass *pass)

@@ -33,8 +33,7 @@ enum um_status um_geometry_ray_counts_create(struct um_context *context,
 
 void um_geometry_ray_counts_clear(struct um_context *context, struct um_geometry_ray_counts *counts)
 {
-  um_core_free(context, counts->count);
-  um_core_free(context, counts->before);
+  UM_FREE(context, counts->count, counts->before);
 }
 
 void um_geometry_view_factor_rays(const struct um_geometry_mesh *mesh,

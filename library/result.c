@@ -77,11 +77,7 @@ void umbra_result_close(struct umbra_result **result)
   struct um_context *context = session->context;
   if (r->work != NULL) r->kind->release(context, r->work);
   for (size_t i = 0; i < r->nowned; i++) um_core_free(context, r->owned[i]);
-  um_core_free(context, r->owned);
-  um_core_free(context, (void *)r->citation.sentence);
-  um_core_free(context, (void *)r->citation.bibtex);
-  um_core_free(context, r->array);
-  um_core_free(context, r);
+  UM_FREE(context, r->owned, (void *)r->citation.sentence, (void *)r->citation.bibtex, r->array, r);
   *result = NULL;
   um_library_session_drop(&session);
 }

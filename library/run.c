@@ -22,8 +22,7 @@ static void run_release(struct um_context *context, void *work)
   um_model_result_destroy(context, &run->result);
   um_model_precomputed_destroy(context, &run->precomputed);
   um_library_model_drop(&run->model);
-  um_core_free(context, run->log);
-  um_core_free(context, run);
+  UM_FREE(context, run->log, run);
 }
 
 static enum um_status run_write(struct um_context *context, const struct umbra_result *result,

@@ -41,8 +41,7 @@ void um_materials_library_destroy(struct um_materials_library **library)
   struct um_context *context = (*library)->context;
   for (size_t i = 0; i < (*library)->count; i++)
     um_materials_record_destroy(&(*library)->records[i]);
-  um_core_free(context, (*library)->records);
-  um_core_free(context, *library);
+  UM_FREE(context, (*library)->records, *library);
   *library = NULL;
 }
 

@@ -106,7 +106,6 @@ enum um_status um_materials_measured_fill(struct um_context *context,
       }
     }
 done:
-  um_core_free(context, in.angle);
-  um_core_free(context, in.node);
+  UM_FREE(context, in.angle, in.node);
   return status;
 }

@@ -16,9 +16,7 @@ static const double DEFAULT_GAP = 10.0;    /* in median steps */
 void um_orbit_attitude_table_clear(struct um_context *context,
                                    struct um_orbit_attitude_table *table)
 {
-  um_core_free(context, table->path);
-  um_core_free(context, table->t);
-  um_core_free(context, table->q);
+  UM_FREE(context, table->path, table->t, table->q);
   *table = (struct um_orbit_attitude_table){0};
 }
 

@@ -46,10 +46,7 @@ enum um_status um_orbit_table_state(struct um_context *context, const struct um_
 
 void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *table)
 {
-  um_core_free(context, table->path);
-  um_core_free(context, table->t);
-  um_core_free(context, table->r);
-  um_core_free(context, table->v);
+  UM_FREE(context, table->path, table->t, table->r, table->v);
   *table = (struct um_orbit_table){0};
 }
 

@@ -197,8 +197,7 @@ static enum um_status write_lines(const struct cube *c)
   }
   status = UM_OK;
 done:
-  um_core_free(c->context, narrow);
-  um_core_free(c->context, wide);
+  UM_FREE(c->context, narrow, wide);
   return status;
 }
 

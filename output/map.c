@@ -177,7 +177,6 @@ enum um_status um_output_write_map_exr(struct um_context *context, const struct 
                                     .number = &step};
   UM_CHECK(um_output_write_planes(context, &planes, path));
 done:
-  um_core_free(context, names);
-  um_core_free(context, name);
+  UM_FREE(context, names, name);
   return status;
 }

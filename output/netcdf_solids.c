@@ -72,8 +72,6 @@ enum um_status um_output_netcdf_solids(const struct um_output_netcdf *w)
   UM_CHECK(um_output_netcdf_double(w, "solid_vertex_temperature", tv, 2, "K",
                                    "temperature inside solids", t));
 done:
-  um_core_free(w->context, xyz);
-  um_core_free(w->context, t);
-  um_core_free(w->context, node);
+  UM_FREE(w->context, xyz, t, node);
   return status;
 }

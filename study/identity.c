@@ -94,14 +94,12 @@ static enum um_status hold_view_factors(struct um_context *context, const struct
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(um_core_asprintf(context, &path, "%s/%s", folder, names[i]));
     UM_CHECK(um_core_file_read(context, path, LARGE, &text, &length));
-    um_core_free(context, text);
-    um_core_free(context, path);
+    UM_FREE(context, text, path);
     path = NULL;
   }
 done:
   um_core_listing_free(context, names, n);
-  um_core_free(context, path);
-  um_core_free(context, folder);
+  UM_FREE(context, path, folder);
   return status;
 }
 
@@ -142,8 +140,7 @@ done:
 void um_study_identity_destroy(struct um_context *context, struct um_study_identity **identity)
 {
   if (identity == NULL || *identity == NULL) return;
-  um_core_free(context, (*identity)->text);
-  um_core_free(context, *identity);
+  UM_FREE(context, (*identity)->text, *identity);
   *identity = NULL;
 }
 
@@ -257,8 +254,7 @@ static enum um_status check_list(struct um_context *context,
                    "no --resume",
                    folder, what);
 done:
-  um_core_free(context, path);
-  um_core_free(context, was);
+  UM_FREE(context, path, was);
   return status;
 }
 

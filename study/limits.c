@@ -111,8 +111,7 @@ enum um_status um_study_limits_write(struct um_context *context,
               probability[q->count], error[q->count]);
   }
 done:
-  um_core_free(context, work);
-  um_core_free(context, row);
+  UM_FREE(context, work, row);
   return status;
 }
 

@@ -101,8 +101,7 @@ static enum um_status on_grid(struct um_context *context, const struct um_study_
   for (size_t j = 0; j < GRID; j++) UM_CHECK(grid_line(context, r, s, j, place, value, file));
   s->last = s->first + (size_t)GRID * GRID - 1;
 done:
-  um_core_free(context, place);
-  um_core_free(context, value);
+  UM_FREE(context, place, value);
   return status;
 }
 

@@ -85,11 +85,7 @@ static enum um_status solve(struct um_context *context, const struct um_study *s
     reason[place[i].point] = why[i];
   }
 done:
-  um_core_free(context, place);
-  um_core_free(context, key);
-  um_core_free(context, sorted);
-  um_core_free(context, answer);
-  um_core_free(context, (void *)why);
+  UM_FREE(context, place, key, sorted, answer, (void *)why);
   return status;
 }
 
@@ -131,8 +127,7 @@ static enum um_status evaluate(struct um_context *context, void *user, const dou
     um_core_free(context, reason[i]);
   }
 done:
-  um_core_free(context, parameter);
-  um_core_free(context, (void *)reason);
+  UM_FREE(context, parameter, (void *)reason);
   return status;
 }
 

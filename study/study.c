@@ -134,17 +134,8 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_model_destroy(context, &s->model);
   um_study_identity_destroy(context, &s->identity);
   if (s->holds_files) um_core_files_let_go(context);
-  um_core_free(context, s->way);
-  um_core_free(context, s->moves_geometry);
-  um_core_free(context, s->moves_heat);
-  um_core_free(context, s->output);
-  um_core_free(context, s->nominal);
-  um_core_free(context, s->scale);
-  um_core_free(context, s->looseness);
-  um_core_free(context, s->taken_off);
-  um_core_free(context, s->measured);
-  um_core_free(context, s->scenario);
-  um_core_free(context, s->measurements);
+  UM_FREE(context, s->way, s->moves_geometry, s->moves_heat, s->output, s->nominal, s->scale,
+          s->looseness, s->taken_off, s->measured, s->scenario, s->measurements);
   um_document_destroy(&s->document);
   um_core_free(context, s);
   *study = NULL;

@@ -69,8 +69,7 @@ static enum um_status stage_grey(struct stage *s, double diffuse, double specula
   UM_CHECK(um_materials_library_read_file(s->context, s->library, path, overrides, 6));
   s->record = um_materials_library_find(s->library, "skin");
 done:
-  um_core_free(s->context, path);
-  um_core_free(s->context, folder);
+  UM_FREE(s->context, path, folder);
   return status;
 }
 
@@ -131,9 +130,7 @@ static void stage_end(struct stage *s)
 {
   um_optics_lightcurve_destroy(s->context, &s->curve);
   um_optics_view_destroy(s->context, &s->view);
-  um_core_free(s->context, s->temperature);
-  um_core_free(s->context, s->albedo);
-  um_core_free(s->context, s->view_factor);
+  UM_FREE(s->context, s->temperature, s->albedo, s->view_factor);
   um_geometry_destroy(&s->geometry);
   um_materials_library_destroy(&s->library);
   memset(s, 0, sizeof *s);

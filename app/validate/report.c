@@ -88,8 +88,7 @@ enum um_status um_validate_report_create(struct um_context *context,
 void um_validate_report_destroy(struct um_context *context, struct um_validate_report **report)
 {
   if (report == NULL || *report == NULL) return;
-  um_core_free(context, (*report)->row);
-  um_core_free(context, *report);
+  UM_FREE(context, (*report)->row, *report);
   *report = NULL;
 }
 

@@ -281,8 +281,6 @@ void um_core_folder_abort(struct um_core_folder **folder)
   if (f->partial != NULL) (void)um_core_tree_remove(f->partial);
   if (f->lock >= 0) close(f->lock);
   if (f->target != NULL) remove_parents(f);
-  um_core_free(f->context, f->partial);
-  um_core_free(f->context, f->target);
-  um_core_free(f->context, f);
+  UM_FREE(f->context, f->partial, f->target, f);
   *folder = NULL;
 }

@@ -79,8 +79,7 @@ static enum um_status move_name(struct move *m, struct um_node *node)
   node->plain = node->plain && strpbrk(text, " :#,[]{}&*!|>'\"%@`") == NULL;
   m->document->set_count++;
 done:
-  um_core_free(m->context, path);
-  um_core_free(m->context, text);
+  UM_FREE(m->context, path, text);
   return status;
 }
 

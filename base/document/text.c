@@ -207,8 +207,7 @@ static enum um_status edit_source(const struct um_document *document, struct um_
   }
 done:
   um_document_destroy(&scratch);
-  um_core_free(context, e.pool.text);
-  um_core_free(context, e.list);
+  UM_FREE(context, e.pool.text, e.list);
   return status;
 }
 

@@ -45,10 +45,7 @@ void um_plot_destroy(struct um_context *context, struct um_plot **plot)
 {
   if (plot == NULL || *plot == NULL) return;
   if ((*plot)->file != NULL) fclose((*plot)->file);
-  um_core_free(context, (*plot)->folder);
-  um_core_free(context, (*plot)->script);
-  um_core_free(context, (*plot)->path);
-  um_core_free(context, *plot);
+  UM_FREE(context, (*plot)->folder, (*plot)->script, (*plot)->path, *plot);
   *plot = NULL;
 }
 

@@ -39,14 +39,7 @@ static enum um_status begin(struct um_context *context, struct sums *s, size_t d
 
 static void release(struct um_context *context, struct sums *s)
 {
-  um_core_free(context, s->origin);
-  um_core_free(context, s->n);
-  um_core_free(context, s->f);
-  um_core_free(context, s->f2);
-  um_core_free(context, s->first);
-  um_core_free(context, s->total);
-  um_core_free(context, s->scatter);
-  um_core_free(context, s->batches);
+  UM_FREE(context, s->origin, s->n, s->f, s->f2, s->first, s->total, s->scatter, s->batches);
 }
 
 /* Value k of one row: A, B and the d points A_B^i, each `nvalue` behind the one before. */
@@ -203,8 +196,7 @@ enum um_status um_uncertainty_sobol_of(struct um_context *context, size_t d, siz
   }
   finish(&s, out);
 done:
-  um_core_free(context, u);
-  um_core_free(context, value);
+  UM_FREE(context, u, value);
   release(context, &s);
   return status;
 }

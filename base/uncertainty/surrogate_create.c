@@ -153,11 +153,7 @@ um_uncertainty_surrogate_create(struct um_context *context,
   *out = g.s;
   g.s = NULL;
 done:
-  um_core_free(context, g.largest);
-  um_core_free(context, g.held);
-  um_core_free(context, g.held_value);
-  um_core_free(context, g.left);
-  um_core_free(context, g.basis);
+  UM_FREE(context, g.largest, g.held, g.held_value, g.left, g.basis);
   um_uncertainty_surrogate_destroy(context, &g.s);
   return status;
 }
@@ -168,10 +164,7 @@ void um_uncertainty_surrogate_destroy(struct um_context *context,
   struct um_uncertainty_surrogate *s = *surrogate;
   if (s == NULL) return;
   for (size_t t = 0; t < s->nterm; t++) um_core_free(context, s->term[t].surplus);
-  um_core_free(context, s->term);
-  um_core_free(context, s->nowhere);
-  um_core_free(context, s->error);
-  um_core_free(context, s);
+  UM_FREE(context, s->term, s->nowhere, s->error, s);
   *surrogate = NULL;
 }
 

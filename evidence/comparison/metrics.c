@@ -205,7 +205,6 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
   }
   status = UM_OK;
 done:
-  um_core_free(context, gathered.of);
-  um_core_free(context, gathered.work);
+  UM_FREE(context, gathered.of, gathered.work);
   return status;
 }

@@ -246,8 +246,7 @@ enum um_status um_diagnosis_create(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  um_core_free(context, work.fate);
-  um_core_free(context, work.fold);
+  UM_FREE(context, work.fate, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   return status;
@@ -295,8 +294,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  um_core_free(context, work.fate);
-  um_core_free(context, work.fold);
+  UM_FREE(context, work.fate, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   um_sensitivity_candidates_destroy(context, &candidates);

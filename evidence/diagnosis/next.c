@@ -218,8 +218,7 @@ static enum um_status look(struct um_context *context, const struct um_diagnosis
   UM_CHECK(offer_places(context, work->forward, run, segment, next));
   UM_CHECK(say(context, next));
 done:
-  um_core_free(context, motion);
-  um_core_free(context, segment);
+  UM_FREE(context, motion, segment);
   return status;
 }
 

@@ -143,8 +143,7 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
     }
   memcpy(value, found, sizeof found);
 done:
-  um_core_free(context, rows);
-  um_core_free(context, all);
+  UM_FREE(context, rows, all);
   return status;
 }
 
@@ -333,9 +332,7 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
   }
   widen(&search, state);
 done:
-  um_core_free(context, search.seen);
-  um_core_free(context, search.value);
-  um_core_free(context, search.all);
+  UM_FREE(context, search.seen, search.value, search.all);
   um_diagnosis_state_release(context, &trial);
   return status;
 }

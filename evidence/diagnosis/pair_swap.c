@@ -27,9 +27,7 @@ struct left {
 
 static void left_release(struct um_context *context, struct left *left)
 {
-  um_core_free(context, left->column);
-  um_core_free(context, left->at);
-  um_core_free(context, left->residual);
+  UM_FREE(context, left->column, left->at, left->residual);
 }
 
 static enum um_status left_make(struct um_context *context, const struct um_diagnosis_work *work,
@@ -147,8 +145,7 @@ enum um_status um_diagnosis_pairs_find(struct um_context *context,
     }
   }
 done:
-  um_core_free(context, rotated);
-  um_core_free(context, matrix);
+  UM_FREE(context, rotated, matrix);
   left_release(context, &left);
   um_diagnosis_directions_release(context, &d);
   return status;

@@ -80,8 +80,7 @@ enum um_status um_diagnosis_rank(struct um_context *context, const struct um_dia
     }
   UM_CHECK(sort_alternatives(context, work, state, score, alternative, nalternative));
 done:
-  um_core_free(context, residual);
-  um_core_free(context, score);
+  UM_FREE(context, residual, score);
   um_diagnosis_directions_release(context, &d);
   return status;
 }

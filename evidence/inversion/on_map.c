@@ -19,11 +19,7 @@ struct light {
 
 static void light_release(struct um_context *context, struct light *l)
 {
-  um_core_free(context, l->wavelength);
-  um_core_free(context, l->width);
-  um_core_free(context, l->sun);
-  um_core_free(context, l->above);
-  um_core_free(context, l->below);
+  UM_FREE(context, l->wavelength, l->width, l->sun, l->above, l->below);
 }
 
 static enum um_status light_make(struct um_context *context, const struct um_model *model,
@@ -156,9 +152,7 @@ void um_compare_on_map_destroy(struct um_context *context, struct um_compare_on_
 {
   if (on_map == NULL || *on_map == NULL) return;
   um_compare_plan_destroy(context, &(*on_map)->plan);
-  um_core_free(context, (*on_map)->sample);
-  um_core_free(context, (*on_map)->row);
-  um_core_free(context, *on_map);
+  UM_FREE(context, (*on_map)->sample, (*on_map)->row, *on_map);
   *on_map = NULL;
 }
 

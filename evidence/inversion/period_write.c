@@ -167,14 +167,12 @@ static enum um_status draw(struct um_context *context, const struct um_compare_p
     folded(plot, &r->entry[c], um_compare_residual_unit(of->quantity),
            1 + c * UM_COMPARE_FOLD_BINS);
     row += p->count;
-    um_core_free(context, name);
-    um_core_free(context, file);
+    UM_FREE(context, name, file);
     name = file = NULL;
   }
   status = um_plot_draw(context, &plot);
 done:
-  um_core_free(context, name);
-  um_core_free(context, file);
+  UM_FREE(context, name, file);
   um_plot_destroy(context, &plot);
   return status;
 }

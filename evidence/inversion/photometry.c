@@ -198,8 +198,7 @@ enum um_status um_compare_calibration_read(struct um_context *context, const str
   else if (status == UM_ERR_INPUT)
     um_core_message_prefix(context, "%s", path);
 done:
-  um_core_free(context, stars.star);
-  um_core_free(context, stars.row);
+  UM_FREE(context, stars.star, stars.row);
   um_core_csv_destroy(&stars.csv);
   return status;
 }

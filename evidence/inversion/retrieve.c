@@ -112,12 +112,8 @@ static void work_release(struct um_context *context, struct work *w)
 {
   for (size_t b = 0; w->bins != NULL && b < w->model->nband; b++)
     um_model_band_bins_clear(context, &w->bins[b]);
-  um_core_free(context, w->bins);
-  um_core_free(context, w->first);
-  um_core_free(context, w->row);
-  um_core_free(context, w->spectrum.bins);
-  um_core_free(context, w->spectrum.intensity);
-  um_core_free(context, w->spectrum.sigma);
+  UM_FREE(context, w->bins, w->first, w->row, w->spectrum.bins, w->spectrum.intensity,
+          w->spectrum.sigma);
   um_model_precomputed_destroy(context, &w->precomputed);
   um_compare_plan_destroy(context, &w->plan);
 }
@@ -151,8 +147,7 @@ void um_compare_retrieved_destroy(struct um_context *context,
                                   struct um_compare_retrieved **retrieved)
 {
   if (*retrieved == NULL) return;
-  um_core_free(context, (*retrieved)->row);
-  um_core_free(context, *retrieved);
+  UM_FREE(context, (*retrieved)->row, *retrieved);
   *retrieved = NULL;
 }
 

@@ -211,8 +211,7 @@ enum um_status um_compare_spins_find(struct um_context *context, const struct um
   *out = spins;
   spins = NULL;
 done:
-  um_core_free(context, d.row);
-  um_core_free(context, laws);
+  UM_FREE(context, d.row, laws);
   um_compare_spins_destroy(context, &spins);
   return status;
 }
@@ -220,8 +219,7 @@ done:
 void um_compare_spins_destroy(struct um_context *context, struct um_compare_spins **spins)
 {
   if (spins == NULL || *spins == NULL) return;
-  um_core_free(context, (*spins)->spin);
-  um_core_free(context, *spins);
+  UM_FREE(context, (*spins)->spin, *spins);
   *spins = NULL;
 }
 

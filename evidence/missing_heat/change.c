@@ -69,8 +69,6 @@ enum um_status um_missing_heat_change(struct um_context *context,
     if (fabs(with / square - 1.0) < UM_MISSING_HEAT_SETTLED) break;
   }
 done:
-  um_core_free(context, cold);
-  um_core_free(context, value);
-  um_core_free(context, left);
+  UM_FREE(context, cold, value, left);
   return status;
 }

@@ -138,13 +138,9 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_orbit_trajectory_destroy(&m->trajectory);
   um_orbit_trajectory_destroy(&m->observer_trajectory);
   um_orbit_finals_destroy(&m->orientation.finals);
-  um_core_free(context, m->station);
-  um_core_free(context, m->material);
-  um_core_free(context, m->adjustment);
-  um_core_free(context, m->effect);
+  UM_FREE(context, m->station, m->material, m->adjustment, m->effect);
   um_optics_creases_destroy(context, &m->creases);
-  um_core_free(context, m->creasing);
-  um_core_free(context, m->start_offset);
+  UM_FREE(context, m->creasing, m->start_offset);
   um_core_arena_release(context, &m->memory);
   destroy_owned(context, m);
   um_core_free(context, m);

@@ -161,8 +161,7 @@ enum um_status um_model_run_heat(struct um_context *context, const struct um_mod
     }
   }
 done:
-  um_core_free(context, share);
-  um_core_free(context, node);
+  UM_FREE(context, share, node);
   return status;
 }
 

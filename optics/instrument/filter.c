@@ -18,9 +18,7 @@
 void um_instrument_filter_destroy(struct um_context *context, struct um_instrument_filter **filter)
 {
   if (filter == NULL || *filter == NULL) return;
-  um_core_free(context, (*filter)->wavelength);
-  um_core_free(context, (*filter)->transmission);
-  um_core_free(context, *filter);
+  UM_FREE(context, (*filter)->wavelength, (*filter)->transmission, *filter);
   *filter = NULL;
 }
 

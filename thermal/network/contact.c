@@ -325,8 +325,7 @@ enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
                           contact->a, contact->b);
 done:
   for (int i = 0; i < 2; i++) {
-    um_core_free(b->context, side[i].sample);
-    um_core_free(b->context, side[i].patch);
+    UM_FREE(b->context, side[i].sample, side[i].patch);
   }
   return status;
 }

@@ -19,8 +19,7 @@ struct share {
 
 static void share_free(struct um_context *context, struct share *share)
 {
-  um_core_free(context, share->node);
-  um_core_free(context, share->weight);
+  UM_FREE(context, share->node, share->weight);
 }
 
 /* "part NAME, group G" for messages, or of another place of it. */

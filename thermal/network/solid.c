@@ -66,9 +66,7 @@ static enum um_status gather(const struct um_thermal_builder *b, size_t part, st
 
 static void surface_free(struct um_context *context, struct surface *s)
 {
-  um_core_free(context, s->local);
-  um_core_free(context, s->vertex);
-  um_core_free(context, s->facet);
+  UM_FREE(context, s->local, s->vertex, s->facet);
 }
 
 /* The volume of every vertex: a quarter of that of its tetrahedra [m^3]; returns their sum. */

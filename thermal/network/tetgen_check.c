@@ -207,10 +207,7 @@ static enum um_status check_volume(struct um_context *context, struct um_thermal
   for (size_t v = 0; v < s->nvertex; v++)
     if (volume[v] < 0.0) add_hole(s, largest[v]);
 done:
-  um_core_free(context, parent);
-  um_core_free(context, largest);
-  um_core_free(context, volume);
-  um_core_free(context, area);
+  UM_FREE(context, parent, largest, volume, area);
   return status;
 }
 

@@ -90,9 +90,6 @@ enum um_status um_diagnosis_report_improved_write(struct um_context *context,
   fputs(text, file);
   status = um_core_file_close(context, "improved/scenario.yaml", &file);
 done:
-  um_core_free(context, folder);
-  um_core_free(context, name);
-  um_core_free(context, text);
-  um_core_free(context, use);
+  UM_FREE(context, folder, name, text, use);
   return status;
 }
