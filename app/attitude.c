@@ -1,6 +1,5 @@
 /* umbra attitude: spins that agree with measured light. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/app.h"

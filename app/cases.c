@@ -1,6 +1,5 @@
 /* umbra cases: temperatures of every case, and how far they stay from the limits. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "app/app.h"
 #include "app/terminal.h"

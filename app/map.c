@@ -6,7 +6,6 @@
 #include "app/map_options.h"
 #include "app/terminal.h"
 #include "base/core/constants.h"
-#include "base/core/number.h"
 #include "evidence/inversion/on_map.h"
 #include "evidence/measurements/measurements.h"
 #include "model/build/build.h"

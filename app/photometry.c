@@ -6,7 +6,6 @@
 
 #include "app/app.h"
 #include "app/target.h"
-#include "app/terminal.h"
 #include "base/core/file.h"
 #include "base/core/number.h"
 #include "base/core/text.h"

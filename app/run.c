@@ -1,6 +1,5 @@
 /* umbra run: light curves and temperatures of a scenario into a folder. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -9,11 +8,9 @@
 #include "app/run_pictures.h"
 #include "app/space_error.h"
 #include "app/terminal.h"
-#include "base/core/constants.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
 #include "model/run/run.h"
-#include "orbit/time.h"
 #include "output/output.h"
 
 /* Mean, lowest and highest temperature of a place over the run [K]. */

@@ -1,7 +1,6 @@
 /* Aerosol above the station: depth' = depth + d at 0.55 um, d (lambda / 0.55 um)^-angstrom
  * elsewhere. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 static enum um_status add(struct um_context *context, const struct um_effect_use *use,
                           struct um_environment_clear_sky *sky)

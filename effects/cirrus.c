@@ -1,7 +1,6 @@
 /* Thin ice cloud above the station: depth' = depth + d at 0.55 um. It takes as much of every colour
  * of the visible, nearly as much in 8-12 um, and glows there. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 static enum um_status add(struct um_context *context, const struct um_effect_use *use,
                           struct um_environment_clear_sky *sky)

@@ -3,7 +3,6 @@
  * the law's inertia_ratio. */
 #include "base/core/constants.h"
 #include "effects/list_impl.h"
-#include "orbit/attitude.h"
 
 #define TIP(NAME, HELP)                                                                            \
   {                                                                                                \

@@ -2,7 +2,6 @@
  * the error of the phase grows like -2 pi r (t - t_0) / P. Free motion is slower as a whole by the
  * same factor when its rates are. */
 #include "effects/list_impl.h"
-#include "orbit/attitude.h"
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {

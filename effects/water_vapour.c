@@ -1,7 +1,6 @@
 /* Water vapour above the station: w' = f w. In 8-12 um it decides what arrives; in the visible it
  * takes 1 %. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
                             struct um_environment_clear_sky *sky)

@@ -5,8 +5,6 @@
 
 #include "base/core/constants.h"
 #include "forecast/forecast_impl.h"
-#include "model/run/run.h"
-#include "orbit/time.h"
 
 /* Of a pass, which is asked to 0.1 K and 1e-3 of the light. */
 static const struct um_variant_tolerance tolerance = {6.0, 0.02};

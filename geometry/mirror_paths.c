@@ -8,13 +8,11 @@
  */
 #include "geometry/mirror_paths.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/core/sort.h"
 #include "geometry/cube.h"
 #include "geometry/view_factor_rays_impl.h"
-#include "geometry/view_factors_impl.h"
 
 #define BATCH  ((size_t)1 << 16) /* rays on their way at a time */
 #define BUNDLE 256               /* rays traced at a time */

@@ -1,5 +1,4 @@
 /* Measured BRDFs from a table. */
-#include <math.h>
 #include <string.h>
 
 #include "base/core/constants.h"

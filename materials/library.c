@@ -1,6 +1,5 @@
 /* The named records of a run: the product's own folder, then the scenario's files. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/data.h"

@@ -9,7 +9,6 @@
  * before what neither was. */
 #include <math.h>
 
-#include "base/core/constants.h"
 #include "materials/measured_impl.h"
 
 /* ln f of the measured row `node` toward p. */

@@ -4,7 +4,6 @@
 
 #include "base/core/constants.h"
 #include "base/document/schema.h"
-#include "materials/bsdf.h"
 #include "materials/measured.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"

@@ -1,8 +1,6 @@
 /* temperatures.csv, heat.csv and temperatures.cic. */
-#include <math.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "output/csv_impl.h"
 #include "output/output.h"
 

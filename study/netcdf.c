@@ -1,6 +1,5 @@
 /* study.nc: netCDF-4 with a coordinate variable for every dimension, as xarray and others want it;
  * made in memory, so that a full disk is an error of the stream. */
-#include <math.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <stdlib.h>

@@ -3,7 +3,6 @@
 #include "study/parameter_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/core/constants.h"

@@ -9,7 +9,6 @@
  */
 #include <math.h>
 
-#include "model/run/run.h"
 #include "study/study_impl.h"
 
 enum um_status um_study_open(struct um_context *context, const struct um_study *study,

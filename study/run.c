@@ -1,11 +1,9 @@
 /* All points of a study: each one solved, or a surrogate grown from few that are. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/batch/batch.h"
 #include "base/core/digest.h"
-#include "base/core/file.h"
 #include "base/core/sort.h"
 #include "base/uncertainty/surrogate.h"
 #include "model/geometry/precompute.h"

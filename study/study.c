@@ -11,7 +11,6 @@
 #include "evidence/measurements/measurements.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
-#include "model/run/run.h"
 #include "study/study_impl.h"
 
 static enum um_status find_ways(struct um_context *context, struct um_study *study)

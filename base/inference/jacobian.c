@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/inference/algebra.h"
 #include "base/inference/jacobian_impl.h"
 
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */

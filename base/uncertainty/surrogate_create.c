@@ -2,7 +2,6 @@
 #include "base/uncertainty/surrogate.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 
 #include "base/uncertainty/surrogate_growth_impl.h"

@@ -3,7 +3,6 @@
 #include "evidence/comparison/metrics.h"
 
 #include <math.h>
-#include <stdint.h>
 
 #include "base/core/constants.h"
 #include "base/inference/distributions.h"

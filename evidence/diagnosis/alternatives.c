@@ -1,6 +1,5 @@
 /* Non-linear fits of the candidates that the linear model ranks best. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "evidence/diagnosis/alternatives_impl.h"

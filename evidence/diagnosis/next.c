@@ -16,7 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "base/core/order.h"
 #include "environment/airmass.h"
 #include "evidence/comparison/segments.h"

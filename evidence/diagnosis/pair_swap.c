@@ -6,7 +6,6 @@
  *
  * beside the other effects. The best pairs are fitted. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/inference/algebra.h"

@@ -1,6 +1,5 @@
 /* One step of forward selection: the residual is tested, the best alternative by evidence is added.
  */
-#include <math.h>
 
 #include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/rank_impl.h"

@@ -12,7 +12,6 @@
 #include "evidence/comparison/predict.h"
 #include "evidence/measurements/set_group.h"
 #include "model/build/timeline.h"
-#include "model/geometry/points.h"
 #include "model/products/star.h"
 #include "orbit/time.h"
 #include "output/fits.h"

@@ -1,13 +1,10 @@
 /* Measurement sets: memory, and the checks that hold between rows. */
 #include "evidence/measurements/set_group.h"
 
-#include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "evidence/measurements/time_text.h"
-#include "orbit/time.h"
 
 void um_compare_measurements_destroy(struct um_context *context,
                                      struct um_compare_measurements **measurements)

@@ -12,7 +12,6 @@
 
 #include "base/inference/algebra.h"
 #include "evidence/missing_heat/policy.h"
-#include "model/run/run.h"
 
 /* Values over sigma of the observations with the pulse. */
 static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,

@@ -15,11 +15,8 @@
 #include <string.h>
 
 #include "evidence/comparison/residual.h"
-#include "model/build/build.h"
-#include "model/geometry/precompute.h"
 #include "model/products/run_response.h"
 #include "model/run/run.h"
-#include "model/run/thermal_solution.h"
 
 #define WARMER 0.1 /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
 

@@ -3,7 +3,6 @@
 #include "model/build/build_interiors_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "model/build/build_power_impl.h"

@@ -2,7 +2,6 @@
 #include "model/build/build_parts_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/core/constants.h"

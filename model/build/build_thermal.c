@@ -7,7 +7,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/words.h"
-#include "model/build/aging_group.h"
 #include "model/build/build_interiors_impl.h"
 #include "model/build/build_mli_impl.h"
 #include "model/build/build_network_impl.h"

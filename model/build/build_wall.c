@@ -7,7 +7,6 @@
 #include "model/build/build_honeycomb_impl.h"
 #include "model/build/build_power_impl.h"
 #include "model/build/bulk_law_impl.h"
-#include "model/scenario/fail_group.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
                                                      const char *name)

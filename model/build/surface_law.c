@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "base/core/constants.h"
-#include "model/build/aging_group.h"
 
 /* The Earth's own radiation is taken as that of a black body of `earth` [K]; all that is absorbed
  * of it by angle is over what is absorbed of light from all sides, times law->planet. */

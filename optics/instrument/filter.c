@@ -7,8 +7,6 @@
 #include "base/core/csv.h"
 #include "base/core/data.h"
 #include "base/core/interpolation.h"
-#include "base/core/listing.h"
-#include "base/core/words.h"
 
 #define SHORTEST 0.1e-6 /* [m] */
 #define LONGEST  100e-6 /* [m] */

@@ -1,8 +1,6 @@
 /* Skins of creased surfaces, and which of them are drawn patch by patch. */
 #include "optics/radiance/creases.h"
 
-#include <math.h>
-
 #include "base/core/constants.h"
 #include "materials/lobe.h"
 

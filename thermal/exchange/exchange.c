@@ -1,7 +1,6 @@
 /* Exchange between patches from view factors, optics and loads; equations in exchange.h. */
 #include "thermal/exchange/exchange.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "thermal/exchange/exchange_group.h"

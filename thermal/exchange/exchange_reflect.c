@@ -12,7 +12,6 @@
 #include "base/core/wide.h"
 #include "thermal/exchange/exchange_group.h"
 #include "thermal/exchange/exchange_maker_impl.h"
-#include "thermal/network/network_group.h"
 
 /* What is incident by way of mirrors, of the band in hand. */
 struct mirrored_incident {

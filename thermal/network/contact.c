@@ -23,7 +23,6 @@
 #include "thermal/network/solid_impl.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/words.h"

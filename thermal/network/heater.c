@@ -1,7 +1,6 @@
 /* Heat that a body makes itself: powers and power histories of its walls and interiors, thermostat
  * heaters. In a wall it is spread by area over its structure, which lies under MLI; a wall that MLI
  * leaves out cannot take any. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

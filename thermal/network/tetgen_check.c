@@ -2,7 +2,6 @@
  * out of range, coincident vertices, facets without area, open or non-manifold edges, neighbours
  * of opposite orientation, surfaces turned inside out. Cavities (parts of the surface that face
  * inward) get a seed so that they stay empty. */
-#include <stdlib.h>
 
 #include "base/core/sort.h"
 #include "thermal/network/tetgen_check_impl.h"

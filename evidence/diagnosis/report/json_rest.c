@@ -2,8 +2,6 @@
  * next, missing heat, cost. */
 #include "evidence/diagnosis/report/json_rest_impl.h"
 
-#include <math.h>
-
 #include "base/core/json.h"
 #include "evidence/diagnosis/report/json_pieces_impl.h"
 

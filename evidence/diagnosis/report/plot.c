@@ -2,10 +2,8 @@
  * residuals of both. The script is kept beside them. */
 #include "evidence/diagnosis/report/plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "evidence/comparison/figures.h"
@@ -13,7 +11,6 @@
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/plot_frame_impl.h"
 #include "evidence/diagnosis/report/plot_ranking_impl.h"
-#include "orbit/time.h"
 
 #define FEW 300 /* observations up to which they are drawn over the curves */
 

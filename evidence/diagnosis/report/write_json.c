@@ -1,8 +1,6 @@
 /* diagnosis.json. */
 #include "evidence/diagnosis/report/write_json.h"
 
-#include <math.h>
-
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
