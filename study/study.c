@@ -140,5 +140,4 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   *study = NULL;
 }
 
-const char *um_study_name(const struct um_study *study) { return study->file->name; }
 const char *um_study_measurements(const struct um_study *study) { return study->measurements; }

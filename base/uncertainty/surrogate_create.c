@@ -193,18 +193,3 @@ um_uncertainty_surrogate_errors(const struct um_uncertainty_surrogate *surrogate
 {
   return surrogate->error;
 }
-
-size_t um_uncertainty_surrogate_bytes(const struct um_uncertainty_surrogate *surrogate)
-{
-  return sizeof *surrogate + surrogate->room * sizeof *surrogate->term +
-         surrogate->nterm * surrogate->nvalue * sizeof(double);
-}
-
-/* Surpluses of all points, values and what is left of those held out, values of one step. */
-size_t um_uncertainty_surrogate_bytes_max(const struct um_uncertainty_surrogate_request *request)
-{
-  size_t held = request->held_out ? request->held_out : UM_UNCERTAINTY_HELD_OUT;
-  size_t most =
-      request->evaluations_max ? request->evaluations_max : UM_UNCERTAINTY_EVALUATIONS_MAX;
-  return (2 * most + 4 * held) * request->nvalue * sizeof(double);
-}
