@@ -185,10 +185,8 @@ static void json(const struct um_forecast *f, const char *folder)
 {
   size_t failed = 0;
   for (size_t i = 0; i < f->npass; i++) failed += f->pass[i].reason != NULL ? 1 : 0;
-  printf("{\"name\": ");
-  um_core_json_string(stdout, f->name);
-  printf(", \"folder\": ");
-  um_core_json_string(stdout, folder);
+  um_core_json_text(stdout, "{", "name", f->name);
+  um_core_json_text(stdout, ", ", "folder", folder);
   printf(", \"passes\": %zu, \"not_computed\": %zu, \"magnitudes\": {", f->npass, failed);
   for (size_t b = 0; b < f->nband; b++) {
     if (b > 0) printf(", ");

@@ -84,22 +84,17 @@ static void print_one(const struct um_materials_record *r)
 
 static void json_record(const struct um_materials_record *r)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, um_materials_name(r));
-  printf(", \"summary\": ");
-  um_core_json_string(stdout, um_materials_summary(r));
-  printf(", \"source\": ");
-  um_core_json_string(stdout, um_materials_citation(r));
-  printf(", \"solar_absorptance\": ");
-  um_core_json_number(stdout, um_materials_solar_absorptance(r, NULL));
-  printf(", \"emittance\": ");
-  um_core_json_number(stdout, um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
-  printf(", \"normal_emittance\": ");
-  um_core_json_number(stdout, um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
-  printf(", \"catalogue_solar_absorptance\": ");
-  um_core_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
-  printf(", \"catalogue_emittance\": ");
-  um_core_json_number(stdout, um_materials_catalogue(r).emittance);
+  um_core_json_text(stdout, "{", "name", um_materials_name(r));
+  um_core_json_text(stdout, ", ", "summary", um_materials_summary(r));
+  um_core_json_text(stdout, ", ", "source", um_materials_citation(r));
+  um_core_json_field(stdout, ", ", "solar_absorptance", um_materials_solar_absorptance(r, NULL));
+  um_core_json_field(stdout, ", ", "emittance",
+                     um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
+  um_core_json_field(stdout, ", ", "normal_emittance",
+                     um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
+  um_core_json_field(stdout, ", ", "catalogue_solar_absorptance",
+                     um_materials_catalogue(r).solar_absorptance);
+  um_core_json_field(stdout, ", ", "catalogue_emittance", um_materials_catalogue(r).emittance);
   printf(", \"grey\": %s}", um_materials_is_grey(r) ? "true" : "false");
 }
 

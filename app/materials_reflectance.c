@@ -57,24 +57,19 @@ static void print_record(const struct laboratory *l)
 
 static void print_json(const struct laboratory *l)
 {
-  printf("{\"reference\": ");
-  um_core_json_string(stdout, l->reference);
-  printf(", \"angle_deg\": ");
-  um_core_json_number(stdout, l->angle);
+  um_core_json_text(stdout, "{", "reference", l->reference);
+  um_core_json_field(stdout, ", ", "angle_deg", l->angle);
   printf(", \"above_one\": %zu, \"largest\": ", l->measured.nabove);
   um_core_json_number(stdout, l->measured.largest);
   if (l->rough) {
-    printf(", \"rq_um\": ");
-    um_core_json_number(stdout, l->slope.rq * 1e6);
-    printf(", \"tau_um\": ");
-    um_core_json_number(stdout, l->slope.tau * 1e6);
+    um_core_json_field(stdout, ", ", "rq_um", l->slope.rq * 1e6);
+    um_core_json_field(stdout, ", ", "tau_um", l->slope.tau * 1e6);
   }
   printf(", \"rows\": [");
   for (size_t i = 0; i < l->measured.n; i++) {
-    printf("%s{\"wavelength_um\": ", i == 0 ? "" : ", ");
-    um_core_json_number(stdout, l->measured.wavelength[i] * 1e6);
-    printf(", \"reflectance\": ");
-    um_core_json_number(stdout, l->measured.reflectance[i]);
+    um_core_json_field(stdout, i == 0 ? "{" : ", {", "wavelength_um",
+                       l->measured.wavelength[i] * 1e6);
+    um_core_json_field(stdout, ", ", "reflectance", l->measured.reflectance[i]);
     printf("}");
   }
   printf("]}\n");

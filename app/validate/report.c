@@ -59,8 +59,7 @@ static void print_json(const struct um_validate_report *report)
     const struct row *r = &report->row[i];
     printf("  {\"group\": \"%s\", \"name\": ", r->group);
     um_core_json_string(stdout, r->name);
-    printf(", \"unit\": ");
-    um_core_json_string(stdout, r->unit);
+    um_core_json_text(stdout, ", ", "unit", r->unit);
     printf(", \"expected\": %.17g, ", r->expected);
     if (isfinite(r->computed))
       printf("\"computed\": %.17g", r->computed);

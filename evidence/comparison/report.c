@@ -49,8 +49,7 @@ static void json_correlations(FILE *file, const struct um_compare_channel_compar
   fputs(",\n     \"correlations\": [", file);
   for (size_t j = 0; j < channel->ncorrelation; j++) {
     const struct um_compare_correlation *r = &channel->correlation[j];
-    fprintf(file, "%s\n       {\"coordinate\": ", j > 0 ? "," : "");
-    um_core_json_string(file, r->name);
+    um_core_json_text(file, j > 0 ? ",\n       {" : "\n       {", "coordinate", r->name);
     fprintf(file, ", \"count\": %zu", r->count);
     um_core_json_field(file, ", ", "correlation", r->value);
     um_core_json_field(file, ", ", "p", r->p);
@@ -86,14 +85,10 @@ void um_compare_write_json(const struct um_compare_comparison *comparison, const
                            const char *version, FILE *file)
 {
   const struct um_compare_comparison *c = comparison;
-  fputs("{\n  \"scenario\": ", file);
-  um_core_json_string(file, c->run.model->scenario->name);
-  fputs(",\n  \"measurements\": ", file);
-  um_core_json_string(file, c->run.plan->measurements->path);
-  fputs(",\n  \"command\": ", file);
-  um_core_json_string(file, command);
-  fputs(",\n  \"version\": ", file);
-  um_core_json_string(file, version);
+  um_core_json_text(file, "{\n  ", "scenario", c->run.model->scenario->name);
+  um_core_json_text(file, ",\n  ", "measurements", c->run.plan->measurements->path);
+  um_core_json_text(file, ",\n  ", "command", command);
+  um_core_json_text(file, ",\n  ", "version", version);
   um_core_json_field(file, ",\n  ", "chi2", c->chi2);
   um_core_json_field(file, ", ", "dof", c->dof);
   um_core_json_field(file, ", ", "chi2_red", c->chi2_reduced);

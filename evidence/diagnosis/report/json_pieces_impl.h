@@ -6,11 +6,8 @@
 
 #include "evidence/diagnosis/diagnosis.h"
 
-/* before, "key": value; a text NULL or a time that is not finite is null. */
-void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
-                                   const char *text);
+/* before, "key": value; null where the time is not finite. */
 void um_diagnosis_report_json_time(FILE *file, const char *before, const char *key, double t_tai);
-void um_diagnosis_report_json_bool(FILE *file, const char *before, const char *key, bool value);
 /* "effect": ..., "target": ... */
 void um_diagnosis_report_json_use(FILE *file, const struct um_effect *effect, const char *target);
 /* An object of one value that is left open. */
