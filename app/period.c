@@ -74,8 +74,7 @@ int um_app_period(struct um_context *context, const struct um_app_options *optio
   UM_CHECK(um_compare_measurements_read(context, options->positional[0], &measurements));
   UM_CHECK(um_compare_period_report_create(context, measurements, options->band, &search, &report));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(
-      um_compare_period_write(context, report, !options->no_plots, um_core_folder_path(folder)));
+  UM_CHECK(um_compare_period_write(context, report, !options->no_plots, folder));
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
   if (options->json)

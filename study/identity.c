@@ -268,25 +268,10 @@ enum um_status um_study_identity_check(struct um_context *context,
 
 static enum um_status write_list(struct um_context *context, const char *path, const char *text)
 {
-  enum um_status status;
-  char *partial = NULL;
-  FILE *file = NULL;
-  UM_TRY(um_core_file_partial(context, path, &partial));
-  file = fopen(partial, "wb");
-  if (file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", partial, strerror(errno));
-    goto done;
-  }
-  UM_CHECK(um_core_file_write(context, path, text, strlen(text), file));
-  UM_CHECK(um_core_file_sync(context, path, file));
-  UM_CHECK(um_core_file_close(context, path, &file));
-  if (rename(partial, path) != 0)
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-done:
-  if (file != NULL) fclose(file);
-  if (status != UM_OK) (void)unlink(partial);
-  um_core_free(context, partial);
-  return status;
+  struct um_core_whole_file whole;
+  UM_TRY(um_core_whole_begin(context, path, &whole));
+  return um_core_whole_end(context, &whole,
+                           um_core_file_write(context, path, text, strlen(text), whole.file));
 }
 
 enum um_status um_study_identity_open(struct um_context *context,

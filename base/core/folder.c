@@ -212,9 +212,7 @@ enum um_status um_core_folder_open(struct um_context *context, struct um_core_fo
                         "'%s' cannot name an output file; accepted: a name without '/'", name);
   char *path;
   UM_TRY(um_core_asprintf(context, &path, "%s/%s", folder->partial, name));
-  *out = fopen(path, "wb");
-  enum um_status status = UM_OK;
-  if (*out == NULL) status = fail_errno(context, path, "cannot be written");
+  enum um_status status = um_core_file_create(context, path, out);
   um_core_free(context, path);
   return status;
 }

@@ -158,12 +158,6 @@ void um_compare_on_map_destroy(struct um_context *context, struct um_compare_on_
 
 /* ---- measured.csv ---- */
 
-static void text(FILE *file, const char *value, const char *tail)
-{
-  fputc(',', file);
-  um_core_csv_put(file, value, tail);
-}
-
 enum um_status um_compare_on_map_write(struct um_context *context,
                                        const struct um_compare_on_map *on_map,
                                        const struct um_model *model,
@@ -172,9 +166,9 @@ enum um_status um_compare_on_map_write(struct um_context *context,
   const struct um_compare_measurements *m = on_map->measurements;
   fputs("time_utc,quantity,of,value,latitude_deg,longitude_deg,phase_angle_deg,plane_deg", file);
   for (size_t b = 0; b < model->nband; b++) {
-    text(file, model->band[b].name, "_m2_sr");
-    text(file, model->band[b].name, "_sigma_m2_sr");
-    text(file, model->band[b].name, "_looked_up_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_sigma_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_looked_up_m2_sr");
   }
   fputc('\n', file);
   for (size_t i = 0; i < on_map->count; i++) {
@@ -186,21 +180,21 @@ enum um_status um_compare_on_map_write(struct um_context *context,
     UM_TRY(um_core_stop_check(context, "measurements were written"));
     um_compare_time_text(from->t_tai, time);
     fputs(time, file);
-    text(file, um_compare_quantity_name(channel->quantity), "");
-    text(file, channel->of, "");
-    um_compare_csv_number(file, from->value);
-    um_compare_csv_number(file, at->latitude / UM_DEG);
-    um_compare_csv_number(file, at->longitude / UM_DEG);
-    um_compare_csv_number(file, at->phase_angle / UM_DEG);
-    um_compare_csv_number(file, at->plane / UM_DEG);
+    um_core_csv_put_text(file, um_compare_quantity_name(channel->quantity), "");
+    um_core_csv_put_text(file, channel->of, "");
+    um_core_csv_put_number(file, from->value);
+    um_core_csv_put_number(file, at->latitude / UM_DEG);
+    um_core_csv_put_number(file, at->longitude / UM_DEG);
+    um_core_csv_put_number(file, at->phase_angle / UM_DEG);
+    um_core_csv_put_number(file, at->plane / UM_DEG);
     for (size_t b = 0; b < model->nband; b++) {
       if (b != row->band) {
         fputs(",,,", file);
         continue;
       }
-      um_compare_csv_number(file, row->value);
-      um_compare_csv_number(file, row->sigma);
-      um_compare_csv_number(file, pass->looked_up[row->observation * pass->nband + b]);
+      um_core_csv_put_number(file, row->value);
+      um_core_csv_put_number(file, row->sigma);
+      um_core_csv_put_number(file, pass->looked_up[row->observation * pass->nband + b]);
     }
     fputc('\n', file);
   }

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/core/csv.h"
 #include "evidence/comparison/figures.h"
 #include "model/build/bands.h"
 #include "model/geometry/precompute.h"
@@ -162,12 +163,12 @@ static void put_body(FILE *file, const struct um_instrument_grey_body *body, siz
 {
   bool known = body->n > 0;
   for (size_t j = 0; j < n; j++) {
-    um_compare_csv_number(file, known ? body->temperature[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->temperature_sigma[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->area[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->area_sigma[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->temperature[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->temperature_sigma[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->area[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->area_sigma[j] : (double)NAN);
   }
-  um_compare_csv_number(file, known ? body->chi2 : (double)NAN);
+  um_core_csv_put_number(file, known ? body->chi2 : (double)NAN);
 }
 
 void um_compare_retrieved_write(const struct um_compare_retrieved *retrieved, FILE *file)
@@ -184,8 +185,8 @@ void um_compare_retrieved_write(const struct um_compare_retrieved *retrieved, FI
     fprintf(file, "%s,%zu", time, r->nband);
     put_body(file, &r->one, 1);
     put_body(file, &r->two, 2);
-    um_compare_csv_number(file, two ? um_instrument_grey_body_effective(&r->two) : (double)NAN);
-    um_compare_csv_number(file, both ? r->two.bic - r->one.bic : (double)NAN);
+    um_core_csv_put_number(file, two ? um_instrument_grey_body_effective(&r->two) : (double)NAN);
+    um_core_csv_put_number(file, both ? r->two.bic - r->one.bic : (double)NAN);
     fputc('\n', file);
   }
 }

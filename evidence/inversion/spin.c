@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/inversion/spin_impl.h"
 #include "evidence/measurements/time_text.h"
@@ -237,7 +238,7 @@ void um_compare_spins_write(const struct um_compare_spins *spins, FILE *file)
     const double sigma[] = {s->axis_sigma / UM_DEG, s->period_sigma, s->phase_sigma / UM_DEG};
     fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%s,%.9g,%.9g", s->axis.x, s->axis.y, s->axis.z,
             s->period, s->phase / UM_DEG, at, s->chi2, s->apart);
-    for (int k = 0; k < 3; k++) um_compare_csv_number(file, sigma[k]);
+    for (int k = 0; k < 3; k++) um_core_csv_put_number(file, sigma[k]);
     fputc('\n', file);
   }
 }

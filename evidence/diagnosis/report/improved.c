@@ -83,9 +83,8 @@ enum um_status um_diagnosis_report_improved_write(struct um_context *context,
   UM_CHECK(collect(context, diagnosis, &use, &count));
   UM_CHECK(um_model_scenario_text(context, diagnosis->forward->model, use, count,
                                   &diagnosis->forward->options, folder, &text));
-  FILE *file = fopen(name, "wb");
-  if (file == NULL)
-    UM_CHECK(um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", name, strerror(errno)));
+  FILE *file;
+  UM_CHECK(um_core_file_create(context, name, &file));
   put_head(file, diagnosis, command, version);
   fputs(text, file);
   status = um_core_file_close(context, "improved/scenario.yaml", &file);
