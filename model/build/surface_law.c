@@ -1,7 +1,7 @@
 /* From material records to how surfaces depend on angle and temperature: ratios of the record's
  * absorptance and emittance, effects included, to those that the heat network states (normal
  * incidence, 300 K). Grey records and withheld effects have none. */
-#include "model/build/surface_law_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 

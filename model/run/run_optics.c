@@ -8,8 +8,8 @@
 #include "model/build/effects_group.h"
 #include "model/run/counts.h"
 #include "model/run/grey_body.h"
+#include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
-#include "model/run/sky_bands_impl.h"
 
 int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed)
 {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/run/run_places_impl.h"
+#include "model/run/parts_impl.h"
 
 static size_t instants(const struct um_model_precomputed *precomputed)
 {
