@@ -5,18 +5,7 @@
  * The inner side of the walls of a closed body radiates where its part says so; else heat crosses a
  * body only through conduction, its interiors and contacts. */
 #include "geometry/inside.h"
-#include "thermal/network/body_check_impl.h"
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/contact_impl.h"
-#include "thermal/network/graft_impl.h"
-#include "thermal/network/heat_pipe_impl.h"
-#include "thermal/network/heater_impl.h"
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/lump_impl.h"
-#include "thermal/network/mli_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/shell_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 #include "thermal/network/tetgen.h"
 
 /* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint

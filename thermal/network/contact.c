@@ -18,9 +18,7 @@
  * the same way, but all of both places takes part, every node with the nearest point of the other.
  */
 #include "base/core/sort.h"
-#include "thermal/network/contact_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,10 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/network/heater_impl.h"
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
 struct share {

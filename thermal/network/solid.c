@@ -5,8 +5,7 @@
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
  * A linear field is reproduced exactly (test thermal/network/solid). Heat made inside is a volume
  * source, spread by volume: node i takes V_i / V of it. */
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 #include "thermal/network/tetgen.h"
 
 #include <string.h>
