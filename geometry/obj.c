@@ -3,7 +3,7 @@
  *
  * Group of a face: the name of the last `g`; without one the last `usemtl`; without that the last
  * `o`; else "mesh". Names are the rest of their line. A backslash at the end joins two lines. */
-#include "geometry/obj_impl.h"
+#include "geometry/patch_impl.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
  * inside an edge; angles stay above half the smallest one of the start. Passes repeat until nothing
  * is marked. Lengths are taken from the lower vertex number to the higher, ties go by edge number:
  * all sharers see the same. */
-#include "geometry/refine_impl.h"
+#include "geometry/patch_impl.h"
 
 #include <string.h>
 

@@ -10,8 +10,8 @@
 
 #include "base/core/constants.h"
 #include "base/core/sampling.h"
-#include "geometry/points_impl.h"
 #include "geometry/visibility.h"
+#include "geometry/visibility_data_impl.h"
 
 #define SIDE       32
 #define NCELL      (SIDE * SIDE)

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "base/core/sampling.h"
-#include "geometry/points_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 #define KEY_RAY UINT64_C(0x76696577)
 

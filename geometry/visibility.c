@@ -22,8 +22,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "geometry/horizon_impl.h"
-#include "geometry/points_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 #define PACKET 8
 
