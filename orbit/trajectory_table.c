@@ -10,7 +10,7 @@
 #include "base/core/interpolation.h"
 #include "orbit/time.h"
 #include "orbit/time_column_impl.h"
-#include "orbit/trajectory_table_impl.h"
+#include "orbit/trajectory_impl.h"
 
 #define NEAREST  6e6  /* [m] from the geocentre: the smallest Earth that a scenario may have */
 #define FARTHEST 1e12 /* [m] as far as an observer may be */
