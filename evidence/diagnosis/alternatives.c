@@ -2,10 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
-#include "evidence/diagnosis/non_smooth_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 /* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
  * parameters. */

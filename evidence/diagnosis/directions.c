@@ -1,5 +1,5 @@
 /* Candidates and nuisances as whitened directions, for the linear statistics. */
-#include "evidence/diagnosis/directions_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 #include <string.h>

@@ -19,10 +19,9 @@
 #include "base/core/order.h"
 #include "environment/airmass.h"
 #include "evidence/comparison/segments.h"
-#include "evidence/diagnosis/next_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};

@@ -20,9 +20,9 @@
 #include <gsl/gsl_multimin.h>
 
 #include "base/core/order.h"
-#include "evidence/diagnosis/non_smooth_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 /* Amplitudes to scan [of the linear model's]. */
 static const double powers[] = {1.0, 1.5, 2.5, 4.0};

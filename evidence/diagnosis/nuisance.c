@@ -1,5 +1,5 @@
 /* What is uncertain anyway: calibration, clocks, properties with a stated width. */
-#include "evidence/diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 #include <string.h>

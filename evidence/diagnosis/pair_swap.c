@@ -10,9 +10,7 @@
 
 #include "base/inference/algebra.h"
 #include "base/inference/projection.h"
-#include "evidence/diagnosis/alternatives_impl.h"
-#include "evidence/diagnosis/directions_impl.h"
-#include "evidence/diagnosis/pair_swap_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
 

@@ -6,10 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "evidence/diagnosis/directions_impl.h"
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/rank_impl.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/value_text.h"
 
 /* Prior widths from the null value. */

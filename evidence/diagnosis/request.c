@@ -7,7 +7,7 @@
 #include "base/core/csv.h"
 #include "base/core/words.h"
 #include "effects/effects.h"
-#include "evidence/diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "model/build/effect_files.h"
 #include "model/build/effects.h"
 

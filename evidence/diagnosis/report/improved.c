@@ -2,7 +2,7 @@
  *
  * The text is the user's own with its comments; --set, --with and --without stand in it, names of
  * files lead from the new folder, fitted nuisances and effects are entries of `effects`. */
-#include "evidence/diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include <errno.h>
 #include <stdio.h>

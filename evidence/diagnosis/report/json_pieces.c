@@ -1,5 +1,5 @@
 /* Pieces of diagnosis.json: texts, times, uses of effects with their values. */
-#include "evidence/diagnosis/report/json_pieces_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include <math.h>
 

@@ -1,9 +1,8 @@
 /* The end of diagnosis.json: what others replaced, what the residual looks like, what to measure
  * next, missing heat, cost. */
-#include "evidence/diagnosis/report/json_rest_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include "base/core/json.h"
-#include "evidence/diagnosis/report/json_pieces_impl.h"
 
 /* The fields of an observation that tells two explanations apart. */
 static void json_next_fields(FILE *file, const struct um_diagnosis_next *next)

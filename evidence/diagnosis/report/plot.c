@@ -9,8 +9,7 @@
 #include "evidence/comparison/figures.h"
 #include "evidence/comparison/shade.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/plot_frame_impl.h"
-#include "evidence/diagnosis/report/plot_ranking_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #define FEW 300 /* observations up to which they are drawn over the curves */
 

@@ -10,7 +10,7 @@
 #include "base/core/file.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "evidence/measurements/time_text.h"
 

@@ -4,8 +4,7 @@
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/json_pieces_impl.h"
-#include "evidence/diagnosis/report/json_rest_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 /* By channel; value NULL: null. */
 static enum um_status json_metrics(struct um_context *context, FILE *file,
