@@ -5,7 +5,6 @@
 
 #include "base/core/file.h"
 #include "base/document/document_impl.h"
-#include "base/document/schema_check_impl.h"
 
 struct move {
   struct um_context *context;

@@ -7,8 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "base/document/emit_impl.h"
-#include "base/document/yaml_impl.h"
+#include "base/document/document_impl.h"
 
 struct edit {
   size_t from, to;   /* bytes of the source to be replaced */
