@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 /* Surface of one side of a facet, UM_GEOMETRY_NONE where that side does not radiate. */
 static uint32_t side_surface(const struct um_geometry_mesh *mesh, size_t facet, int back)

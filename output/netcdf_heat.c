@@ -5,7 +5,7 @@
  */
 #include <math.h>
 
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 /* The place of a node, and which of the place's nodes it is. */
 struct home {

@@ -1,6 +1,6 @@
 /* run.nc: the inside of solids, one after the other: vertices of their tetrahedra with temperatures
  * over time. */
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 #include "output/solids_impl.h"
 #include "thermal/network/tetgen.h"
 
