@@ -12,12 +12,7 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->absorptance_by_angle = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->absorptance_by_angle = false)
 
 const struct um_effect um_effects_absorptance_angle = {
     UM_EFFECT_ABI,

@@ -2,13 +2,7 @@
  * elsewhere. */
 #include "effects/list_impl.h"
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment_clear_sky *sky)
-{
-  (void)context;
-  sky->aerosol += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_SKY(add, sky->aerosol += use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "depth",

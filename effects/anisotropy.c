@@ -16,15 +16,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "tows and brushed metal 1 to 10 times as rough across as along"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->lobe.log_across += log(use->value[0]);
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->lobe.log_across += log(use->value[0]))
 
 const struct um_effect um_effects_anisotropy = {
     UM_EFFECT_ABI,

@@ -31,15 +31,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "0.75 to 1.1 of the total emittance"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->band_emissivity_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->band_emissivity_scale *= use->value[0])
 
 const struct um_effect um_effects_band_emissivity = {
     UM_EFFECT_ABI,

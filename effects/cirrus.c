@@ -2,13 +2,7 @@
  * of the visible, nearly as much in 8-12 um, and glows there. */
 #include "effects/list_impl.h"
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment_clear_sky *sky)
-{
-  (void)context;
-  sky->cirrus += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_SKY(add, sky->cirrus += use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "depth",

@@ -9,15 +9,8 @@
 
 #define DAY 86400.0 /* [s] */
 
-static enum um_status darken(struct um_context *context, const struct um_effect_use *use,
-                             const char *material, double t_tai,
-                             struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  if (um_effect_acts_on(use, material))
-    adjustment->absorptance_shift += use->value[0] * (t_tai - use->epoch) / DAY;
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(darken,
+                      adjustment->absorptance_shift += use->value[0] * (t_tai - use->epoch) / DAY)
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "absorptance_per_day",

@@ -18,15 +18,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "dielectrics fall and metals rise toward grazing by up to 30 %"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->emissivity_tilt += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->emissivity_tilt += use->value[0])
 
 const struct um_effect um_effects_directional_emissivity = {
     UM_EFFECT_ABI,

@@ -3,14 +3,8 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment *environment)
-{
-  (void)context;
-  environment->outgoing_longwave *= use->value[0];
-  environment->longwave_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(scale, environment->outgoing_longwave *= use->value[0];
+                         environment->longwave_factor *= use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {

@@ -15,13 +15,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "220 to 290 K of brightness temperature"},
 };
 
-static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
-                                  struct um_environment *to)
-{
-  (void)context;
-  to->earth_reflection_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(environment, environment->earth_reflection_factor *= use->value[0])
 
 const struct um_effect um_effects_earth_reflection_level = {
     UM_EFFECT_ABI,

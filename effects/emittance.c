@@ -4,15 +4,7 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            const char *material, double t_tai,
-                            struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, material)) adjustment->emittance_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(scale, adjustment->emittance_scale *= use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {

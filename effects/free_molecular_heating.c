@@ -12,13 +12,7 @@
 
 #define ACCOMMODATION 0.9 /* 0.8 to 1 for engineering surfaces in atomic oxygen */
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment *environment)
-{
-  (void)context;
-  environment->gas_density_factor += ACCOMMODATION * use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(add, environment->gas_density_factor += ACCOMMODATION * use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "density_factor",

@@ -4,13 +4,7 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment *environment)
-{
-  (void)context;
-  environment->region.albedo_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(scale, environment->region.albedo_factor *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "local_albedo_factor",

@@ -4,14 +4,8 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status change(struct um_context *context, const struct um_effect_use *use,
-                             struct um_environment *environment)
-{
-  (void)context;
-  environment->region.longwave_factor *= use->value[0];
-  environment->region.brightness_shift += use->value[1];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(change, environment->region.longwave_factor *= use->value[0];
+                         environment->region.brightness_shift += use->value[1])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "local_olr_factor",

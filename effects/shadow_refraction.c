@@ -5,12 +5,7 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->shadow_refraction_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->shadow_refraction_on = false)
 
 const struct um_effect um_effects_shadow_refraction = {
     UM_EFFECT_ABI,

@@ -26,15 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "20 % of a reflectance measured at one angle"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->specular_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->specular_scale *= use->value[0])
 
 const struct um_effect um_effects_specular_level = {
     UM_EFFECT_ABI,

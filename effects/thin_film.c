@@ -16,15 +16,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "sheet is sold in steps of a factor of 2, coatings vary by 5 to 30 % over a surface"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->thickness_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->thickness_scale *= use->value[0])
 
 const struct um_effect um_effects_thin_film = {
     UM_EFFECT_ABI,
