@@ -124,18 +124,11 @@ static void print_table(const struct um_materials_library *library)
 int um_app_materials(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
-  char *folder = NULL;
   struct um_materials_library *library = NULL;
-  struct um_environment environment;
-  struct um_materials_sun sun;
   if (options->from_reflectance != NULL) return um_app_materials_reflectance(context, options);
   if (options->from_profile != NULL) return um_app_materials_profile(context, options);
   if (options->from_brdf != NULL) return um_app_materials_fit(context, options);
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   if (options->npositional == 1) {
     const char *name = options->positional[0];
     const struct um_materials_record *r = um_materials_library_find(library, name);
@@ -157,7 +150,6 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
     print_table(library);
   }
 done:
-  um_core_free(context, folder);
   um_materials_library_destroy(&library);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

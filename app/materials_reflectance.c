@@ -124,16 +124,9 @@ int um_app_materials_reflectance(struct um_context *context, const struct um_app
 {
   enum um_status status;
   struct laboratory l = {0};
-  char *folder = NULL;
   struct um_materials_library *library = NULL;
-  struct um_environment environment;
-  struct um_materials_sun sun;
   UM_CHECK(check_options(context, options, &l));
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   UM_CHECK(read_measured(context, options->from_reflectance, library, &l));
   if (options->from_profile != NULL) UM_CHECK(read_heights(context, options->from_profile, &l));
   if (options->json)
@@ -143,6 +136,5 @@ int um_app_materials_reflectance(struct um_context *context, const struct um_app
 done:
   um_materials_ratio_free(context, &l.measured);
   um_materials_library_destroy(&library);
-  um_core_free(context, folder);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -92,15 +92,7 @@ enum um_status um_orbit_attitude_table_at(struct um_context *context,
                                           const struct um_orbit_attitude_table *table, double t_tai,
                                           struct um_quat *q)
 {
-  if (!(t_tai >= table->t[0] && t_tai <= table->t[table->n - 1])) {
-    char at[32], first[32], last[32];
-    um_orbit_time_format(t_tai, at);
-    um_orbit_time_format(table->t[0], first);
-    um_orbit_time_format(table->t[table->n - 1], last);
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "%s: an attitude is wanted at %s; the table covers %s to %s", table->path,
-                        at, first, last);
-  }
+  UM_TRY(um_orbit_time_within(context, table->path, "an attitude", t_tai, table->t, table->n));
   size_t i = um_core_interval_find(table->t, table->n, t_tai);
   double u = (t_tai - table->t[i]) / (table->t[i + 1] - table->t[i]);
   *q = um_core_quat_slerp(table->q[i], table->q[i + 1], u);
