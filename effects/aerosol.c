@@ -27,7 +27,6 @@ const struct um_effect um_effects_aerosol = {
     .separated_by = "extinction and zero_point: two bands of different colour over a range of "
                     "airmasses; standard stars",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = add},
 };

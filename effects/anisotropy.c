@@ -28,7 +28,6 @@ const struct um_effect um_effects_anisotropy = {
     .separated_by = "roughness and mli_creases: the same glint passed along the grain and across "
                     "it, from two directions of the body or in two passes",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -26,7 +26,6 @@ const struct um_effect um_effects_background = {
     .separated_by = "earthshine and zero_point: frames beside the satellite; it does not fall with "
                     "range, and counts most where the satellite is faint",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

@@ -45,7 +45,6 @@ const struct um_effect um_effects_band_emissivity = {
         "emittance, zero_point and area: a temperature of that side measured beside the thermal "
         "infrared stays when only the band differs; a second band tells it from area",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

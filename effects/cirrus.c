@@ -27,7 +27,6 @@ const struct um_effect um_effects_cirrus = {
     .separated_by = "zero_point and extinction: both bands over a range of airmasses; aerosol: two "
                     "colours; a radiometer of the sky at 10 um",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = add},
 };

@@ -34,7 +34,6 @@ const struct um_effect um_effects_contamination = {
     .separated_by = "solar_absorptance: passes weeks apart, over which the one grows and the other "
                     "stays",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = darken},
 };

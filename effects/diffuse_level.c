@@ -37,7 +37,6 @@ const struct um_effect um_effects_diffuse_level = {
     .separated_by = "zero_point and area: the light between glints changes while glints and the "
                     "thermal infrared stay",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -31,7 +31,6 @@ const struct um_effect um_effects_directional_emissivity = {
         "band_emissivity: thermal infrared of one side over a range of angles, best over a turn of "
         "the spin and in eclipse, where it changes at twice the spin rate",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -41,7 +41,6 @@ const struct um_effect um_effects_earth_ir_level = {
     .separated_by = "internal_power and mli_emittance: temperatures of a side that faces the Earth "
                     "beside one that faces space, day and night",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

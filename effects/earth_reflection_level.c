@@ -27,7 +27,6 @@ const struct um_effect um_effects_earth_reflection_level = {
                     "changes at once with the ground below while their temperature stays; "
                     "earth_brightness is the same thing in one band",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = environment},
 };

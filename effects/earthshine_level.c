@@ -38,7 +38,6 @@ const struct um_effect um_effects_earthshine_level = {
     .separated_by = "background and diffuse_level: visible light of a satellite in shadow over the "
                     "lit Earth; it follows the height of the Sun over the ground below",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = environment},
 };

@@ -224,6 +224,10 @@ struct um_effect_hooks {
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \
   .layout = UM_EFFECT_LAYOUT
 
+/* The members that say its parameters, of an array. */
+#define UM_EFFECT_PARAMETERS(array)                                                                \
+  .parameters = (array), .nparameter = sizeof(array) / sizeof((array)[0])
+
 /* Most parameters one effect may have. */
 #define UM_EFFECT_PARAMETERS_MAX 8
 

@@ -39,7 +39,6 @@ const struct um_effect um_effects_emittance = {
         "heat_capacity, solar_absorptance and internal_power: a temperature followed from sunlight "
         "to the end of an eclipse, or two thermal-infrared bands, whose ratio is a temperature",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = scale},
 };

@@ -37,7 +37,6 @@ const struct um_effect um_effects_free_molecular_heating = {
     .separated_by = "earth_ir_level and internal_power: it comes from ahead, day and night, and is "
                     "gone on what looks backward",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = add},
 };

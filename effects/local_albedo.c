@@ -30,7 +30,6 @@ const struct um_effect um_effects_local_albedo = {
         "albedo_level, which acts in the orbits before too: temperatures of what stores "
         "heat, or light from before and after the place is passed",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

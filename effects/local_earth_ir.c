@@ -40,7 +40,6 @@ const struct um_effect um_effects_local_earth_ir = {
                     "temperatures of what stores heat, or light from before and after the place is "
                     "passed",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 2,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = change},
 };

@@ -37,7 +37,6 @@ const struct um_effect um_effects_roughness = {
     .separated_by = "specular_level and exposure: the profile of a glint in exposures shorter than "
                     "a tenth of it; roughness keeps its area and trades height for width",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

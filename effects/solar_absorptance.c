@@ -40,7 +40,6 @@ const struct um_effect um_effects_solar_absorptance = {
     .separated_by = "panel_extraction and emittance: visible light beside a temperature; ageing "
                     "darkens what it warms, and the end of an eclipse does not know of it",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = shift},
 };

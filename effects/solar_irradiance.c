@@ -35,7 +35,6 @@ const struct um_effect um_effects_solar_irradiance = {
                     "beside visible light of the same factor; the irradiance itself is measured "
                     "from satellites to 0.1 %",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

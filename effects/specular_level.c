@@ -38,7 +38,6 @@ const struct um_effect um_effects_specular_level = {
     .separated_by = "zero_point and roughness: height and area of a glint change together and the "
                     "light between glints stays",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -44,7 +44,6 @@ const struct um_effect um_effects_spin_period = {
     .separated_by =
         "time_tag and attitude_offset: many revolutions; its lag grows with time, theirs stays",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.law = law},
 };

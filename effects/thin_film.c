@@ -30,7 +30,6 @@ const struct um_effect um_effects_thin_film = {
                     "absorbs unlike, or a temperature beside the light; it moves all of them by "
                     "one number",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

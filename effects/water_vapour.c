@@ -26,7 +26,6 @@ const struct um_effect um_effects_water_vapour = {
     .separated_by = "zero_point and extinction of an infrared band, emittance: a range of "
                     "airmasses, since it grows less than they do; a radiosonde or GPS receiver",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = scale},
 };

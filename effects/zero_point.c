@@ -27,7 +27,6 @@ const struct um_effect um_effects_zero_point = {
     .separated_by = "area, diffuse_level and extinction: standard stars in the same night, or a "
                     "second band of the same part that the factor does not touch",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };
