@@ -26,13 +26,16 @@ enum um_status um_library_result_show(struct um_context *context, struct umbra_r
 }
 
 enum um_status um_library_result_make(struct um_context *context, struct umbra_result *result,
-                                      struct umbra_array array, double **data)
+                                      struct umbra_array array, const char *name, const char *unit,
+                                      double **data)
 {
   size_t n = 1;
   for (size_t i = 0; i < 4 && array.axis[i] != NULL; i++) n *= array.shape[i];
   UM_TRY(um_core_reallocate(context, result->nowned + 1, sizeof *data, &result->owned));
   UM_TRY(um_core_allocate(context, n, sizeof **data, data));
   result->owned[result->nowned++] = *data;
+  array.name = name;
+  array.unit = unit;
   array.data = *data;
   return um_library_result_show(context, result, &array);
 }
