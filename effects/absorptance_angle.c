@@ -10,7 +10,6 @@
  * by angular moments of the loads (environment/angular_moments.h), T_E that of its radiation; what
  * other surfaces reflect comes from all sides and is taken with the hemispherical mean. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->absorptance_by_angle = false)
 

@@ -1,7 +1,6 @@
 /* Albedo as a heat load: q = alpha int a S max(cos SZA, 0) cos(theta) cos(theta_E) / (pi d^2) dA
  * over the visible cap. Its optical twin is earthshine. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->albedo_on = false)
 

@@ -1,7 +1,6 @@
 /* Anisotropy: the lobe is wider across the grain than along it, or narrower, by a factor of the
  * alpha across. Of a lobe that is alike all round it makes one with a grain. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "across_factor",

@@ -1,7 +1,6 @@
 /* The air above the station: E = E_0 t(lambda) before filter and detector, t of
  * environment/clear_sky.c along the path of each instant. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->sky.on = false)
 

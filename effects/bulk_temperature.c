@@ -5,7 +5,6 @@
  *
  * Numbers that a scenario states itself hold at every temperature. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->bulk_by_temperature = false)
 

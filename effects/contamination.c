@@ -5,7 +5,6 @@
  * t_0 the start of the scenario's time, where the surface is as its record says. The line is the
  * beginning of any law of growth; ageing that is over by t_0 is solar_absorptance. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 #define DAY 86400.0 /* [s] */
 

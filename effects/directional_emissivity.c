@@ -4,7 +4,6 @@
  * what is not emitted is reflected Earth, and what the Earth sends is absorbed alike
  * (absorptance_angle), which moves temperatures of spectral records a little. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "tilt",

@@ -1,7 +1,6 @@
 /* Earth IR as a heat load: q = epsilon OLR F(plate -> Earth). Its optical twin is
  * reflected_earth_ir. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->planet_on = false)
 

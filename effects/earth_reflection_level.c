@@ -1,7 +1,6 @@
 /* Level of the Earth's own radiation that the satellite reflects to the observer. Its thermal twin
  * is the Earth-IR load, which stays. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "factor",

@@ -3,7 +3,6 @@
  * the Earth leaves every surface as if that were rough: the diffuse part alone in the visible, 1 -
  * eps times the view factor in the infrared. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->earthlight_lobe_on = false)
 

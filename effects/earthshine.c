@@ -1,7 +1,6 @@
 /* Earthshine: L_o = rho_d(lambda) E_albedo(lambda) / pi. It lights the satellite in its own umbra
  * as long as it sees a sunlit Earth. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->earthshine_on = false)
 

@@ -6,7 +6,6 @@
  * more. The Earth's radiation is absorbed with the emittance at the Earth's own temperature,
  * (OLR / sigma)^(1/4), in place of the surface's. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->emittance_by_temperature = false)
 

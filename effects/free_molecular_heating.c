@@ -8,7 +8,6 @@
  * 200 km, 0.76 at 400 km, 0.003 at 765 km. Off unless a scenario asks for it: rho is known to a
  * factor of 3 at 400 km, and above 500 km it is less than what any other load is known to. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 #define ACCOMMODATION 0.9 /* 0.8 to 1 for engineering surfaces in atomic oxygen */
 

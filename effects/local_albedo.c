@@ -2,7 +2,6 @@
  * The part is environment.earth.local; unless stated, it is what is below from the start on, as
  * against the orbits before. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_ON_ENVIRONMENT(scale, environment->region.albedo_factor *= use->value[0])
 

@@ -2,7 +2,6 @@
  * cloud under the orbit. The part is environment.earth.local; unless stated, it is what is below
  * from the start on, as against the orbits before. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_ON_ENVIRONMENT(change, environment->region.longwave_factor *= use->value[0];
                          environment->region.brightness_shift += use->value[1])

@@ -2,7 +2,6 @@
  * (environment/moonlight.c), reflected once, through lobes and diffuse parts. In the umbra of a low
  * orbit nothing else lights a satellite in VIS. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->moonlight_on = false)
 

@@ -3,7 +3,6 @@
  * (materials/passed_on.c); to all sides of other lobes (materials/spectrum.c). Without it that
  * light is lost: to 13 % of a surface of alpha 0.5. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->multiple_scattering_on = false)
 

@@ -2,7 +2,6 @@
  * of the Earth and of all J (thermal/exchange/exchange.h). Without it, what is emitted toward the
  * satellite itself is taken to come back to where it left (model/build/build_blocked.c). */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->mutual_radiation_on = false)
 

@@ -1,7 +1,6 @@
 /* Reflected Earth radiation: L_o = (1 - epsilon_lambda(theta_o)) F B_lambda(T_Earth). For bare
  * metal it is an order of magnitude above the metal's own emission. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->earth_reflection_on = false)
 

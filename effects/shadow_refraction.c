@@ -3,7 +3,6 @@
  * of the light is gone some 10 s before the Sun's centre stands on the bare Earth's limb, and red
  * light reaches into the umbra. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->shadow_refraction_on = false)
 

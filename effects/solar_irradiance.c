@@ -1,7 +1,6 @@
 /* Level of sunlight: S' = f S at 1 au, in heat loads, reflected sunlight and earthshine. The
  * distance of the Sun is already in S/d^2. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_ON_ENVIRONMENT(scale, environment->solar_irradiance *= use->value[0])
 

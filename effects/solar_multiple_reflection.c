@@ -2,7 +2,6 @@
  * H = E + F rho H with rho = 1 - alpha (thermal/exchange/exchange.h). Its optical twin is
  * inter_reflection. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->solar_reflection_on = false)
 

@@ -2,7 +2,6 @@
  * surfaces, S' in place of S (geometry/mirror_paths.h, thermal/exchange/exchange.h), sunlight and
  * the Earth's light too. Without it they scatter all that they reflect. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->specular_exchange_on = false)
 

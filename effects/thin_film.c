@@ -2,7 +2,6 @@
  * a factor. What interferes changes its colour, what absorbs changes both absorptance and
  * emittance, all from the same optical constants. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "thickness_factor",

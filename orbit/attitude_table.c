@@ -4,7 +4,6 @@
 #include "base/core/interpolation.h"
 #include "base/core/order.h"
 #include "orbit/attitude_table_impl.h"
-#include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 
 #include <stdlib.h>

@@ -8,7 +8,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/interpolation.h"
-#include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 #include "orbit/trajectory_impl.h"
 

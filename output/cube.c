@@ -1,7 +1,6 @@
 /* Factored pictures as netCDF-4, written line by line from the picture. */
 #include "output/cube.h"
 
-#include <errno.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <stdio.h>

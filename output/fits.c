@@ -2,7 +2,6 @@
  * It is so little that no library is needed for it. */
 #include "output/fits.h"
 
-#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

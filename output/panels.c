@@ -1,5 +1,4 @@
 /* satellite.png: pictures of several instants and bands side by side, drawn by gnuplot. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,6 @@
  * are the identity; its names are for people. */
 #include "study/identity.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>

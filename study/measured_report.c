@@ -1,5 +1,4 @@
 /* What measurements say of the points of a study, as tables and for a person. */
-#include <math.h>
 
 #include "base/core/csv.h"
 #include "base/uncertainty/statistics.h"

@@ -1,7 +1,6 @@
 /* A script from its first line to the pictures. */
 #include "base/plot/plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 

@@ -1,10 +1,8 @@
 /* How channels and their figures stand in result files. */
 #include "evidence/comparison/figures.h"
 
-#include <math.h>
 #include <string.h>
 
-#include "base/core/csv.h"
 #include "base/core/json.h"
 
 void um_compare_figures(const struct um_compare_metrics *m,

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/policy.h"
 #include "evidence/sensitivity/stated.h"
 
 enum um_status um_diagnosis_block_wanted(struct um_context *context,

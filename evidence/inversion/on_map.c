@@ -6,7 +6,6 @@
 #include "base/core/constants.h"
 #include "base/core/csv.h"
 #include "environment/airmass.h"
-#include "evidence/comparison/figures.h"
 #include "evidence/comparison/residual.h"
 #include "evidence/measurements/time_text.h"
 

@@ -1,7 +1,6 @@
 /* Periodograms and folded curves as files, and a picture of them by gnuplot. */
 #include "evidence/inversion/period_write.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "base/core/csv.h"
-#include "evidence/comparison/figures.h"
 #include "model/build/bands.h"
 #include "model/geometry/precompute.h"
 #include "orbit/time.h"

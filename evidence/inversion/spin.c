@@ -6,7 +6,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/csv.h"
-#include "evidence/comparison/figures.h"
 #include "evidence/inversion/spin_impl.h"
 #include "evidence/measurements/time_text.h"
 

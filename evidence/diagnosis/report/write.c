@@ -8,7 +8,6 @@
 #include "base/core/constants.h"
 #include "base/core/csv.h"
 #include "base/core/file.h"
-#include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/report_impl.h"
 #include "evidence/diagnosis/report/write_json.h"
